@@ -15,6 +15,7 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/dangling_faces.h"
+#include "rbpa/full_topology.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/union_of_balls.h"
@@ -91,7 +92,33 @@ std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double 
           line<std::int32_t>(std::move(found.points))};
 }
 
-/// The boundary, and all of the voids column by column: where the triangles and points of each begin.
+/// All of them column by column: where the triangles and points of each begin.
+void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
+  std::vector<double> volume, area;
+  std::vector<std::array<double, 6>> box;
+  std::vector<std::int64_t> islands, first_triangle = {0}, first_point = {0};
+  std::vector<std::uint32_t> triangles, around;
+  for (const SolidVoid& hollow : voids) {
+    volume.push_back(hollow.volume);
+    area.push_back(hollow.area);
+    box.push_back({hollow.low.x, hollow.low.y, hollow.low.z, hollow.high.x, hollow.high.y, hollow.high.z});
+    islands.push_back(static_cast<std::int64_t>(hollow.islands));
+    triangles.insert(triangles.end(), hollow.triangles.begin(), hollow.triangles.end());
+    around.insert(around.end(), hollow.points.begin(), hollow.points.end());
+    first_triangle.push_back(static_cast<std::int64_t>(triangles.size()));
+    first_point.push_back(static_cast<std::int64_t>(around.size()));
+  }
+  result["void_volume"] = line<double>(std::move(volume));
+  result["void_area"] = line<double>(std::move(area));
+  result["void_box"] = rows<double>(std::move(box));
+  result["void_islands"] = line<std::int64_t>(std::move(islands));
+  result["void_triangles"] = line<std::int32_t>(std::move(triangles));
+  result["void_points"] = line<std::int32_t>(std::move(around));
+  result["first_triangle"] = line<std::int64_t>(std::move(first_triangle));
+  result["first_point"] = line<std::int64_t>(std::move(first_point));
+}
+
+/// The boundary, and all of the voids.
 py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -106,20 +133,6 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
     all.voids = voids(input, again, all.boundary);
     return all;
   });
-  std::vector<double> volume, area;
-  std::vector<std::array<double, 6>> box;
-  std::vector<std::int64_t> islands, first_triangle = {0}, first_point = {0};
-  std::vector<std::uint32_t> triangles, around;
-  for (const SolidVoid& hollow : made.voids.all) {
-    volume.push_back(hollow.volume);
-    area.push_back(hollow.area);
-    box.push_back({hollow.low.x, hollow.low.y, hollow.low.z, hollow.high.x, hollow.high.y, hollow.high.z});
-    islands.push_back(static_cast<std::int64_t>(hollow.islands));
-    triangles.insert(triangles.end(), hollow.triangles.begin(), hollow.triangles.end());
-    around.insert(around.end(), hollow.points.begin(), hollow.points.end());
-    first_triangle.push_back(static_cast<std::int64_t>(triangles.size()));
-    first_point.push_back(static_cast<std::int64_t>(around.size()));
-  }
   const SolidCounts& counts = made.voids.counts;
   py::dict result;
   result["triangles"] = rows<std::int32_t>(std::move(made.boundary.surface.triangles));
@@ -129,14 +142,27 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
   result["solid_components"] = counts.solid_components;
   result["volume"] = made.measures.volume;
   result["area"] = made.measures.area;
-  result["void_volume"] = line<double>(std::move(volume));
-  result["void_area"] = line<double>(std::move(area));
-  result["void_box"] = rows<double>(std::move(box));
-  result["void_islands"] = line<std::int64_t>(std::move(islands));
-  result["void_triangles"] = line<std::int32_t>(std::move(triangles));
-  result["void_points"] = line<std::int32_t>(std::move(around));
-  result["first_triangle"] = line<std::int64_t>(std::move(first_triangle));
-  result["first_point"] = line<std::int64_t>(std::move(first_point));
+  add_voids(made.voids.all, result);
+  return result;
+}
+
+/// Betti numbers of the full alpha complex and its voids, with a triangulation of its own.
+py::dict full_of(const Doubles& points, double alpha) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    FullCounts counts;
+    FullVoids voids;
+  };
+  Made made = watched(input.size(), py::none(), [&](Watch&) {
+    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity());
+    const std::vector<double> radii = circumradii(input, delaunay.simplices);
+    return Made{count_full(input, delaunay, radii, alpha),
+                full_voids(input, void_space(input, delaunay, radii, alpha))};
+  });
+  py::dict result;
+  result["betti"] = py::make_tuple(made.counts.components, made.counts.tunnels, made.counts.voids);
+  result["triangles"] = rows<std::int32_t>(std::move(made.voids.boundary.triangles));
+  add_voids(made.voids.all, result);
   return result;
 }
 
@@ -152,6 +178,7 @@ void bind_solid(py::module_& module) {
              arg("radii").noconvert(), arg("alpha"));
   module.def("union_of_balls", &balls_of, arg("points").noconvert(), arg("radius"), arg("threads"), arg("progress"));
   module.def("solid_dangling", &dangling_of, arg("points").noconvert(), arg("alpha"));
+  module.def("solid_full", &full_of, arg("points").noconvert(), arg("alpha"));
   module.def("solid_voids", &voids_of, arg("points").noconvert(), arg("simplices").noconvert(),
              arg("neighbors").noconvert());
 }

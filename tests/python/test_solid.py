@@ -151,6 +151,26 @@ def test_the_full_complex_is_that_of_gudhi(seed):
         assert set(map(tuple, solid.dangling.triangles.tolist())) == of[2] - faces(of[3])
         assert set(map(tuple, solid.dangling.edges.tolist())) == of[1] - faces(of[2])
         assert {(p,) for p in solid.dangling.points.tolist()} == of[0] - faces(of[1])
+        tree = gudhi.SimplexTree()
+        for simplex, _ in filtration[: index + 1]:
+            tree.insert(simplex)
+        tree.compute_persistence(persistence_dim_max=True)
+        assert list(solid.full.betti) == (tree.betti_numbers() + [0, 0, 0])[:3]
+        assert len(solid.full.voids) == solid.full.betti[2]
+
+
+def test_triangles_part_voids_that_the_solid_leaves_connected():
+    points = numpy.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=float)
+    solid = rbpa.solid(points, 1.7)  # triangles come at 1.633, the tetrahedron at 1.732
+    betti, voids, triangles = solid.full
+    assert solid.voids == [] and betti == (1, 0, 1) and len(voids) == 1
+    assert voids[0].volume == pytest.approx(8 / 3) and voids[0].points.tolist() == [0, 1, 2, 3]
+    assert triangles.shape == (4, 3) and voids[0].triangles.tolist() == [0, 1, 2, 3] and not triangles.flags.writeable
+    corners = points[triangles]
+    assert numpy.linalg.det(corners).sum() / 6 == pytest.approx(-8 / 3)  # seen from within
+    assert rbpa.solid(points).full.voids == []
+    with pytest.raises(rbpa.InvalidInput, match="in a plane"):
+        rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).full
 
 
 def test_flat_and_few_points_have_no_tetrahedron():

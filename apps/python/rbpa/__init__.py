@@ -52,7 +52,7 @@ from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
-from rbpa._solid import BallUnion, DanglingFaces, Solid, SolidVoid, solid, union_of_balls
+from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -67,6 +67,7 @@ __all__ = [
     "Delaunay",
     "DelaunayInSpace",
     "Filtration",
+    "FullComplex",
     "InvalidInput",
     "NotWatertight",
     "Plateau",
@@ -97,7 +98,8 @@ __all__ = [
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(BallUnion, DanglingFaces, NotWatertight, Solid, SolidVoid, Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
+    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, Solid, SolidVoid),
+    *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
     *(scale_space, surface, union_of_balls),
 ):

@@ -145,6 +145,42 @@ class SolidVoid:
         return f"<rbpa.SolidVoid of volume {self.volume}, area {self.area}, {len(self.points)} points around it>"
 
 
+def _voids_of(of: dict[str, Any]) -> list[SolidVoid]:
+    triangles, points = of["first_triangle"].tolist(), of["first_point"].tolist()
+    return [
+        SolidVoid(
+            volume,
+            area,
+            of["void_box"][i].reshape(2, 3).copy(),
+            islands,
+            of["void_triangles"][triangles[i] : triangles[i + 1]].copy(),
+            of["void_points"][points[i] : points[i + 1]].copy(),
+        )
+        for i, (volume, area, islands) in enumerate(
+            zip(of["void_volume"].tolist(), of["void_area"].tolist(), of["void_islands"].tolist())
+        )
+    ]
+
+
+class FullComplex(NamedTuple):
+    """The topology of a full alpha complex: what `Solid.full` returns. Arrays are read-only.
+
+    Attributes
+    ----------
+    betti : tuple of int
+        Components, tunnels and voids of the complex.
+    voids : list of SolidVoid
+        The bounded components of what is outside of its tetrahedra and triangles, the largest volume first. Their triangles are numbers
+        in `triangles`; an island is a piece of triangles.
+    triangles : int32 array of shape (k, 3)
+        Around the voids, counter-clockwise seen from within; one with a void on both sides comes twice.
+    """
+
+    betti: tuple[int, int, int]
+    voids: list[SolidVoid]
+    triangles: Indices
+
+
 class Solid(Result):
     """Tetrahedra of points in space: what `solid` returns. Arrays are read-only.
 
@@ -217,6 +253,20 @@ class Solid(Result):
         return found
 
     @cached_property
+    def full(self) -> FullComplex:
+        """Betti numbers and voids of the full alpha complex, whose triangles without a tetrahedron part voids too. Costs a triangulation.
+
+        Raises
+        ------
+        InvalidInput
+            All points are in a plane, where there is none.
+        """
+        self._require_unchanged()
+        made = _core.solid_full(self.points, self.alpha)
+        freeze(made["triangles"])
+        return FullComplex(made["betti"], _voids_of(made), made["triangles"])
+
+    @cached_property
     def _voids(self) -> dict[str, Any]:
         self._require_unchanged()
         made = _core.solid_voids(self.points, self.simplices, self.neighbors)
@@ -263,21 +313,7 @@ class Solid(Result):
     @cached_property
     def voids(self) -> list[SolidVoid]:
         """The bounded components of what is outside, the largest volume first."""
-        of = self._voids
-        triangles, points = of["first_triangle"].tolist(), of["first_point"].tolist()
-        return [
-            SolidVoid(
-                volume,
-                area,
-                of["void_box"][i].reshape(2, 3).copy(),
-                islands,
-                of["void_triangles"][triangles[i] : triangles[i + 1]].copy(),
-                of["void_points"][points[i] : points[i + 1]].copy(),
-            )
-            for i, (volume, area, islands) in enumerate(
-                zip(of["void_volume"].tolist(), of["void_area"].tolist(), of["void_islands"].tolist())
-            )
-        ]
+        return _voids_of(self._voids)
 
     def boundary_mesh(self) -> meshops.Mesh:
         """A halfedge mesh of the boundary, a new one with each call: face i is triangle i of `boundary`, and goes on where
