@@ -136,7 +136,8 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
     };
   space::TiledSolid found;
   if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
-  space::fill_in(std::move(found.rows), points.size(), options.neighbors, threads, solid);
+  space::fill_in(std::move(found.rows), points.size(), options.neighbors, threads,
+                 asking(options.progress, found.distinct, found.distinct), solid);
   solid.distinct = found.distinct;
   solid.duplicates = std::move(found.duplicates);
   return true;
@@ -164,7 +165,7 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
     Threads threads = threads_for(points.size(), options.threads);
     const double scaled_alpha = std::ldexp(alpha, spread.exponent);
     space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), points.size(),
-                   options.neighbors, threads, solid);
+                   options.neighbors, threads, asking(options.progress, solid.distinct, solid.distinct), solid);
   }
 }
 

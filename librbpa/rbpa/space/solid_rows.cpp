@@ -50,7 +50,9 @@ Row permuted(const Row& row, Permutation p) {
 
 Row two_least_first(const Row& corners) { return permuted(corners, permutation_of(corners)); }
 
-void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, Solid& solid) {
+void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, const std::function<void()>& ask,
+             Solid& solid) {
+  if (ask) ask();
   const std::size_t count = rows.corners.size();
   meshops::FreshVector<Permutation> permutation(count);
   constexpr std::size_t at_a_time = 1u << 14;
@@ -60,9 +62,11 @@ void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads
       rows.corners[i] = permuted(rows.corners[i], permutation[i]);
     }
   });
+  if (ask) ask();
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
   rows.corners = meshops::FreshVector<Row>();  // its memory is at hand for the neighbours
   if (!neighbors) return;
+  if (ask) ask();
   solid.neighbors.reserve(count);
   meshops::prefer_large_pages(solid.neighbors.data(), count * sizeof(Row));
   solid.neighbors.resize(count);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
@@ -18,8 +19,10 @@ struct SolidRows {
   meshops::FreshVector<Row> neighbors;  ///< not looked at unless wanted
 };
 
-/// Fills in the simplices, and the neighbours if they are wanted. `bound` is above all indices.
-void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, Solid& solid);
+/// Fills in the simplices, and the neighbours if they are wanted. `bound` is above all indices. Calls `ask`, if any, between its steps; it may
+/// throw.
+void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, const std::function<void()>& ask,
+             Solid& solid);
 
 /// The same corners, the two least first, by an even permutation.
 Row two_least_first(const Row& corners);
