@@ -140,8 +140,8 @@ class StarSearch : public StarFinder {
     const Place own = tile_.place(v);
     for (std::uint32_t t = before; t < count_; ++t) {
       const std::array<Place, 4> row = row_of(t);
-      const bool is_first = (own < row[0]) & (own < row[1]) & (own < row[2]);
-      if (is_complete & is_first) {
+      const bool is_first = own < std::min({row[0], row[1], row[2]});
+      if (is_complete && is_first) {
         number_[t] = static_cast<std::uint32_t>(found_->tetrahedra.size());
         found_->tetrahedra.push_back(row);
         found_->is_within.push_back(is_within_[t]);
@@ -286,7 +286,7 @@ class StarSearch : public StarFinder {
       return false;  // at the hull, mostly
     sphere_ = sphere_of(face, candidates_.spoke(apex_at));
     apex_ = candidates_.id(apex_at);
-    if (is_certain(sphere_) & candidates_.are_outside(sphere_, {first_at, second_at, apex_at})) [[likely]] {
+    if (is_certain(sphere_) && candidates_.are_outside(sphere_, {first_at, second_at, apex_at})) [[likely]] {
       if (is_within_reach(sphere_)) [[likely]]
         return true;
     }
