@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <utility>
 
-#include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/simplices_at.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
@@ -13,8 +11,6 @@
 
 namespace rbpa {
 namespace {
-
-constexpr std::size_t points_at_a_time = 1u << 10;
 
 Triangle ascending(const std::array<std::uint32_t, 4>& corners, std::size_t k) {
   Triangle t = {corners[space::outer_faces[k][0]], corners[space::outer_faces[k][1]],
@@ -39,27 +35,17 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
   const std::size_t bound = corner_bound<4>(delaunay.simplices);
   const TetrahedraAt stars(delaunay.simplices, bound);
   std::vector<std::uint8_t> has_edge(bound, 0);
-  struct Workspace {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-    std::vector<std::array<std::uint32_t, 2>> edges;
-  };
-  in_order<Workspace>(
-      threads, (bound + points_at_a_time - 1) / points_at_a_time,
-      [&](std::size_t part, Workspace& w) {
-        w.edges.clear();
-        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
-        for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
-          space::for_each_edge_up(a, stars[a], delaunay, w.ends,
-                                  [&](std::uint32_t b, std::span<const std::uint32_t> around) {
-                                    const bool is_of_triangle = faces.has_triangle_at(a, b, around);
-                                    if (!is_of_triangle && !faces.has_edge_alone(a, b, around)) return;
-                                    for (const std::uint32_t point : {a, b})
-                                      std::atomic_ref(has_edge[point]).store(1, std::memory_order_relaxed);
-                                    if (!is_of_triangle) w.edges.push_back({a, b});
-                                  });
+  space::for_each_edge(
+      delaunay, stars, bound, threads,
+      [&](std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
+        const bool is_of_triangle = faces.has_triangle_at(a, b, around);
+        if (!is_of_triangle && !faces.has_edge_alone(a, b, around)) return false;
+        for (const std::uint32_t point : {a, b}) std::atomic_ref(has_edge[point]).store(1, std::memory_order_relaxed);
+        return !is_of_triangle;
       },
-      [&](std::size_t, Workspace& w) { result.edges.insert(result.edges.end(), w.edges.begin(), w.edges.end()); },
-      [](std::size_t, Workspace&) {});
+      [&](std::uint32_t a, std::uint32_t b) {
+        result.edges.push_back({a, b});
+      });
   result.points = delaunay.isolated;
   for (std::uint32_t v = 0; v < bound; ++v)
     if (has_edge[v] == 0 && !stars[v].empty()) result.points.push_back(v);

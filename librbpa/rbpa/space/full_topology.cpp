@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/simplices_at.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
@@ -35,35 +34,22 @@ meshops::DisjointSets connected_outside(const Solid& delaunay, const space::Face
 /// Edges in the complex, and components of the points through them.
 std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid& delaunay,
                                                 const space::FacesWithin& faces, Threads& threads) {
-  constexpr std::size_t points_at_a_time = 1u << 10;
   const std::size_t bound = corner_bound<4>(delaunay.simplices);
   const TetrahedraAt stars(delaunay.simplices, bound);
   meshops::DisjointSets sets(points);
   std::size_t edges = 0, joined = 0;
-  struct Workspace {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends, edges;
-  };
-  in_order<Workspace>(
-      threads, (bound + points_at_a_time - 1) / points_at_a_time,
-      [&](std::size_t part, Workspace& w) {
-        w.edges.clear();
-        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
-        for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
-          space::for_each_edge_up(a, stars[a], delaunay, w.ends,
-                                  [&](std::uint32_t b, std::span<const std::uint32_t> around) {
-                                    if (faces.has_edge(a, b, around)) w.edges.emplace_back(a, b);
-                                  });
+  space::for_each_edge(
+      delaunay, stars, bound, threads,
+      [&](std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
+        return faces.has_edge(a, b, around);
       },
-      [&](std::size_t, Workspace& w) {
-        edges += w.edges.size();
-        for (const auto& [a, b] : w.edges) {
-          const std::uint32_t c = sets.find(a), d = sets.find(b);
-          if (c == d) continue;
-          sets.link(c, d);
-          ++joined;
-        }
-      },
-      [](std::size_t, Workspace&) {});
+      [&](std::uint32_t a, std::uint32_t b) {
+        ++edges;
+        const std::uint32_t c = sets.find(a), d = sets.find(b);
+        if (c == d) return;
+        sets.link(c, d);
+        ++joined;
+      });
   return {edges, delaunay.distinct - joined};
 }
 

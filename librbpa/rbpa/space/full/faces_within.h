@@ -14,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/base/simplices_at.h"
 #include "rbpa/solid.h"
 
 namespace rbpa::space {
@@ -81,6 +83,31 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
     visit(ends[first].first, std::span<const std::uint32_t>(around));
     first = last;
   }
+}
+
+/// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, in any thread, and then join(a, b) for those it returned true for,
+/// one by one, in order.
+template <typename IsMeant, typename Join>
+void for_each_edge(const Solid& delaunay, const TetrahedraAt& stars, std::size_t bound, Threads& threads,
+                   const IsMeant& is_meant, const Join& join) {
+  constexpr std::size_t points_at_a_time = 1u << 10;
+  struct Workspace {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends, edges;
+  };
+  in_order<Workspace>(
+      threads, (bound + points_at_a_time - 1) / points_at_a_time,
+      [&](std::size_t part, Workspace& w) {
+        w.edges.clear();
+        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
+        for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
+          for_each_edge_up(a, stars[a], delaunay, w.ends, [&](std::uint32_t b, std::span<const std::uint32_t> around) {
+            if (is_meant(a, b, around)) w.edges.emplace_back(a, b);
+          });
+      },
+      [&](std::size_t, Workspace& w) {
+        for (const auto& edge : w.edges) join(edge.first, edge.second);
+      },
+      [](std::size_t, Workspace&) {});
 }
 
 }  // namespace rbpa::space

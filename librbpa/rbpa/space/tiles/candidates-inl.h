@@ -117,7 +117,6 @@ class Block {
       }
     count_ = count;
   }
-  std::size_t size() const { return count_; }
   /// Of which all points are in the block.
   const std::array<Tile::Range, 3>& ranges() const { return cells_; }
 
@@ -211,7 +210,6 @@ class Candidates {
     }
     for (std::size_t i = 0; i < count; ++i) lane_[static_cast<std::size_t>(id_[i])] = static_cast<std::uint16_t>(i);
   }
-  std::size_t size() const { return count_; }
   Local id(std::size_t at) const { return static_cast<Local>(id_[at]); }
 
   /// Where the point of about the least t is, among those clearly above the plane; none if there is none. In units of single

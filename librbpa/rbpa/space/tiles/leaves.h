@@ -77,7 +77,6 @@ class Leaves {
   /// How many points are in the cell of a point, on average: three where points are spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
-  std::span<const Point3> points() const { return points_; }
   std::uint32_t index(Place place) const { return index_[place]; }
   std::vector<Duplicate> duplicates() const;
 

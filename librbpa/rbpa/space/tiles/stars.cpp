@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/sphere.h"
@@ -82,7 +82,7 @@ class StarSearch : public StarFinder {
     is_finished_.assign(size, 0);
     open_bits_.assign(size / 8 + 2, 0xff);
     std::fill_n(rank_.begin(), size, waits_for_nothing);
-    for_each_row([&](Local first, Local end) {
+    for_each_row(leaf_cells(), [&](Local first, Local end) {
       for (Local i = first; i < end; ++i)
         if (tile_.is_own(i)) rank_[i] = own++;
     });
@@ -102,14 +102,21 @@ class StarSearch : public StarFinder {
   /// Cells of a row that have a block together.
   static constexpr int at_once = 2;
 
-  /// Calls visit(first, end) for the points of each row of cells that are the leaf's.
+  /// Calls visit(first, end) for the points of each row of cells.
   template <typename Visit>
-  void for_each_row(Visit visit) const {
+  HWY_INLINE void for_each_row(const std::array<Tile::Range, 3>& cells, Visit visit) const {
+    for (int x = cells[0].low; x <= cells[0].high; ++x)
+      for (int y = cells[1].low; y <= cells[1].high; ++y)
+        visit(tile_.first_in(tile_.cell(x, y, cells[2].low)), tile_.first_in(tile_.cell(x, y, cells[2].high) + 1));
+  }
+  /// The cells of a range but for so many at each end.
+  static std::array<Tile::Range, 3> inner(std::array<Tile::Range, 3> cells, int left_out) {
+    for (Tile::Range& range : cells) range = {range.low + left_out, range.high - left_out};
+    return cells;
+  }
+  std::array<Tile::Range, 3> leaf_cells() const {
     const auto& cells = tile_.cells();
-    for (int x = Tile::margin; x < cells[0] - Tile::margin; ++x)
-      for (int y = Tile::margin; y < cells[1] - Tile::margin; ++y)
-        visit(tile_.first_in(tile_.cell(x, y, Tile::margin)),
-              tile_.first_in(tile_.cell(x, y, cells[2] - Tile::margin)));
+    return inner({{{0, cells[0] - 1}, {0, cells[1] - 1}, {0, cells[2] - 1}}}, Tile::margin);
   }
 
   void complete_cells(const std::array<int, 3>& first_cell, int count) {
@@ -346,20 +353,18 @@ class StarSearch : public StarFinder {
     const Doubles d;
     const SphereLanes of(sphere);
     const auto vx = hn::Set(d, v_.x), vy = hn::Set(d, v_.y), vz = hn::Set(d, v_.z);
-    for (int x = ranges[0].low; x <= ranges[0].high; ++x)
-      for (int y = ranges[1].low; y <= ranges[1].high; ++y) {
-        const Local end = tile_.first_in(tile_.cell(x, y, ranges[2].high) + 1);
-        for (Local i = tile_.first_in(tile_.cell(x, y, ranges[2].low)); i < end; i += double_lanes) {
-          std::uint64_t open = lane_bits(open_bits_.data(), i);
-          if (end - i < double_lanes) open &= (1U << (end - i)) - 1;
-          if (open == 0) continue;
-          const auto px = hn::Sub(hn::LoadU(d, tile_.x() + i), vx), py = hn::Sub(hn::LoadU(d, tile_.y() + i), vy),
-                     pz = hn::Sub(hn::LoadU(d, tile_.z() + i), vz);
-          const auto square = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
-          for (std::uint64_t left = open & ~of.outside(px, py, pz, square); left != 0; left &= left - 1)
-            visit(i + static_cast<Local>(std::countr_zero(left)));
-        }
+    for_each_row(ranges, [&](Local first, Local end) HWY_ATTR {
+      for (Local i = first; i < end; i += double_lanes) {
+        std::uint64_t open = lane_bits(open_bits_.data(), i);
+        if (end - i < double_lanes) open &= (1U << (end - i)) - 1;
+        if (open == 0) continue;
+        const auto px = hn::Sub(hn::LoadU(d, tile_.x() + i), vx), py = hn::Sub(hn::LoadU(d, tile_.y() + i), vy),
+                   pz = hn::Sub(hn::LoadU(d, tile_.z() + i), vz);
+        const auto square = hn::MulAdd(px, px, hn::MulAdd(py, py, hn::Mul(pz, pz)));
+        for (std::uint64_t left = open & ~of.outside(px, py, pz, square); left != 0; left &= left - 1)
+          visit(i + static_cast<Local>(std::countr_zero(left)));
       }
+    });
   }
   static double value_of(const Sphere& sphere, const Spoke& s) {
     return sphere.minor[0] * s.x + sphere.minor[1] * s.y + sphere.minor[2] * s.z + sphere.minor[3] * s.square;
@@ -412,13 +417,10 @@ class StarSearch : public StarFinder {
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
   // All points around, whether finished or not.
-  const auto& ranges_around = block_.ranges();
-  for (int x = ranges_around[0].low + 1; x < ranges_around[0].high; ++x)
-    for (int y = ranges_around[1].low + 1; y < ranges_around[1].high; ++y) {
-      const Local end = tile_.first_in(tile_.cell(x, y, ranges_around[2].high));
-      for (Local i = tile_.first_in(tile_.cell(x, y, ranges_around[2].low + 1)); i < end; ++i)
-        if (i != at_) around_.push_back(i);
-    }
+  for_each_row(inner(block_.ranges(), 1), [&](Local from, Local end) {
+    for (Local i = from; i < end; ++i)
+      if (i != at_) around_.push_back(i);
+  });
   if (around_.size() < 3) return false;
   std::vector<Spoke> spokes;
   for (const Local i : around_) spokes.push_back(spoke(i));
@@ -447,19 +449,16 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
       std::array<Tile::Range, 3> ranges;
       if (!tile_.ranges(box_of(sphere_), ranges)) continue;
       bool is_empty = true;
-      for (int x = ranges[0].low; x <= ranges[0].high; ++x)
-        for (int y = ranges[1].low; y <= ranges[1].high; ++y) {
-          const Local end = tile_.first_in(tile_.cell(x, y, ranges[2].high) + 1);
-          for (Local i = tile_.first_in(tile_.cell(x, y, ranges[2].low)); i < end && is_empty; ++i) {
-            if (i == first || i == second || i == apex_ || i == at_) continue;
-            const Spoke s = spoke(i);
-            const double value = value_of(sphere_, s);
-            const double error = sphere_.constant + sphere_.slope * s.square;
-            is_empty = value < -error ||
-                       (value <= error && !beyond_filter_.is_inside(point(second), point(first), point(apex_), v_,
-                                                                    point(i), value, error));
-          }
+      for_each_row(ranges, [&](Local from, Local end) {
+        for (Local i = from; i < end && is_empty; ++i) {
+          if (i == first || i == second || i == apex_ || i == at_) continue;
+          const Spoke s = spoke(i);
+          const double value = value_of(sphere_, s), error = sphere_.constant + sphere_.slope * s.square;
+          is_empty = value < -error ||
+                     (value <= error &&
+                      !beyond_filter_.is_inside(point(second), point(first), point(apex_), v_, point(i), value, error));
         }
+      });
       if (!is_empty) continue;
       make_room();
       is_reached_[first] = is_reached_[second] = is_reached_[at_] = 1;
