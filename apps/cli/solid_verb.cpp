@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/alpha_choice.h"
-#include "cli/point_arguments.h"
+#include "cli/periodic_solid.h"
 #include "cli/progress.h"
 #include "cli/run.h"
 #include "cli/solid_report.h"
-#include "cli/verbs.h"
+#include "cli/solid_request.h"
 #include "cli/void_files.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
@@ -32,67 +31,6 @@
 
 namespace rbpa::app {
 namespace {
-
-/// A radius, or the rule by which the triangulation of the points gives it.
-struct SolidAlpha {
-  AlphaRule rule = AlphaRule::given;
-  double radius = std::numeric_limits<double>::infinity();
-};
-
-SolidAlpha parse_alpha(const std::string& text) {
-  if (text == "auto") return {.rule = AlphaRule::automatic};
-  if (text == "min") return {.rule = AlphaRule::least};
-  const ParsedNumber number = parse_whole_number(text);
-  const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
-    throw WrongUsage("--alpha: found " + in_quotes(text) +
-                     ", expected a radius: a number above 0, or inf; or a rule: auto or min");
-  return {.radius = number.value};
-}
-
-Target parse_boundary(const std::string& path) {
-  const std::optional<Format> format = find_format(Use::surface, ending(path));
-  if (!format || is_picture(*format))
-    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) +
-                     ", expected one of ply, off, obj, stl, glb, vtu, npy");
-  return {path, *format};
-}
-
-/// What the command line asks for.
-struct SolidRequest {
-  SpacePointSource source;
-  SolidAlpha alpha;
-  std::vector<Target> targets;
-  std::optional<Target> boundary, voids;
-  bool is_full = false;  ///< voids are those of the full complex
-  int width;
-  RunOptions run;
-};
-
-SolidRequest parse(const SolidArguments& arguments) {
-  SolidRequest request{.source = parse_space_source(arguments),
-                       .alpha = parse_alpha(arguments.alpha),
-                       .targets = {},
-                       .boundary = {},
-                       .voids = {},
-                       .is_full = arguments.complex && parse_is_full(*arguments.complex),
-                       .width = parse_width(arguments.width),
-                       .run = parse_run(arguments.run)};
-  if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
-    throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
-  if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
-  if (arguments.voids) request.voids = parse_voids(*arguments.voids);
-  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids});
-  if (arguments.json) reports.emplace_back("-");
-  request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
-  return request;
-}
-
-std::string points_text(const Progress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.triangles);  // points, of solid()
-  const std::string text = short_number(done) + " points";
-  return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
-}
 
 class SolidRun : public Run {
  public:
@@ -134,7 +72,7 @@ bool SolidRun::has_boundary() const {
 void SolidRun::build() {
   const SolidAlpha& alpha = request_.alpha;
   const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || request_.is_full;
-  TriangleProgress progress(!options().quiet, "tetrahedra", points_text);
+  TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
     solid_ =
         solid(file_.points, needs_all ? std::numeric_limits<double>::infinity() : alpha.radius,
@@ -269,13 +207,18 @@ void SolidRun::run() {
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids})
     if (target) files.push_back(target->path);
-  summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", alpha " +
-            (request_.alpha.rule == AlphaRule::given ? "" : facts_.alpha_rule + " = ") + text_of(facts_.alpha) + ": " +
-            text_of_solid(facts_) + list_of(files));
+  summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
+            ": " + text_of_solid(facts_) + list_of(files));
 }
 
 }  // namespace
 
-void run_solid(const SolidArguments& arguments) { SolidRun(arguments, parse(arguments)).run(); }
+void run_solid(const SolidArguments& arguments) {
+  SolidRequest request = parse(arguments);
+  if (request.box)
+    run_periodic_solid(arguments, request);
+  else
+    SolidRun(arguments, std::move(request)).run();
+}
 
 }  // namespace rbpa::app

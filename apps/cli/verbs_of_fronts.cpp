@@ -174,6 +174,10 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "that covers every point; auto: the least that has every point in one solid component")
       ->type_name("R|inf|auto|min")
       ->required();
+  verb.add_option("--box", arguments.box,
+                  "Points are those of a box with these sides that repeats, as under periodic boundary conditions; "
+                  "coordinates count modulo the sides. Voids have a dimension: 0, or in how many directions they go on")
+      ->type_name("LX,LY,LZ");
   add_output_options(verb, arguments, solid_formats);
   verb.add_option("--boundary", arguments.boundary,
                   "Write the boundary as a closed surface, where the solid touches itself with a vertex for each side "
@@ -200,9 +204,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
       "Examples:\n"
       "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
       "  rbpa solid foam.ply --alpha 0.2 --voids voids.obj --json > foam.json\n"
-      "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n\n"
+      "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n"
+      "  rbpa solid frame.xyz --alpha 2.5 --box 40,40,60 --voids channels.csv\n\n"
       "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a "
-      "bounded component of what is outside. A picture shows the boundary.\n" +
+      "bounded component of what is outside. A picture shows the boundary. With --box each tetrahedron is written "
+      "once, where its corner of the least index is in the box; other corners may be images of points.\n" +
       std::string(exit_codes));
   return &verb;
 }

@@ -20,6 +20,7 @@ What there is:
     Delaunay(points)                     stands in for scipy.spatial.Delaunay, in the plane and in space
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
+    periodic_solid(points, box, alpha=inf)   the same in a box that repeats                     -> PeriodicSolid
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
     estimate_normals(points)             of points in space that have none
     outliers(points)                     of points in space those that stand alone
@@ -50,6 +51,7 @@ from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
 from rbpa._filtration import Filtration, Plateau, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
+from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
@@ -70,6 +72,8 @@ __all__ = [
     "FullComplex",
     "InvalidInput",
     "NotWatertight",
+    "PeriodicPart",
+    "PeriodicSolid",
     "Plateau",
     "PointFile",
     "Polygon",
@@ -88,6 +92,7 @@ __all__ = [
     "estimate_normals",
     "filtration",
     "outliers",
+    "periodic_solid",
     "read_points",
     "scale_space",
     "solid",
@@ -98,9 +103,9 @@ __all__ = [
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, Solid, SolidVoid),
+    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidVoid),
     *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
-    *(scale_space, surface, union_of_balls),
+    *(periodic_solid, scale_space, surface, union_of_balls),
 ):
     _public.__module__ = __name__

@@ -1,0 +1,103 @@
+#include "cli/periodic_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "cli/stats.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json base(const PeriodicFacts& facts) {
+  const PeriodicTopology& topology = *facts.topology;
+  return {{"points", facts.points},
+          {"distinct", facts.distinct},
+          {"isolated", facts.isolated},
+          {"box", {facts.box.x, facts.box.y, facts.box.z}},
+          {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
+          {"alpha_rule", facts.alpha_rule},
+          {"tetrahedra", topology.tetrahedra},
+          {"triangles", topology.triangles},
+          {"edges", topology.edges},
+          {"boundary_triangles", topology.boundary_triangles},
+          {"solid_components", topology.solid_components.size()},
+          {"voids", topology.voids.size()},
+          {"betti", topology.betti},
+          {"volume", topology.volume},
+          {"area", topology.area}};
+}
+
+Json json_of(const PeriodicPart& part) {
+  return {{"volume", part.volume},
+          {"area", part.area},
+          {"dimension", part.dimension},
+          {"tetrahedra", part.tetrahedra},
+          {"points", part.points}};
+}
+
+}  // namespace
+
+std::string text_of_periodic(const PeriodicTopology& topology) {
+  const auto closed = static_cast<std::size_t>(std::count_if(topology.voids.begin(), topology.voids.end(),
+                                                             [](const PeriodicPart& v) { return v.dimension == 0; }));
+  return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
+         counted(topology.solid_components.size(), "solid component") + ", " + counted(closed, "closed void") + ", " +
+         counted(topology.voids.size() - closed, "channel") + ", volume " + rounded(topology.volume, 6) + ", area " +
+         rounded(topology.area, 6);
+}
+
+void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {
+  Json report = base(facts);
+  report["threads"] = facts.threads;
+  report["seconds"] = {{"read", facts.read_seconds},
+                       {"build", facts.build_seconds},
+                       {"count", facts.count_seconds},
+                       {"write", facts.write_seconds}};
+  report["peak_bytes"] = peak_bytes();
+  file.write(report.dump(2) + "\n");
+}
+
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts) {
+  Json report = base(facts);
+  for (const auto& [key, parts] : {std::pair{"solid_component_list", &facts.topology->solid_components},
+                                   std::pair{"void_list", &facts.topology->voids}}) {
+    report[key] = Json::array();
+    for (const PeriodicPart& part : *parts) report[key].push_back(json_of(part));
+  }
+  file.write(report.dump(1) + "\n");
+}
+
+void write_periodic_voids(OutputFile& file, Format format, std::span<const PeriodicPart> voids) {
+  if (format == Format::json) {
+    std::string before = "[\n";
+    for (const PeriodicPart& part : voids) {
+      stop_if_interrupted();
+      file.write(before + json_of(part).dump());
+      before = ",\n";
+    }
+    return file.write(voids.empty() ? "[]\n" : "\n]\n");
+  }
+  file.write("number,volume,area,dimension,tetrahedra,points\n");
+  std::uint64_t number = 0;
+  for (const PeriodicPart& part : voids) {
+    file.write_number(++number);
+    for (const double value : {part.volume, part.area}) {
+      file.write(",");
+      file.write_number(value);
+    }
+    for (const std::size_t count : {std::size_t{part.dimension}, part.tetrahedra, part.points.size()}) {
+      file.write(",");
+      file.write_number(std::uint64_t{count});
+    }
+    file.write("\n");
+  }
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,36 @@
+// What: what `rbpa solid --box` knows of a solid that repeats, as text, JSON and a table.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/periodic_topology.h"
+
+namespace rbpa::app {
+
+struct PeriodicFacts {
+  std::size_t points = 0, distinct = 0, isolated = 0;
+  Point3 box = {};
+  double alpha = 0;
+  std::string alpha_rule = "given";
+  unsigned threads = 1;
+  std::optional<PeriodicTopology> topology = {};  ///< where it was counted
+  double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
+};
+
+/// "12 tetrahedra, 2 solid components, 1 void, 2 channels, volume 2.5, area 8".
+std::string text_of_periodic(const PeriodicTopology& topology);
+
+/// One JSON object each; the second has every component and every void. Requires: a topology.
+void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts);
+
+/// A JSON list, or a table "number,volume,area,dimension,tetrahedra,points" with a line for each, the largest first.
+void write_periodic_voids(OutputFile& file, Format format, std::span<const PeriodicPart> voids);
+
+}  // namespace rbpa::app

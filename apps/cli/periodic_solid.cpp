@@ -1,0 +1,155 @@
+#include "cli/periodic_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/periodic_report.h"
+#include "cli/progress.h"
+#include "io/bytes/number.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/write_mesh.h"
+#include "io/mesh/write_solid.h"
+#include "picture/picture.h"
+#include "picture/surface_picture.h"
+#include "rbpa/base/error.h"
+#include "rbpa/periodic_solid.h"
+#include "rbpa/solid_radii.h"
+
+namespace rbpa::app {
+namespace {
+
+class PeriodicRun : public Run {
+ public:
+  PeriodicRun(const SolidArguments& arguments, const SolidRequest& request)
+      : Run(request.source.path, arguments.outputs, request.run), arguments_(arguments), request_(request) {}
+
+  void run();
+
+ private:
+  /// What somebody reads of it.
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
+  void build();
+  void select_within();
+  void write();
+  void write_picture(OutputFile& file) const;
+
+  const SolidArguments& arguments_;
+  const SolidRequest& request_;
+  SpacePoints file_;
+  PeriodicSolid solid_;
+  std::vector<Triangle> boundary_;
+  PeriodicFacts facts_;
+};
+
+void PeriodicRun::build() {
+  const SolidAlpha& alpha = request_.alpha;
+  // Voids are made of the tetrahedra that are left out.
+  const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
+  TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
+  try {
+    solid_ =
+        periodic_solid(file_.points, *request_.box, needs_all ? std::numeric_limits<double>::infinity() : alpha.radius,
+                       {.threads = options().threads, .progress = progress.watch()});
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what() +
+                   (needs_all && std::isfinite(alpha.radius)
+                        ? "; voids and counts need all tetrahedra (--quiet writes those within --alpha without them)"
+                        : ""));
+  }
+  facts_.points = file_.points.size();
+  facts_.distinct = solid_.distinct;
+  facts_.box = solid_.box;
+  facts_.alpha = alpha.radius;
+  facts_.threads = options().threads_or_all();
+  facts_.build_seconds = lap();
+  if (needs_all) select_within();
+  facts_.isolated = solid_.isolated.size();
+}
+
+/// From all tetrahedra to those of the alpha that is given, or that the rule gives; and what can be counted of them.
+void PeriodicRun::select_within() {
+  const ProgressLine line = options().line("voids");
+  const std::vector<double> radii = circumradii(solid_.positions, solid_.simplices, options().threads);
+  stop_if_interrupted();
+  facts_.alpha_rule = name_of({.rule = request_.alpha.rule});
+  if (request_.alpha.rule != AlphaRule::given) {
+    const Solid by_points = without_offsets(solid_);
+    facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(by_points, radii) : auto_alpha(by_points, radii);
+    stop_if_interrupted();
+  }
+  if (is_counted()) facts_.topology = periodic_topology(solid_, radii, facts_.alpha);
+  solid_ = within(solid_, radii, facts_.alpha);
+  stop_if_interrupted();
+  facts_.count_seconds = lap();
+}
+
+void PeriodicRun::write_picture(OutputFile& file) const {
+  const std::vector<bool> none;
+  write_surface_png(file,
+                    {.points = solid_.positions,
+                     .triangles = boundary_,
+                     .rims = {},
+                     .holes = {},
+                     .islands = {},
+                     .unused = {},
+                     .colors = {},
+                     .filled = none},
+                    request_.width);
+}
+
+void PeriodicRun::write() {
+  const ProgressLine line = writing();
+  add(request_.targets, [&](OutputFile& file, const Target& target) {
+    if (is_picture(target.format))
+      write_picture(file);
+    else if (target.format == Format::npy)
+      write_solid(file, target.format, {.vertices = solid_.positions, .tetrahedra = without_offsets(solid_).simplices});
+    else
+      write_solid(file, target.format, {.vertices = solid_.positions, .tetrahedra = solid_.simplices});
+  });
+  if (request_.boundary)
+    add(request_.boundary->path, [&](OutputFile& file) {
+      write_surface(file, request_.boundary->format, {.vertices = solid_.positions, .triangles = boundary_});
+    });
+  if (request_.voids)
+    add(request_.voids->path,
+        [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, facts_.topology->voids); });
+}
+
+void PeriodicRun::run() {
+  const SpacePointSource& source = request_.source;
+  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
+  remark(file_.remarks);
+  facts_.read_seconds = lap();
+  build();
+  boundary_ = periodic_boundary(solid_);
+  write();
+  facts_.write_seconds = lap();
+  if (arguments_.json) add("-", [&](OutputFile& file) { write_periodic_json(file, facts_); });
+  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
+  publish();
+
+  if (solid_.simplices.empty()) say("rbpa", "there is no tetrahedron: no four points have a circumradius so small");
+  std::vector<std::string> files;
+  for (const Target& target : request_.targets) files.push_back(target.path);
+  for (const auto& target : {request_.boundary, request_.voids})
+    if (target) files.push_back(target->path);
+  if (facts_.topology)
+    summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
+              ": " + text_of_periodic(*facts_.topology) + list_of(files));
+}
+
+}  // namespace
+
+void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request) {
+  PeriodicRun(arguments, request).run();
+}
+
+}  // namespace rbpa::app

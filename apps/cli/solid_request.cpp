@@ -1,0 +1,100 @@
+#include "cli/solid_request.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "cli/progress.h"
+#include "cli/void_files.h"
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+namespace {
+
+SolidAlpha parse_alpha(const std::string& text) {
+  if (text == "auto") return {.rule = AlphaRule::automatic};
+  if (text == "min") return {.rule = AlphaRule::least};
+  const ParsedNumber number = parse_whole_number(text);
+  const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
+  if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
+    throw WrongUsage("--alpha: found " + in_quotes(text) +
+                     ", expected a radius: a number above 0, or inf; or a rule: auto or min");
+  return {.radius = number.value};
+}
+
+Target parse_boundary(const std::string& path) {
+  const std::optional<Format> format = find_format(Use::surface, ending(path));
+  if (!format || is_picture(*format))
+    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) +
+                     ", expected one of ply, off, obj, stl, glb, vtu, npy");
+  return {path, *format};
+}
+
+Point3 parse_box(const std::string& text) {
+  const auto fail = [&] {
+    throw WrongUsage("--box: found " + in_quotes(text) +
+                     ", expected the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all");
+  };
+  std::array<double, 3> sides{};
+  std::size_t count = 0;
+  for (std::string_view rest = text;; ++count) {
+    if (count == sides.size()) fail();
+    const std::size_t comma = rest.find(',');
+    const ParsedNumber number = parse_whole_number(std::string(rest.substr(0, comma)));
+    if (number.fault != NumberFault::none || !(number.value > 0)) fail();
+    sides[count] = number.value;
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (count == 0) return {sides[0], sides[0], sides[0]};
+  if (count != 2) fail();
+  return {sides[0], sides[1], sides[2]};
+}
+
+/// What is known of a solid in space only.
+void check_box(const SolidArguments& arguments, const SolidRequest& request) {
+  if (arguments.complex) throw WrongUsage("--complex: found --box as well, with which it is always the solid");
+  if (arguments.balls) throw WrongUsage("--balls: found --box as well, expected one of them");
+  if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
+    throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
+                     " and --box, whose voids may have no end; expected json or csv");
+}
+
+}  // namespace
+
+SolidRequest parse(const SolidArguments& arguments) {
+  SolidRequest request{.source = parse_space_source(arguments),
+                       .alpha = parse_alpha(arguments.alpha),
+                       .box = {},
+                       .targets = {},
+                       .boundary = {},
+                       .voids = {},
+                       .is_full = arguments.complex && parse_is_full(*arguments.complex),
+                       .width = parse_width(arguments.width),
+                       .run = parse_run(arguments.run)};
+  if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
+    throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
+  if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
+  if (arguments.voids) request.voids = parse_voids(*arguments.voids);
+  if (arguments.box) {
+    request.box = parse_box(*arguments.box);
+    check_box(arguments, request);
+  }
+  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids});
+  if (arguments.json) reports.emplace_back("-");
+  request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
+  return request;
+}
+
+std::string text_of_progress(const Progress& progress, double seconds) {
+  const auto done = static_cast<double>(progress.triangles);  // points, of solid()
+  const std::string text = short_number(done) + " points";
+  return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+}
+
+std::string text_of(const SolidAlpha& alpha, double radius) {
+  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of({.rule = alpha.rule}) + " = ") + text_of(radius);
+}
+
+}  // namespace rbpa::app

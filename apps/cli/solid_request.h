@@ -1,0 +1,45 @@
+// What: what the command line of `rbpa solid` asks for, from text to meaning.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/alpha_choice.h"
+#include "cli/arguments.h"
+#include "cli/point_arguments.h"
+#include "cli/run.h"
+#include "cli/verbs.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+
+namespace rbpa::app {
+
+/// A radius, or the rule by which the triangulation of the points gives it.
+struct SolidAlpha {
+  AlphaRule rule = AlphaRule::given;
+  double radius = std::numeric_limits<double>::infinity();
+};
+
+struct SolidRequest {
+  SpacePointSource source;
+  SolidAlpha alpha;
+  std::optional<Point3> box;  ///< sides of a box that repeats
+  std::vector<Target> targets;
+  std::optional<Target> boundary, voids;
+  bool is_full = false;  ///< voids are those of the full complex
+  int width;
+  RunOptions run;
+};
+
+/// Throws WrongUsage that names the option.
+SolidRequest parse(const SolidArguments& arguments);
+
+/// For progress: "12 M points, 1.2 M/s".
+std::string text_of_progress(const Progress& progress, double seconds);
+
+/// "alpha auto = 0.3".
+std::string text_of(const SolidAlpha& alpha, double radius);
+
+}  // namespace rbpa::app

@@ -1,0 +1,103 @@
+#include "rbpa/periodic_solid.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/periodic_topology.h"
+#include "rbpa/solid_radii.h"
+
+namespace rbpa::python {
+namespace {
+
+using Box = std::array<double, 3>;
+
+py::dict arrays_of(PeriodicSolid made) {
+  std::vector<std::uint32_t> points;
+  std::vector<std::array<std::int8_t, 3>> offsets;
+  for (const PeriodicVertex& vertex : made.vertices) {
+    points.push_back(vertex.point);
+    offsets.push_back(vertex.offset);
+  }
+  py::dict result;
+  result["box"] = line<double>(std::vector<double>{made.box.x, made.box.y, made.box.z});
+  result["vertex_points"] = line<std::int32_t>(std::move(points));
+  result["vertex_offsets"] = rows<std::int8_t>(std::move(offsets));
+  std::vector<std::array<double, 3>> positions;
+  for (const Point3& p : made.positions) positions.push_back({p.x, p.y, p.z});
+  result["vertices"] = rows<double>(std::move(positions));
+  result["boundary"] = rows<std::int32_t>(periodic_boundary(made));
+  result["simplices"] = rows<std::int32_t>(std::move(made.simplices));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  result["isolated"] = line<std::int32_t>(std::move(made.isolated));
+  return result;
+}
+
+py::dict periodic_solid_of(const Doubles& points, const Box& box, double alpha, unsigned threads,
+                           const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  return arrays_of(watched(input.size(), progress, [&](Watch& watch) {
+    return periodic_solid(input, {box[0], box[1], box[2]}, alpha, {.threads = threads, .progress = watch.progress()});
+  }));
+}
+
+/// Of all tetrahedra, a radius by the rule.
+double periodic_alpha_of(const Doubles& points, const Box& box, bool in_one_piece, unsigned threads,
+                         const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  return watched(input.size(), progress, [&](Watch& watch) {
+    const PeriodicSolid all = periodic_solid(input, {box[0], box[1], box[2]}, std::numeric_limits<double>::infinity(),
+                                             {.threads = threads, .progress = watch.progress()});
+    const std::vector<double> radii = circumradii(all.positions, all.simplices, threads);
+    const Solid by_points = without_offsets(all);
+    return in_one_piece ? auto_alpha(by_points, radii) : min_alpha(by_points, radii);
+  });
+}
+
+using Part = std::tuple<std::size_t, Indices, double, double, unsigned>;
+std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
+  std::vector<Part> result;
+  for (PeriodicPart& part : parts)
+    result.emplace_back(part.tetrahedra, line<std::int32_t>(std::move(part.points)), part.volume, part.area,
+                        part.dimension);
+  return result;
+}
+
+/// With a triangulation of its own.
+py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha) {
+  const auto input = points3_of(points, "points");
+  PeriodicTopology made = watched(input.size(), py::none(), [&](Watch&) {
+    const PeriodicSolid all = periodic_solid(input, {box[0], box[1], box[2]}, std::numeric_limits<double>::infinity());
+    return periodic_topology(all, circumradii(all.positions, all.simplices), alpha);
+  });
+  py::dict result;
+  result["betti"] = py::make_tuple(made.betti[0], made.betti[1], made.betti[2], made.betti[3]);
+  result["volume"] = made.volume;
+  result["area"] = made.area;
+  result["solid_components"] = parts_of(std::move(made.solid_components));
+  result["voids"] = parts_of(std::move(made.voids));
+  return result;
+}
+
+}  // namespace
+
+void bind_periodic_solid(py::module_& module) {
+  using py::arg;
+  module.def("periodic_solid", &periodic_solid_of, arg("points").noconvert(), arg("box"), arg("alpha"), arg("threads"),
+             arg("progress"));
+  module.def("periodic_alpha", &periodic_alpha_of, arg("points").noconvert(), arg("box"), arg("in_one_piece"),
+             arg("threads"), arg("progress"));
+  module.def("periodic_topology", &periodic_topology_of, arg("points").noconvert(), arg("box"), arg("alpha"));
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,128 @@
+// `rbpa solid --box`: points of a box that repeats.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+/// Uniform points of a box of 10 with a rod along x left out.
+std::string with_a_channel() {
+  std::mt19937 random(5);
+  const auto unit = [&] { return 10 * double(random()) / 4294967296.0; };
+  std::ostringstream text;
+  text.precision(17);
+  for (int i = 0; i < 6000; ++i) {
+    const double x = unit(), y = unit(), z = unit();
+    if (std::hypot(y - 5, z - 5) > 2.5) text << x << ' ' << y << ' ' << z << '\n';
+  }
+  return text.str();
+}
+
+std::string cube_of(int side) {
+  std::ostringstream text;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z) text << x << ' ' << y << ' ' << z << '\n';
+  return text.str();
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_SUITE("solid box") {
+  TEST_CASE("a channel is a void of dimension 1, in every report") {
+    const Folder folder;
+    folder.file("c.xyz", with_a_channel());
+    const Outcome outcome = folder.rbpa(
+        "solid c.xyz --alpha 1.2 --box 10,10,10 --voids v.csv -o t.vtu -o t.npy -o t.png --boundary b.ply --json "
+        "--stats "
+        "s.json");
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.find("1 solid component, 0 closed voids, 1 channel, volume ") != std::string::npos);
+    CHECK(outcome.err.find("-> t.vtu, t.npy, t.png, b.ply, v.csv\n") != std::string::npos);
+    const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
+    CHECK(report["box"] == json({10.0, 10.0, 10.0}));
+    CHECK(report["betti"] == json({1, 3, 2, 0}));
+    REQUIRE(report["void_list"].size() == 1);
+    CHECK(report["void_list"][0]["dimension"] == 1);
+    CHECK(report["void_list"][0]["volume"].get<double>() + report["volume"].get<double>() == doctest::Approx(1000));
+    CHECK(report["solid_component_list"][0]["dimension"] == 3);
+    CHECK(stats["betti"] == report["betti"]);
+    CHECK(stats["seconds"]["build"].get<double>() > 0);
+    const std::string csv = folder.content("v.csv");
+    CHECK(csv.starts_with("number,volume,area,dimension,tetrahedra,points\n1,"));
+    CHECK(lines(csv) == 2);
+    REQUIRE(folder.rbpa("solid c.xyz --alpha 1.2 --box 10 -q --voids v.json").code == 0);
+    CHECK(json::parse(folder.content("v.json")) == report["void_list"]);
+    CHECK(folder.content("b.ply").starts_with("ply\n"));
+    CHECK(folder.content("t.png").size() > 1000);
+  }
+
+  TEST_CASE("wherever the points are, the box has the same tetrahedra, all of them at infinity") {
+    const Folder folder;
+    folder.file("near.xyz", cube_of(4));
+    std::string far;
+    std::istringstream in(cube_of(4));
+    for (double x, y, z; in >> x >> y >> z;) {
+      std::ostringstream line;
+      line << x - 40 << ' ' << y + 4 << ' ' << z << '\n';
+      far += line.str();
+    }
+    folder.file("far.xyz", far);
+    for (const char* alpha : {"inf", "min", "auto", "1.5"}) {
+      CAPTURE(alpha);
+      for (const char* name : {"near", "far"}) {
+        const Outcome outcome =
+            folder.rbpa(std::string("solid ") + name + ".xyz --box 4 --alpha " + alpha + " -o " + name + ".npy");
+        REQUIRE(outcome.code == 0);
+        CHECK(outcome.err.find("384 tetrahedra, 1 solid component, 0 closed voids, 0 channels, volume 64, area 0") !=
+              std::string::npos);
+      }
+      CHECK(folder.content("near.npy") == folder.content("far.npy"));
+    }
+  }
+
+  TEST_CASE("a sparse box has tetrahedra, but no counts") {
+    const Folder folder;
+    folder.file("c.xyz", cube_of(4));
+    const Outcome counted = folder.rbpa("solid c.xyz --box 40 --alpha 1 -o t.mesh");
+    CHECK(counted.code == 3);
+    CHECK(counted.err.find("voids and counts need all tetrahedra (--quiet writes those within --alpha without them)") !=
+          std::string::npos);
+    CHECK(!folder.has("t.mesh"));
+    CHECK(folder.rbpa("solid c.xyz --box 40 --alpha 1 -o t.mesh -q").code == 0);
+    CHECK(folder.has("t.mesh"));
+  }
+
+  TEST_CASE("what does not go with a box is refused") {
+    const Folder folder;
+    folder.file("c.xyz", cube_of(4));
+    const auto refuses = [&](const std::string& options, const std::string& message) {
+      CAPTURE(options);
+      const Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 " + options);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    for (const char* box : {"4,4", "4,4,4,4", "0", "-1,4,4", "4,,4", "inf", "4,4,x", ","})
+      refuses(std::string("--json --box=") + box,
+              std::string("--box: found '") + box + "', expected the sides of the box");
+    refuses("--json --box 4 --balls", "--balls: found --box as well");
+    refuses("--json --box 4 --complex full", "--complex: found --box as well");
+    refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj' and --box");
+    CHECK(folder.rbpa("solid c.xyz --alpha 1 --json --box 1e-300").code == 3);
+  }
+}

@@ -1,0 +1,275 @@
+#include "rbpa/periodic_topology.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/error.h"
+#include "rbpa/solid_radii.h"
+#include "support/periodic_sets.h"
+
+using namespace rbpa_test;
+using rbpa::PeriodicPart;
+using rbpa::PeriodicSolid;
+using rbpa::PeriodicTopology;
+using rbpa::PeriodicVertex;
+using rbpa::Point3;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Simplex = std::vector<std::array<int, 4>>;  // points and offsets, of the first 0
+
+/// The image whose first point is in the box. Requires: ascending vertices.
+Simplex normalized(const std::vector<PeriodicVertex>& vertices) {
+  Simplex result;
+  for (const PeriodicVertex& v : vertices)
+    result.push_back({static_cast<int>(v.point), v.offset[0] - vertices[0].offset[0],
+                      v.offset[1] - vertices[0].offset[1], v.offset[2] - vertices[0].offset[2]});
+  return result;
+}
+
+struct Chains {
+  std::array<std::map<Simplex, std::size_t>, 4> number;
+  std::array<std::vector<std::map<std::size_t, std::int64_t>>, 4> boundary;  // columns
+};
+
+std::size_t add(Chains& chains, const std::vector<PeriodicVertex>& ascending) {
+  const std::size_t dimension = ascending.size() - 1;
+  const auto [at, is_new] = chains.number[dimension].emplace(normalized(ascending), chains.number[dimension].size());
+  const std::size_t number = at->second;
+  if (!is_new) return number;
+  chains.boundary[dimension].emplace_back();
+  if (dimension == 0) return number;
+  std::map<std::size_t, std::int64_t> column;
+  for (std::size_t k = 0; k <= dimension; ++k) {
+    std::vector<PeriodicVertex> face = ascending;
+    face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+    column[add(chains, face)] += k % 2 == 0 ? 1 : -1;
+  }
+  chains.boundary[dimension][number] = column;
+  return number;
+}
+
+/// Over the integers modulo a large prime: the same as over the rationals, but where a torsion has that prime.
+std::size_t rank(std::vector<std::map<std::size_t, std::int64_t>> columns) {
+  constexpr std::int64_t prime = 1'000'003;
+  const auto inverse = [](std::int64_t x) {
+    std::int64_t result = 1;
+    for (std::int64_t power = prime - 2; power > 0; power /= 2, x = x * x % prime)
+      if (power % 2 == 1) result = result * x % prime;
+    return result;
+  };
+  std::map<std::size_t, std::map<std::size_t, std::int64_t>> reduced;  // by the greatest row
+  for (auto& column : columns) {
+    for (auto& entry : column) entry.second = (entry.second % prime + prime) % prime;
+    std::erase_if(column, [](const auto& entry) { return entry.second == 0; });
+    while (!column.empty()) {
+      const auto [at, is_new] = reduced.emplace(column.rbegin()->first, column);
+      if (is_new) break;
+      const std::int64_t factor = column.rbegin()->second * inverse(at->second.rbegin()->second) % prime;
+      for (const auto& [row, value] : at->second) {
+        std::int64_t& entry = column[row];
+        entry = ((entry - factor * value) % prime + prime) % prime;
+        if (entry == 0) column.erase(row);
+      }
+    }
+  }
+  return reduced.size();
+}
+
+struct Model {
+  std::array<std::size_t, 4> counts, betti;
+};
+
+Model model_of(const PeriodicSolid& solid) {
+  Chains chains;
+  for (const auto& row : rows_of(solid)) {
+    std::vector<PeriodicVertex> ascending(row.begin(), row.end());
+    std::sort(ascending.begin(), ascending.end());
+    add(chains, ascending);
+  }
+  std::array<std::size_t, 5> ranks = {0, 0, 0, 0, 0};
+  Model model{};
+  for (std::size_t d = 1; d < 4; ++d) ranks[d] = rank(chains.boundary[d]);
+  for (std::size_t d = 0; d < 4; ++d) {
+    model.counts[d] = chains.number[d].size();
+    model.betti[d] = model.counts[d] - ranks[d] - ranks[d + 1];
+  }
+  return model;
+}
+
+double sum(const std::vector<PeriodicPart>& parts, double PeriodicPart::*what) {
+  return std::accumulate(parts.begin(), parts.end(), 0.0,
+                         [&](double total, const PeriodicPart& part) { return total + part.*what; });
+}
+
+struct Case {
+  PeriodicSolid delaunay;
+  std::vector<double> radii;
+};
+
+Case triangulated(const Points3& points, const Point3& box) {
+  Case made;
+  made.delaunay = rbpa::periodic_solid(points, box, infinity);
+  made.radii = rbpa::circumradii(made.delaunay.positions, made.delaunay.simplices);
+  return made;
+}
+
+/// Uniform points of a box of 10, less those within a shape.
+Points3 without(const std::function<double(const Point3&)>& depth) {
+  Random random(81);
+  Points3 points;
+  while (points.size() < 6000) {
+    const Point3 p = {10 * random.unit(), 10 * random.unit(), 10 * random.unit()};
+    if (depth(p) <= 0) points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("counts and Betti numbers of a periodic solid are those of its boundary matrices; parts fill the box") {
+  std::array<std::size_t, 4> dimensions = {0, 0, 0, 0};
+  std::size_t checked = 0, whole = 0, with_tunnels = 0;
+  for (std::uint64_t trial = 0; trial < 60; ++trial) {
+    Random random(4800 + trial);
+    const PeriodicSet set = periodic_set(trial, 40 + random.below(60), random);
+    CAPTURE(set.name);
+    Case made;
+    try {
+      made = triangulated(set.points, set.box);
+    } catch (const rbpa::InvalidInput&) {
+      continue;
+    }
+    std::vector<double> sorted = made.radii;
+    std::sort(sorted.begin(), sorted.end());
+    for (const double share : {0.0, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.98, 1.0}) {
+      const double alpha = sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))] * (share == 0 ? 0.9 : 1);
+      CAPTURE(alpha);
+      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha);
+      const Model model = model_of(rbpa::within(made.delaunay, made.radii, alpha));
+      CHECK(std::array{topology.points, topology.edges, topology.triangles, topology.tetrahedra} == model.counts);
+      CHECK(topology.betti == model.betti);
+      const double box = made.delaunay.box.x * made.delaunay.box.y * made.delaunay.box.z;
+      CHECK(sum(topology.solid_components, &PeriodicPart::volume) == doctest::Approx(topology.volume));
+      CHECK(sum(topology.solid_components, &PeriodicPart::area) == doctest::Approx(topology.area));
+      CHECK(sum(topology.voids, &PeriodicPart::area) == doctest::Approx(topology.area));
+      CHECK(topology.volume + sum(topology.voids, &PeriodicPart::volume) == doctest::Approx(box));
+      for (const auto* parts : {&topology.solid_components, &topology.voids})
+        for (std::size_t i = 0; i < parts->size(); ++i) {
+          CHECK((*parts)[i].volume > 0);
+          CHECK((*parts)[i].points.empty() == (parts->size() == 1 && topology.boundary_triangles == 0));
+          if (i > 0) CHECK((*parts)[i].volume <= (*parts)[i - 1].volume);
+          ++dimensions[(*parts)[i].dimension];
+        }
+      ++checked;
+      whole += topology.betti == std::array<std::size_t, 4>{1, 3, 3, 1} ? 1u : 0u;
+      with_tunnels += topology.betti[1] > 0 ? 1u : 0u;
+    }
+  }
+  CHECK(checked > 200);
+  CHECK(whole > 20);
+  CHECK(with_tunnels > 100);
+  for (const std::size_t count : dimensions) CHECK(count > 0);
+}
+
+TEST_CASE("a ball, a channel, a layer and a network that are left out have as many directions") {
+  const auto bent = [](double x) { return x - 10 * std::floor(x / 10) - 5; };  // from −5 to 5
+  const auto topology_without = [&](const std::function<double(const Point3&)>& depth) {
+    const Case made = triangulated(without(depth), {10, 10, 10});
+    return rbpa::periodic_topology(made.delaunay, made.radii, 1.2);
+  };
+  const auto about = [](double value) { return doctest::Approx(value).epsilon(0.15); };
+  // Across the corner of the box, so that they are in pieces there.
+  const PeriodicTopology ball =
+      topology_without([&](const Point3& p) { return 3 - std::hypot(bent(p.x + 5), bent(p.y + 5), bent(p.z + 5)); });
+  REQUIRE(ball.voids.size() == 1);
+  CHECK(ball.voids[0].dimension == 0);
+  CHECK(ball.voids[0].volume == about(4.0 / 3 * 3.14159 * 27));
+  CHECK(ball.voids[0].area == about(4 * 3.14159 * 9));
+  CHECK(ball.voids[0].points.size() > 100);
+  CHECK(ball.betti == std::array<std::size_t, 4>{1, 3, 3, 0});
+  CHECK(ball.solid_components[0].dimension == 3);
+
+  const PeriodicTopology channel =
+      topology_without([&](const Point3& p) { return 2.5 - std::hypot(bent(p.y + 5 + p.x), bent(p.z + 5)); });
+  REQUIRE(channel.voids.size() == 1);
+  CHECK(channel.voids[0].dimension == 1);
+  CHECK(channel.betti == std::array<std::size_t, 4>{1, 3, 2, 0});
+
+  const PeriodicTopology layer = topology_without([&](const Point3& p) { return 2 - std::abs(bent(p.z + 5)); });
+  REQUIRE(layer.voids.size() == 1);
+  CHECK(layer.voids[0].dimension == 2);
+  CHECK(layer.betti == std::array<std::size_t, 4>{1, 2, 1, 0});
+  CHECK(layer.solid_components[0].dimension == 2);
+  CHECK(layer.voids[0].area == about(200));
+
+  const PeriodicTopology network = topology_without([&](const Point3& p) {
+    const double x = bent(p.x), y = bent(p.y), z = bent(p.z);
+    return 2.5 - std::min({std::hypot(x, y), std::hypot(y, z), std::hypot(z, x)});
+  });
+  REQUIRE(network.voids.size() == 1);
+  CHECK(network.voids[0].dimension == 3);
+  CHECK(network.betti[0] == 1);
+  CHECK(network.solid_components[0].dimension == 3);
+}
+
+TEST_CASE("measures of a periodic solid are the same bytes in any order of the points, and wherever the box begins") {
+  for (std::uint64_t trial = 0; trial < 16; ++trial) {
+    Random random(4900 + trial);
+    PeriodicSet set = periodic_set(trial % 8, 60, random);
+    set.points = wrapped(set, set.box);
+    std::vector<PeriodicTopology> all;
+    for (int time = 0; time < 3; ++time) {
+      try {
+        const Case made = triangulated(set.points, set.box);
+        all.push_back(rbpa::periodic_topology(made.delaunay, made.radii, 1.5));
+      } catch (const rbpa::InvalidInput&) {
+      }
+      random.shuffle(set.points);
+      if (time == 1)
+        for (Point3& p : set.points) p = {p.x + 3.25, p.y - 1.125, p.z + 7.5};
+    }
+    CAPTURE(set.name);
+    for (const PeriodicTopology& other : all) {
+      CHECK(other.volume == all[0].volume);
+      CHECK(other.area == all[0].area);
+      CHECK(other.betti == all[0].betti);
+      REQUIRE(other.voids.size() == all[0].voids.size());
+      for (std::size_t i = 0; i < other.voids.size(); ++i) {
+        CHECK(other.voids[i].volume == all[0].voids[i].volume);
+        CHECK(other.voids[i].area == all[0].voids[i].area);
+        CHECK(other.voids[i].dimension == all[0].voids[i].dimension);
+        CHECK(other.voids[i].points.size() == all[0].voids[i].points.size());
+      }
+    }
+  }
+}
+
+TEST_CASE("what is no triangulation of a box has no topology") {
+  Random random(4950);
+  const PeriodicSet set = periodic_set(0, 100, random);
+  const Case made = triangulated(set.points, set.box);
+  const auto refuses = [](const PeriodicSolid& solid, const std::vector<double>& radii, double alpha = 1) {
+    CHECK_THROWS_AS(rbpa::periodic_topology(solid, radii, alpha), meshops::ContractViolation);
+  };
+  refuses(made.delaunay, {1, 2, 3});
+  PeriodicSolid bare = made.delaunay;
+  bare.neighbors.clear();
+  refuses(bare, made.radii);
+  const PeriodicSolid part = rbpa::within(made.delaunay, made.radii, made.radii[0]);
+  refuses(part, rbpa::circumradii(part.positions, part.simplices));
+  CHECK_THROWS_AS(rbpa::periodic_topology(made.delaunay, made.radii, 0), rbpa::InvalidInput);
+}
