@@ -8,6 +8,7 @@
 #include "cli/void_files.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "picture/picture.h"
 
 namespace rbpa::app {
 namespace {

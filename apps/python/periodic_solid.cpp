@@ -19,7 +19,9 @@
 namespace rbpa::python {
 namespace {
 
-using Box = std::array<double, 3>;
+using Box = std::tuple<double, double, double>;
+
+Point3 sides_of(const Box& box) { return {std::get<0>(box), std::get<1>(box), std::get<2>(box)}; }
 
 py::dict arrays_of(PeriodicSolid made) {
   std::vector<std::uint32_t> points;
@@ -47,7 +49,7 @@ py::dict periodic_solid_of(const Doubles& points, const Box& box, double alpha, 
                            const py::object& progress) {
   const auto input = points3_of(points, "points");
   return arrays_of(watched(input.size(), progress, [&](Watch& watch) {
-    return periodic_solid(input, {box[0], box[1], box[2]}, alpha, {.threads = threads, .progress = watch.progress()});
+    return periodic_solid(input, sides_of(box), alpha, {.threads = threads, .progress = watch.progress()});
   }));
 }
 
@@ -56,7 +58,7 @@ double periodic_alpha_of(const Doubles& points, const Box& box, bool in_one_piec
                          const py::object& progress) {
   const auto input = points3_of(points, "points");
   return watched(input.size(), progress, [&](Watch& watch) {
-    const PeriodicSolid all = periodic_solid(input, {box[0], box[1], box[2]}, std::numeric_limits<double>::infinity(),
+    const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(),
                                              {.threads = threads, .progress = watch.progress()});
     const std::vector<double> radii = circumradii(all.positions, all.simplices, threads);
     const Solid by_points = without_offsets(all);
@@ -77,7 +79,7 @@ std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
 py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha) {
   const auto input = points3_of(points, "points");
   PeriodicTopology made = watched(input.size(), py::none(), [&](Watch&) {
-    const PeriodicSolid all = periodic_solid(input, {box[0], box[1], box[2]}, std::numeric_limits<double>::infinity());
+    const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity());
     return periodic_topology(all, circumradii(all.positions, all.simplices), alpha);
   });
   py::dict result;
