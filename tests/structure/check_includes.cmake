@@ -53,7 +53,7 @@ set(allowed
   "rbpa/space/star: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
   "rbpa/space/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort rbpa/space rbpa/space/insertion
     rbpa/space/predicate"
-  "rbpa/space/triples: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
+  "rbpa/space/triples: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
   "rbpa/fill: meshops/core meshops/front meshops/patch meshops/stellar meshops/topology rbpa rbpa/base rbpa/base/exact
     rbpa/plane/grid rbpa/plane/mesh rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/paper: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/hierarchy rbpa/plane/mesh

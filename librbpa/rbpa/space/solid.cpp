@@ -40,11 +40,7 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
   space::SolidRows rows;
   rows.corners.resize(kept.size());
   for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto& corner = tetrahedra[kept[i]].corner;
-      rows.corners[i] = {triangulation.index_of(corner[0]), triangulation.index_of(corner[1]),
-                         triangulation.index_of(corner[2]), triangulation.index_of(corner[3])};
-    }
+    for (std::size_t i = first; i < last; ++i) rows.corners[i] = tetrahedra[kept[i]].corner;
   });
   if (!neighbors) return rows;
   meshops::FreshVector<std::uint32_t> number(tetrahedra.size());
@@ -63,7 +59,7 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
 /// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In order:
 ///   1. sort the points into cells, and estimate what it would cost;
 ///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
-///   3. sort them, and look up neighbours.
+///   3. find neighbours, and sort.
 /// Returns: false if it would cost more than that for each point, in the unit of triples_cost(); then nothing is filled in.
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
@@ -86,9 +82,8 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
   struct Workspace {
     space::Triples found;
   };
-  meshops::FreshVector<Row> rows;
+  space::SolidRows rows;
   std::atomic<bool> gave_up = false;
-  const auto index = cells.input_index();
   in_order<Workspace>(
       threads, parts,
       [&](std::size_t part, Workspace& w) {
@@ -99,14 +94,15 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
       },
       [&](std::size_t part, Workspace& w) {
         if (gave_up) return;
-        for (const auto& [a, b, c, d] : w.found.tetrahedra)
-          rows.push_back(space::two_least_first({index[a], index[b], index[c], index[d]}));
+        space::check_number_of(rows.corners.size() + w.found.tetrahedra.size());
+        rows.corners.insert(rows.corners.end(), w.found.tetrahedra.begin(), w.found.tetrahedra.end());
         if (options.progress && !options.progress({cells.first_in(part_begin[part + 1]), sites})) throw Cancelled();
       },
       [](std::size_t, Workspace&) {});
   if (gave_up) return false;
-  sort_rows(rows, points.size(), threads, solid.simplices);
-  if (options.neighbors) solid.neighbors = space::link_faces(solid.simplices, points.size(), threads);
+  if (options.neighbors) rows.neighbors = space::link_faces(rows.corners, sites, threads);
+  space::fill_in(std::move(rows), cells.input_index(), points.size(), options.neighbors, threads,
+                 asking(options.progress, sites, sites), solid);
   solid.distinct = sites;
   solid.duplicates = cells.duplicates();
   return true;
@@ -136,7 +132,7 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
     };
   space::TiledSolid found;
   if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
-  space::fill_in(std::move(found.rows), points.size(), options.neighbors, threads,
+  space::fill_in(std::move(found.rows), found.index, points.size(), options.neighbors, threads,
                  asking(options.progress, found.distinct, found.distinct), solid);
   solid.distinct = found.distinct;
   solid.duplicates = std::move(found.duplicates);
@@ -164,8 +160,9 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
     while (v++ < triangulation.size()) step(triangulation.insert(v));
     Threads threads = threads_for(points.size(), options.threads);
     const double scaled_alpha = std::ldexp(alpha, spread.exponent);
-    space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), points.size(),
-                   options.neighbors, threads, asking(options.progress, solid.distinct, solid.distinct), solid);
+    space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), triangulation.index(),
+                   points.size(), options.neighbors, threads, asking(options.progress, solid.distinct, solid.distinct),
+                   solid);
   }
 }
 

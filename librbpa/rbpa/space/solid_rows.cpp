@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
 
-#include "meshops/core/large_pages.h"
+#include "rbpa/base/error.h"
 
 namespace rbpa::space {
 namespace {
@@ -48,28 +49,33 @@ Row permuted(const Row& row, Permutation p) {
 
 }  // namespace
 
-Row two_least_first(const Row& corners) { return permuted(corners, permutation_of(corners)); }
+void check_number_of(std::size_t tetrahedra) {
+  constexpr std::size_t most = std::size_t{1} << 30U;
+  if (tetrahedra > most)
+    throw InvalidInput("more than " + std::to_string(most) + " tetrahedra at a time, which cannot be numbered");
+}
 
-void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, const std::function<void()>& ask,
-             Solid& solid) {
+void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
+             const std::function<void()>& ask, Solid& solid) {
   if (ask) ask();
   const std::size_t count = rows.corners.size();
   meshops::FreshVector<Permutation> permutation(count);
   constexpr std::size_t at_a_time = 1u << 14;
   for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      permutation[i] = permutation_of(rows.corners[i]);
-      rows.corners[i] = permuted(rows.corners[i], permutation[i]);
+      const auto& [a, b, c, d] = rows.corners[i];
+      const Row corners = {index[a], index[b], index[c], index[d]};
+      permutation[i] = permutation_of(corners);
+      rows.corners[i] = permuted(corners, permutation[i]);
     }
   });
   if (ask) ask();
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
-  rows.corners = meshops::FreshVector<Row>();  // its memory is at hand for the neighbours
   if (!neighbors) return;
   if (ask) ask();
-  solid.neighbors.reserve(count);
-  meshops::prefer_large_pages(solid.neighbors.data(), count * sizeof(Row));
-  solid.neighbors.resize(count);
+  // The first touch of fresh memory costs as much as this, so that the neighbours come where the rows were.
+  rows.corners.swap(solid.neighbors);
+  if (solid.neighbors.capacity() / 5 * 4 > count) solid.neighbors.shrink_to_fit();
   // In the order of the rows, whose neighbours are near each other.
   for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

@@ -4,7 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
@@ -13,18 +16,18 @@
 
 namespace rbpa::space {
 
-/// Rows of input indices, positively oriented, and across from each corner the number of another row, or Solid::none.
+/// Rows of a finder's numbers of points, positively oriented, and across from each corner the number of another row, or Solid::none.
 struct SolidRows {
-  meshops::FreshVector<Row> corners;
+  std::vector<Row> corners;             ///< whose memory the solid's neighbours take over
   meshops::FreshVector<Row> neighbors;  ///< not looked at unless wanted
 };
 
-/// Fills in the simplices, and the neighbours if they are wanted. `bound` is above all indices. Calls `ask`, if any, between its steps; it may
-/// throw.
-void fill_in(SolidRows rows, std::size_t bound, bool neighbors, Threads& threads, const std::function<void()>& ask,
-             Solid& solid);
+/// Throws InvalidInput where so many tetrahedra have more faces than 32 bits can number.
+void check_number_of(std::size_t tetrahedra);
 
-/// The same corners, the two least first, by an even permutation.
-Row two_least_first(const Row& corners);
+/// Fills in the simplices, and the neighbours if they are wanted. `index` has the input index of each number that is a corner, all below `bound`. Calls
+/// `ask`, if any, between its steps; it may throw.
+void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
+             const std::function<void()>& ask, Solid& solid);
 
 }  // namespace rbpa::space

@@ -39,7 +39,8 @@ class Insertion {
   std::size_t insert(Vertex v);
 
   Vertex size() const { return static_cast<Vertex>(vertex_.size() - 1); }
-  std::uint32_t index_of(Vertex v) const { return index_[v]; }
+  /// By vertices.
+  std::span<const std::uint32_t> index() const { return index_; }
   /// For exact predicates.
   const Point3& point(Vertex v) const { return points_[index_[v]]; }
 

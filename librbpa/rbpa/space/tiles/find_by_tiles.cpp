@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "rbpa/base/error.h"
+#include "meshops/core/large_pages.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/space/tiles/leaves.h"
 #include "rbpa/space/tiles/remainder.h"
@@ -23,6 +23,7 @@ class Collected {
   Collected(const Leaves& leaves, bool has_radii) : leaves_(leaves), has_radii_(has_radii) {
     const std::size_t expected = 7 * leaves.distinct();
     found.rows.corners.reserve(expected);
+    meshops::prefer_large_pages(found.rows.corners.data(), expected * sizeof(Row));
     found.rows.neighbors.reserve(expected);
     found.border.reserve(leaves.distinct());
     shared_.reserve(leaves.distinct());
@@ -30,7 +31,7 @@ class Collected {
 
   void append(const Stars& stars, std::size_t leaf) {
     const std::size_t base = found.rows.corners.size();
-    check(base + stars.tetrahedra.size());
+    check_number_of(base + stars.tetrahedra.size());
     auto& [corners, neighbors] = found.rows;
     corners.insert(corners.end(), stars.tetrahedra.begin(), stars.tetrahedra.end());
     neighbors.resize(corners.size());
@@ -63,7 +64,7 @@ class Collected {
           if (is_unsettled[i] == 0) first = std::min(first, i);
         if (first - leaves_[leaf].first >= leaves_[leaf].end - leaves_[leaf].first) continue;
         const std::size_t t = found.rows.corners.size();
-        check(t);
+        check_number_of(t + 1);
         found.rows.corners.push_back(row);
         found.rows.neighbors.push_back({none, none, none, none});
         if (has_radii_) found.is_within.push_back(shared_is_within_[at]);
@@ -76,12 +77,6 @@ class Collected {
   std::vector<Place> unsettled;  ///< ascending
 
  private:
-  static void check(std::size_t tetrahedra) {
-    constexpr std::size_t most = std::size_t{1} << 30U;  // whose faces have numbers
-    if (tetrahedra >= most)
-      throw InvalidInput("more than " + std::to_string(most) + " tetrahedra at a time, which cannot be numbered");
-  }
-
   const Leaves& leaves_;
   bool has_radii_;
   meshops::FreshVector<Row> shared_;
@@ -111,7 +106,7 @@ void leave_out(FoundRows& found) {
 bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,
                    const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
                    const TileLimits& limits) {
-  const Leaves leaves(points, limits.points_in_leaf, threads);
+  Leaves leaves(points, limits.points_in_leaf, threads);
   if (leaves.crowding() > limits.most_crowded) return false;
   Collected all(leaves, !std::isinf(alpha));
   struct Workspace {
@@ -146,11 +141,8 @@ bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double 
   link_border_faces(found.border, leaves.places(), found.rows.neighbors);
   add_remainder(leaves, spread, alpha, all.unsettled, found);
   if (!std::isinf(alpha)) leave_out(found);
-  for_each_part(threads, found.rows.corners.size(), 1u << 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      for (std::uint32_t& corner : found.rows.corners[i]) corner = leaves.index(corner);
-  });
-  solid = {std::move(found.rows), leaves.duplicates(), leaves.distinct()};
+  solid = {std::move(found.rows), {}, leaves.duplicates(), leaves.distinct()};
+  solid.index = leaves.release_index();
   return true;
 }
 

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
@@ -18,7 +20,8 @@
 namespace rbpa::space {
 
 struct TiledSolid {
-  SolidRows rows;
+  SolidRows rows;                             ///< of places
+  meshops::FreshVector<std::uint32_t> index;  ///< of each place
   std::vector<Duplicate> duplicates;
   std::size_t distinct = 0;
 };

@@ -77,7 +77,10 @@ class Leaves {
   /// How many points are in the cell of a point, on average: three where points are spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
-  std::uint32_t index(Place place) const { return index_[place]; }
+  /// By places.
+  std::span<const std::uint32_t> index() const { return index_; }
+  /// The same, which it does not have from then on.
+  meshops::FreshVector<std::uint32_t> release_index() { return std::move(index_); }
   std::vector<Duplicate> duplicates() const;
 
   /// The first site of a cell of a leaf; of the number of cells, its end.

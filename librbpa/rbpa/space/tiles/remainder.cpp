@@ -78,7 +78,7 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
   const auto tetrahedra = triangulation.tetrahedra();
   const auto corners_of = [&](std::uint32_t t) {
     Row row;
-    for (std::size_t k = 0; k < 4; ++k) row[k] = triangulation.index_of(tetrahedra[t].corner[k]);
+    for (std::size_t k = 0; k < 4; ++k) row[k] = triangulation.index()[tetrahedra[t].corner[k]];
     return row;
   };
   // 1. Those at open sides, whose faces there are not crossed.

@@ -1,34 +1,47 @@
 #include "rbpa/space/triples/link_faces.h"
 
 #include <algorithm>
-#include <tuple>
+#include <vector>
 
 namespace rbpa::space {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
-/// A face by its two greater corners.
+/// A face by its two greater corners, and as 4 · (row) + (number of the corner across).
 struct Face {
-  std::uint32_t middle, greatest, row;
-  std::uint32_t across;  // number of the corner
-
-  bool operator==(const Face& other) const { return middle == other.middle && greatest == other.greatest; }
-  bool operator<(const Face& other) const {
-    return std::tie(middle, greatest, row) < std::tie(other.middle, other.greatest, other.row);
-  }
+  std::uint64_t corners;
+  std::uint32_t at;
 };
 
 Face face(std::uint32_t p, std::uint32_t q, std::size_t row, std::uint32_t across) {
-  return {std::min(p, q), std::max(p, q), static_cast<std::uint32_t>(row), across};
+  return {std::uint64_t{std::min(p, q)} << 32U | std::max(p, q), static_cast<std::uint32_t>(4 * row + across)};
+}
+
+/// Makes neighbours of those that are the same, of all faces with one least corner.
+void link(std::vector<Face>& faces, meshops::FreshVector<std::array<std::uint32_t, 4>>& neighbors) {
+  const auto join = [&](const Face& one, const Face& other) {
+    neighbors[one.at / 4][one.at % 4] = other.at / 4;
+    neighbors[other.at / 4][other.at % 4] = one.at / 4;
+  };
+  constexpr std::size_t few = 24;
+  if (faces.size() <= few) {
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (faces[i].corners == faces[j].corners) join(faces[i], faces[j]);
+    return;
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.corners < b.corners; });
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    if (faces[i].corners == faces[i - 1].corners) join(faces[i], faces[i - 1]);
 }
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<std::uint32_t, 4>> rows,
-                                                     std::size_t bound, Threads& threads) {
+meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<std::uint32_t, 4>> rows,
+                                                              std::size_t bound, Threads& threads) {
   constexpr std::size_t at_a_time = 1u << 14;
-  std::vector<std::array<std::uint32_t, 4>> neighbors(rows.size(), {none, none, none, none});
+  meshops::FreshVector<std::array<std::uint32_t, 4>> neighbors(rows.size(), {none, none, none, none});
   // Rows by their second corner: those come in the order of rows.
   std::vector<std::uint32_t> first(bound + 1, 0), by_second(rows.size());
   for (const auto& row : rows) ++first[row[1]];
@@ -56,12 +69,7 @@ std::vector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<
       }
       for (std::uint32_t i = v == 0 ? 0 : first[v - 1]; i < first[v]; ++i)
         faces.push_back(face(rows[by_second[i]][2], rows[by_second[i]][3], by_second[i], 0));
-      std::sort(faces.begin(), faces.end());
-      for (std::size_t i = 1; i < faces.size(); ++i)
-        if (faces[i] == faces[i - 1]) {
-          neighbors[faces[i].row][faces[i].across] = faces[i - 1].row;
-          neighbors[faces[i - 1].row][faces[i - 1].across] = faces[i].row;
-        }
+      link(faces, neighbors);
     }
   });
   return neighbors;

@@ -38,7 +38,7 @@ std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const 
     }
     if (tetrahedra[t].is_ghost()) continue;
     std::array<std::uint32_t, 4> corners{};
-    for (std::size_t k = 0; k < 4; ++k) corners[k] = insertion.index_of(tetrahedra[t].corner[k]);
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = insertion.index()[tetrahedra[t].corner[k]];
     std::sort(corners.begin(), corners.end());
     found.push_back(corners);
   }

@@ -42,7 +42,7 @@ std::optional<Solid> by_tiles(const Points3& points, double alpha, std::size_t p
   REQUIRE(rbpa::space::find_by_tiles(rbpa::space::scaled(points, spread, copy), spread, scaled_alpha, several, {},
                                      tiled, limits));
   Solid solid;
-  rbpa::space::fill_in(std::move(tiled.rows), points.size(), true, several, {}, solid);
+  rbpa::space::fill_in(std::move(tiled.rows), tiled.index, points.size(), true, several, {}, solid);
   solid.duplicates = std::move(tiled.duplicates);
   solid.distinct = tiled.distinct;
   return solid;

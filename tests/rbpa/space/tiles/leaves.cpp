@@ -44,8 +44,8 @@ TEST_CASE("every distinct point is one site, in the box of its leaf and in its c
       std::size_t cell = 0;
       for (Place i = leaf.first; i < leaf.end; ++i) {
         const Point3& p = leaves.point(i);
-        CHECK(lowest.at(key(p)) == leaves.index(i));
-        CHECK(named.insert(leaves.index(i)).second);
+        CHECK(lowest.at(key(p)) == leaves.index()[i]);
+        CHECK(named.insert(leaves.index()[i]).second);
         CHECK(leaf.box.touches({p, p}));
         std::array<int, 3> at = {leaf.grid.along_x(p.x), leaf.grid.along_y(p.y), leaf.grid.along_z(p.z)};
         for (std::size_t k = 0; k < 3; ++k) at[k] = std::clamp(at[k], 0, leaf.cells[k] - 1);
