@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests. The last line counts them; with `release` it is
 # a failure if one is left out.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, nightly; or quick: the libraries'
-#                                   suites with sanitizers, and with clang
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, nightly; or quick: the
+#                                   libraries' suites with sanitizers, and with clang
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
@@ -12,6 +12,7 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(chromium patchelf)
+[ "$preset" = javascript ] && packages+=(emscripten npm chromium)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
 . tests/build_environment.sh
@@ -50,6 +51,9 @@ if [ "$preset" = nightly ]; then
 elif [ "$preset" = threads ]; then  # what its tests run
   build threads --target test_rbpa oracle_remainder fuzz_fronts example_{nearest,placing,filling,grid,ear}_front
   test_preset threads threads --parallel "$(nproc)"
+elif [ "$preset" = javascript ]; then
+  build javascript
+  ctest --preset javascript
 elif [ "$preset" = gdal ]; then
   build gdal --target test_ogr
   test_preset gdal gdal

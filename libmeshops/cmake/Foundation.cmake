@@ -13,7 +13,9 @@ include(ForwardHeaders)
 add_library(rbpa_development INTERFACE)
 target_compile_features(rbpa_development INTERFACE cxx_std_20)
 target_compile_options(rbpa_development INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+  # Where sizes have 32 bits other conversions are narrow.
+  $<$<NOT:$<BOOL:${EMSCRIPTEN}>>:-Wconversion> $<$<NOT:$<BOOL:${EMSCRIPTEN}>>:-Wsign-conversion>
   $<$<BOOL:${RBPA_WARNINGS_AS_ERRORS}>:-Werror>
   # A fused multiply-add breaks the splitting on which exact products rest (predicate/expansion.h).
   -ffp-contract=off

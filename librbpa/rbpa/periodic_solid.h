@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,7 +27,9 @@ struct PeriodicVertex {
   std::uint32_t point = 0;
   std::array<std::int8_t, 3> offset = {0, 0, 0};
   friend bool operator==(const PeriodicVertex&, const PeriodicVertex&) = default;
-  friend auto operator<=>(const PeriodicVertex&, const PeriodicVertex&) = default;
+  friend bool operator<(const PeriodicVertex& a, const PeriodicVertex& b) {
+    return a.point != b.point ? a.point < b.point : a.offset < b.offset;
+  }
 };
 
 /// Tetrahedra, each once of all its images: that whose corner of the least index is in the box. Its corners are four different points.

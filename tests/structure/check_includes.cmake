@@ -68,6 +68,7 @@ set(allowed
   "io/mesh: meshops/core meshops/topology rbpa/base io io/bytes io/cloud io/text"
   "io/polygon: rbpa rbpa/base io io/bytes io/text"
   "io/text: io io/bytes"
+  "javascript: rbpa rbpa/base"
   "meshtopo: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/mesh program triangulation"
   "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh"
   "program: rbpa/base io io/bytes"

@@ -22,7 +22,7 @@ if(checked LESS 4)
 endif()
 # What packages say of themselves.
 foreach(place "debian/changelog>^rbpa \\(${VERSION}\\) " "CITATION.cff>\nversion: ${VERSION}\n"
-    "packaging/vcpkg/vcpkg.json>\"version\": \"${VERSION}\"")
+    "packaging/vcpkg/vcpkg.json>\"version\": \"${VERSION}\"" "apps/javascript/package.json>\"version\": \"${VERSION}\"")
   string(REGEX MATCH "^([^>]+)>(.+)$" both "${place}")
   set(file ${CMAKE_MATCH_1})
   set(expected ${CMAKE_MATCH_2})

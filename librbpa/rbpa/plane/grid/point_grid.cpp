@@ -105,10 +105,11 @@ void PointGrid::index_children(Level& level) {
 void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   for (std::uint32_t i = first + 1; i < last; ++i) {
     const std::uint32_t end = last - first > max_in_cell ? first + 1 : i;
-    const auto original = std::find(points_.begin() + first, points_.begin() + end, points_[i]) - points_.begin();
+    const auto found_at = std::find(points_.begin() + first, points_.begin() + end, points_[i]);
+    const auto original = static_cast<std::size_t>(found_at - points_.begin());
     if (original == end) continue;
     found.sites.push_back(i);
-    found.duplicates.push_back({index_[i], index_[static_cast<std::size_t>(original)]});
+    found.duplicates.push_back({index_[i], index_[original]});
   }
 }
 

@@ -62,7 +62,8 @@ class Sweep {
     const auto first = start_;
     for (; start_ != starts_.end() && (*start_)->low == at; ++start_)
       place_[number(*start_)] = crossed_.insert(*start_).first;
-    return {first, start_};
+    return std::span(starts_).subspan(static_cast<std::size_t>(first - starts_.begin()),
+                                      static_cast<std::size_t>(start_ - first));
   }
   void move_past_ends(const Point& at) {
     for (; end_ != ends_.end() && (*end_)->high <= at; ++end_) crossed_.erase(place_[number(*end_)]);

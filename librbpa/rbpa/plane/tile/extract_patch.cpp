@@ -140,8 +140,8 @@ class PatchExtraction {
       number[4 * t + 2] = static_cast<Across>(first + 2 * is_kept);
       count += is_kept;
     }
-    kept_ = kept;
-    others_ = others;
+    kept_ = {kept.begin(), kept.end()};
+    others_ = {others.begin(), others.end()};
     result_.patch.triangles.resize(count);
   }
 
@@ -194,7 +194,7 @@ class PatchExtraction {
       const bool is_at_rim = (beyond[0] | beyond[1] | beyond[2]) < 0;
       marginal.add(static_cast<Index>(k), !is_settled | is_at_rim);
     }
-    marginal_ = marginal;
+    marginal_ = {marginal.begin(), marginal.end()};
   }
 
   void outline() {
@@ -205,7 +205,7 @@ class PatchExtraction {
         outer.add(static_cast<int>(3 * k + i), is_outer);
         workspace_.last[either<std::size_t>(front_.from(4 * std::size_t{kept_[k]} + i) + 1, 0, is_outer)] = no_side;
       }
-    find_holes(outer);
+    find_holes({outer.begin(), outer.end()});
     CountedList<int> inside(workspace_.outer, workspace_.last.size());
     for (std::size_t v = 1; v < workspace_.last.size(); ++v)
       inside.add(workspace_.last[v], workspace_.last[v] != no_side);

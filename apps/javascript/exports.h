@@ -1,0 +1,67 @@
+// What: what every module exports: memory for what comes in, arrays and a message as what comes out.
+// Law:  one call at a time; its results last until the next one, or until they are cleared.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#define RBPA_EXPORT extern "C" __attribute__((used, visibility("default")))
+
+namespace rbpa::javascript {
+
+/// The arrays of the last call, in the order in which JavaScript reads them.
+class Results {
+ public:
+  void clear() { arrays_.clear(); }
+  /// Of items without padding: how many bytes matter to who reads them.
+  template <typename Item>
+  void add(std::vector<Item> items) {
+    const auto kept = std::make_shared<std::vector<Item>>(std::move(items));
+    arrays_.push_back({kept, kept->data(), kept->size() * sizeof(Item)});
+  }
+  std::size_t bytes(std::size_t i) const { return i < arrays_.size() ? arrays_[i].bytes : 0; }
+  const void* begin(std::size_t i) const { return i < arrays_.size() ? arrays_[i].begin : nullptr; }
+
+ private:
+  struct Array {
+    std::shared_ptr<void> owner;
+    const void* begin;
+    std::size_t bytes;
+  };
+  std::vector<Array> arrays_;
+};
+
+inline Results results;
+inline std::string message;
+
+/// Returns: whether it ended without an exception; else the message says why not.
+template <typename Work>
+bool completes(const Work& work) {
+  results.clear();
+  message.clear();
+  try {
+    work();
+    return true;
+  } catch (const std::bad_alloc&) {
+    message = "out of memory: WebAssembly has at most 4 GiB";
+  } catch (const std::exception& e) {
+    message = e.what();
+  }
+  results.clear();
+  return false;
+}
+
+}  // namespace rbpa::javascript
+
+RBPA_EXPORT void* rbpa_allocate(std::size_t bytes) { return std::malloc(bytes); }
+RBPA_EXPORT void rbpa_release(void* memory) { std::free(memory); }
+RBPA_EXPORT const char* rbpa_message() { return rbpa::javascript::message.c_str(); }
+RBPA_EXPORT const void* rbpa_result(std::size_t i) { return rbpa::javascript::results.begin(i); }
+RBPA_EXPORT std::size_t rbpa_bytes(std::size_t i) { return rbpa::javascript::results.bytes(i); }
+RBPA_EXPORT void rbpa_clear() { rbpa::javascript::results.clear(); }

@@ -1,0 +1,47 @@
+// What: what the library uses of C++20 and the standard library of Emscripten 3.1.6 (libc++ 13) does not have yet. Included before each source.
+#pragma once
+
+#include <version>
+
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
+#include <atomic>
+#include <bit>
+#include <charconv>
+#include <memory>
+#include <type_traits>
+
+/// Of common.js: writes the text, and returns its length, or −1 where there is too little room.
+extern "C" __attribute__((import_module("rbpa"), import_name("text"))) int rbpa_text(double value, char* at, int room);
+
+namespace std {
+
+template <typename To, typename From>
+requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>) constexpr To
+    bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
+
+template <typename T>
+requires is_unbounded_array_v<T> unique_ptr<T> make_unique_for_overwrite(size_t size) {
+  return unique_ptr<T>(new remove_extent_t<T>[size]);
+}
+
+/// One thread: a store is a store.
+template <typename T>
+class atomic_ref {
+ public:
+  explicit atomic_ref(T& value) : value_(value) {}
+  void store(T value, memory_order) { value_ = value; }
+
+ private:
+  T& value_;
+};
+
+/// As JavaScript writes numbers: the fewest digits that read back.
+inline to_chars_result to_chars(char* first, char* last, double value) {
+  const int length = rbpa_text(value, first, static_cast<int>(last - first));
+  return length < 0 ? to_chars_result{last, errc::value_too_large} : to_chars_result{first + length, errc()};
+}
+
+}  // namespace std
+#endif

@@ -1,0 +1,183 @@
+// What: the plane as functions that WebAssembly exports: points come as numbers in its memory, results are arrays there.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "javascript/exports.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/point.h"
+#include "rbpa/covering.h"
+#include "rbpa/delaunay.h"
+#include "rbpa/filtration.h"
+#include "rbpa/plateaus.h"
+#include "rbpa/shape.h"
+#include "rbpa/triangulate.h"
+
+namespace {
+
+using rbpa::Point;
+using rbpa::Triangle;
+using rbpa::Triangulation;
+using rbpa::javascript::completes;
+using rbpa::javascript::results;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::span<const Point> points_of(const double* numbers, std::size_t count) {
+  static_assert(sizeof(Point) == 2 * sizeof(double));
+  return {reinterpret_cast<const Point*>(numbers), count};
+}
+enum class Seen { y_up, y_down };  ///< how a triangle's corners are counter-clockwise
+
+/// Of each side of a triangle, from corner i to the next, that of the triangle beyond, or −1. Where y points down, corners b and c will have changed
+/// places, so that sides come in the opposite order.
+std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbors,
+                                       Seen seen) {
+  std::vector<std::int32_t> halfedges(3 * triangles.size());
+  const auto side = [seen](std::size_t t, std::size_t i) { return 3 * t + (seen == Seen::y_up ? i : 2 - i); };
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t here = side(t, i);
+      const std::uint32_t beyond = neighbors[t][(i + 2) % 3];
+      if (beyond == Triangulation::none) halfedges[here] = -1;
+      if (beyond == Triangulation::none || beyond < t) continue;  // the latter was set from there
+      const Triangle& other = triangles[beyond];
+      const std::uint32_t end = triangles[t][(i + 1) % 3];
+      const std::size_t there = side(beyond, other[1] == end ? 1U : other[2] == end ? 2U : 0U);
+      halfedges[here] = static_cast<std::int32_t>(there);
+      halfedges[there] = static_cast<std::int32_t>(here);
+    }
+  return halfedges;
+}
+
+Triangulation triangulated(std::span<const Point> points, double alpha) {
+  return rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
+}
+
+enum class Rule { given, automatic, least, plateau };
+
+/// By a rule, of all points; a radius of 0 where none satisfies it.
+double chosen(const rbpa::Delaunay& delaunay, Rule rule, double number) {
+  if (rule == Rule::given) return number;
+  if (rule != Rule::plateau) {
+    const auto found = rbpa::smallest_covering(
+        delaunay,
+        {.share = 1, .max_components = rule == Rule::automatic ? std::optional<std::size_t>(1) : std::nullopt});
+    return found.value_or(0);
+  }
+  const auto plateaus = rbpa::plateaus(delaunay, rbpa::filtration(delaunay));
+  const auto rank = static_cast<std::size_t>(number);
+  if (plateaus.empty()) return 0;
+  if (rank > plateaus.size())
+    throw rbpa::InvalidInput("there are " + std::to_string(plateaus.size()) + " plateaus, and no plateau " +
+                             std::to_string(rank));
+  return plateaus[rank - 1].alpha;
+}
+
+void add_triangulation(Triangulation made) {
+  results.add(halfedges_of(made.triangles, made.neighbors, Seen::y_up));
+  results.add(std::move(made.triangles));
+  results.add(std::move(made.neighbors));
+  results.add(std::move(made.boundary));
+  results.add(std::move(made.isolated));
+  results.add(std::move(made.duplicates));
+}
+
+/// Where each polygon, and each ring, begins in the next array; rings last.
+void add_polygons(const std::vector<rbpa::Polygon>& polygons) {
+  std::vector<std::uint32_t> first_ring = {0}, first_point = {0}, points;
+  std::vector<double> area, perimeter;
+  const auto add_ring = [&](const rbpa::Ring& ring) {
+    points.insert(points.end(), ring.points.begin(), ring.points.end());
+    first_point.push_back(static_cast<std::uint32_t>(points.size()));
+  };
+  for (const rbpa::Polygon& polygon : polygons) {
+    add_ring(polygon.shell);
+    for (const rbpa::Ring& hole : polygon.holes) add_ring(hole);
+    first_ring.push_back(static_cast<std::uint32_t>(first_point.size() - 1));
+    area.push_back(polygon.area);
+    perimeter.push_back(polygon.perimeter);
+  }
+  const rbpa::PolygonTotals totals = rbpa::total(polygons);
+  results.add(std::move(first_ring));
+  results.add(std::move(first_point));
+  results.add(std::move(points));
+  results.add(std::move(area));
+  results.add(std::move(perimeter));
+  results.add(std::vector<double>{totals.area, totals.perimeter});
+}
+
+}  // namespace
+
+RBPA_EXPORT bool rbpa_triangulate(const double* points, std::size_t count, double alpha) {
+  return completes([&] { add_triangulation(triangulated(points_of(points, count), alpha)); });
+}
+
+/// What Delaunator has: triangles as seen where y points down, their sides' twins, the hull's sides.
+RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
+  return completes([&] {
+    Triangulation made = triangulated(points_of(points, count), infinity);
+    std::vector<std::int32_t> halfedges = halfedges_of(made.triangles, made.neighbors, Seen::y_down);
+    for (Triangle& t : made.triangles) std::swap(t[1], t[2]);
+    results.add(std::move(made.triangles));
+    results.add(std::move(halfedges));
+    results.add(std::move(made.boundary));
+  });
+}
+
+/// `rule` as of Rule; `number` is the radius, or the rank of the plateau. The radius that was chosen comes first.
+RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int rule, double number,
+                                  double min_hole_area, double min_part_area) {
+  return completes([&] {
+    const auto input = points_of(points, count);
+    Triangulation made;
+    double alpha = number;
+    if (rule == 0) {
+      made = triangulated(input, alpha);
+    } else {
+      made = triangulated(input, infinity);
+      alpha = chosen(rbpa::Delaunay(made, input, {}, "alphaShape"), static_cast<Rule>(rule), number);
+      if (alpha > 0) made = triangulated(input, alpha);
+    }
+    const auto polygons = rbpa::polygons(input, made, {.min_hole_area = min_hole_area, .min_part_area = min_part_area});
+    results.add(std::vector<double>{alpha});
+    add_triangulation(std::move(made));
+    add_polygons(polygons);
+  });
+}
+
+RBPA_EXPORT bool rbpa_filtration(const double* points, std::size_t count) {
+  return completes([&] {
+    const auto input = points_of(points, count);
+    const Triangulation made = triangulated(input, infinity);
+    const rbpa::Delaunay delaunay(made, input, {}, "filtration");
+    const rbpa::Filtration filtration = rbpa::filtration(delaunay);
+    std::vector<double> alpha, area;
+    std::array<std::vector<std::uint32_t>, 5> counts;
+    for (const rbpa::FiltrationStep& step : filtration.steps) {
+      alpha.push_back(step.alpha);
+      area.push_back(step.area);
+      const std::array<std::size_t, 5> of_step = {step.triangles, step.solid_components, step.components, step.holes,
+                                                  step.covered};
+      for (std::size_t i = 0; i < counts.size(); ++i) counts[i].push_back(static_cast<std::uint32_t>(of_step[i]));
+    }
+    std::vector<double> plateaus;  // from, to, ratio, alpha, whether structured, whether long
+    for (const rbpa::Plateau& p : rbpa::plateaus(delaunay, filtration))
+      for (const double number : {p.from, p.to.value_or(infinity), p.ratio, p.alpha,
+                                  p.kind == rbpa::PlateauKind::structured ? 1.0 : 0.0, p.is_long ? 1.0 : 0.0})
+        plateaus.push_back(number);
+    results.add(std::move(alpha));
+    for (auto& count_of_steps : counts) results.add(std::move(count_of_steps));
+    results.add(std::move(area));
+    results.add(std::vector<double>{chosen(delaunay, Rule::automatic, 0), chosen(delaunay, Rule::least, 0)});
+    results.add(std::move(plateaus));
+  });
+}

@@ -1,0 +1,16 @@
+# What: Emscripten of Debian, with the headers of this machine that have no code: Highway, Boost, Eigen, nanoflann.
+include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
+
+# A folder of its own: beside them are headers of another standard library.
+set(headers ${CMAKE_BINARY_DIR}/headers)
+file(MAKE_DIRECTORY ${headers})
+foreach(header hwy boost eigen3/Eigen nanoflann.hpp)
+  get_filename_component(name ${header} NAME)
+  file(CREATE_LINK /usr/include/${header} ${headers}/${name} SYMBOLIC)
+endforeach()
+foreach(package Boost Eigen3 hwy)
+  set(${package}_DIR ${CMAKE_CURRENT_LIST_DIR}/packages)
+endforeach()
+set(NANOFLANN_INCLUDE_DIR ${headers})
+
+set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions -include ${CMAKE_CURRENT_LIST_DIR}/missing_in_libcxx.h -isystem ${headers}")
