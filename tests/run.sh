@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in release mode and runs the tests. The last line counts them; with `release` it is
 # a failure if one is left out.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, nightly; or quick: the
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, site, nightly; or quick: the
 #                                   libraries' suites with sanitizers, and with clang
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,8 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(chromium patchelf)
-[ "$preset" = javascript ] && packages+=(emscripten npm chromium)
+[ "$preset" = javascript ] || [ "$preset" = site ] && packages+=(emscripten npm chromium)
+[ "$preset" = site ] && packages+=(python3-sphinx python3-myst-parser python3-sphinx-rtd-theme doxygen)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
 . tests/build_environment.sh
@@ -54,6 +55,11 @@ elif [ "$preset" = threads ]; then  # what its tests run
 elif [ "$preset" = javascript ]; then
   build javascript
   ctest --preset javascript
+elif [ "$preset" = site ]; then
+  build release --target rbpa_python
+  build javascript
+  bash docs/site/build.sh
+  node --test tests/site
 elif [ "$preset" = gdal ]; then
   build gdal --target test_ogr
   test_preset gdal gdal
