@@ -5,6 +5,7 @@
 #include "cli/alpha_report.h"
 #include "cli/arguments.h"
 #include "cli/radii_run.h"
+#include "cli/space_alpha.h"
 #include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
@@ -20,6 +21,12 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   if (!arguments.complex) return ComplexKind::solid;
   if (!arguments.persistence) throw WrongUsage("--complex: found no --persistence, which is what it is about");
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
+}
+
+bool is_in_space(const AlphaArguments& arguments) {
+  if (arguments.dimension != "2" && arguments.dimension != "3")
+    throw WrongUsage("--dimension: found " + in_quotes(arguments.dimension) + ", expected 2 or 3");
+  return arguments.dimension == "3";
 }
 
 /// Of the radii and their pairs.
@@ -42,6 +49,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
+  if (is_in_space(arguments)) return run_space_alpha(arguments);
   if (arguments.ask_for_groups()) return run_group_alpha(arguments);
   const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);

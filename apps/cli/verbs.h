@@ -50,6 +50,7 @@ struct AlphaArguments : RadiiArguments, GroupArguments {
   bool csv = false;
   bool persistence = false;
   std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
+  std::string dimension = "2";
 };
 void run_alpha(const AlphaArguments& arguments);
 /// Which radii to choose for each group of the points. Requires: ask_for_groups().

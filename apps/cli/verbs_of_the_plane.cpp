@@ -57,6 +57,10 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   add_switch(verb, "--csv", arguments.csv, "A line for every radius; with --persistence, for every pair")
       ->excludes(json);
   add_switch(verb, "--persistence", arguments.persistence, "Births and deaths of components and holes");
+  verb.add_option("--dimension", arguments.dimension,
+                  "2, or 3: of points in space, with tunnels and voids; the full alpha complex, CSV has every pair")
+      ->type_name("2|3")
+      ->capture_default_str();
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");

@@ -44,5 +44,6 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_surface_causes(module);
   rbpa::python::bind_solid(module);
   rbpa::python::bind_periodic_solid(module);
+  rbpa::python::bind_solid_filtration(module);
   rbpa::python::bind_solid_locator(module);
 }

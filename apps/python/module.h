@@ -17,6 +17,7 @@ void bind_surface(pybind11::module_& module);
 void bind_surface_causes(pybind11::module_& module);
 void bind_solid(pybind11::module_& module);
 void bind_periodic_solid(pybind11::module_& module);
+void bind_solid_filtration(pybind11::module_& module);
 void bind_solid_locator(pybind11::module_& module);
 void bind_partial(pybind11::module_& module);
 void bind_points(pybind11::module_& module);

@@ -1,4 +1,4 @@
-// What README.md and docs/which_alpha.md, tasks.md, fill.md, surface.md, cavities.md and lidar_footprint.md show under a command is what the command prints.
+// What README.md and docs/which_alpha.md, tasks.md, fill.md, surface.md, cavities.md, persistence_in_space.md and lidar_footprint.md show under a command is what the command prints.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -51,10 +51,10 @@ TEST_SUITE("readme") {
     const std::vector<Shown> of_readme = commands_in(read_file(RBPA_README));
     const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
     std::vector<Shown> commands;
-    const std::pair<const char*, std::size_t> pages[] = {{"docs/which_alpha.md", 2},    {"docs/fill.md", 5},
-                                                         {"docs/surface.md", 11},       {"docs/scan_to_print.md", 4},
-                                                         {"docs/cavities.md", 2},       {"docs/meshtopo.md", 1},
-                                                         {"docs/lidar_footprint.md", 4}};
+    const std::pair<const char*, std::size_t> pages[] = {
+        {"docs/which_alpha.md", 2},   {"docs/fill.md", 5},           {"docs/surface.md", 11},
+        {"docs/scan_to_print.md", 4}, {"docs/cavities.md", 2},       {"docs/persistence_in_space.md", 1},
+        {"docs/meshtopo.md", 1},      {"docs/lidar_footprint.md", 4}};
     for (const auto& page : pages) {
       CAPTURE(page.first);
       const std::vector<Shown> of_page = commands_in(read_file((root / page.first).string()));

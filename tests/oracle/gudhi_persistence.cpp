@@ -8,12 +8,19 @@
 #include <tuple>
 
 namespace rbpa_test {
+namespace {
 
-std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points) {
-  using Kernel = CGAL::Epeck_d<CGAL::Dimension_tag<2>>;
+template <int dimension, typename Points>
+std::vector<SquaredPair> pairs_of(const Points& points) {
+  using Kernel = CGAL::Epeck_d<CGAL::Dimension_tag<dimension>>;
   using Tree = Gudhi::Simplex_tree<>;
-  std::vector<Kernel::Point_d> at;
-  for (const rbpa::Point& p : points) at.emplace_back(p.x, p.y);
+  std::vector<typename Kernel::Point_d> at;
+  for (const auto& p : points) {
+    if constexpr (dimension == 2)
+      at.emplace_back(p.x, p.y);
+    else
+      at.emplace_back(p.x, p.y, p.z);
+  }
   Gudhi::alpha_complex::Alpha_complex<Kernel> alpha_complex(at);
   Tree tree;
   alpha_complex.create_complex(tree, std::numeric_limits<double>::infinity(), /*exact=*/true);
@@ -29,5 +36,10 @@ std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points) 
   }
   return pairs;
 }
+
+}  // namespace
+
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points) { return pairs_of<2>(points); }
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points) { return pairs_of<3>(points); }
 
 }  // namespace rbpa_test

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa_test {
 
@@ -19,5 +20,6 @@ struct SquaredPair {
 
 /// All pairs with birth < death after rounding. Requires: squares of radii are in the range of double.
 std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points);
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points);
 
 }  // namespace rbpa_test

@@ -20,7 +20,7 @@ def blocks(page: str) -> list:
     return re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.DOTALL | re.MULTILINE)
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/dask.md", "docs/cavities.md", "docs/lidar_footprint.md", "docs/coming_from.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/dask.md", "docs/cavities.md", "docs/lidar_footprint.md", "docs/coming_from.md", "docs/persistence_in_space.md"])
 def test_lines_of_pages_run(page, tmp_path, monkeypatch):
     if page == "docs/dask.md":
         pytest.importorskip("dask")

@@ -37,7 +37,7 @@ set(allowed
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
     rbpa/space/closing rbpa/space/full rbpa/space/insertion rbpa/space/levels
-    rbpa/space/normals rbpa/space/periodic rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/tiles rbpa/space/triples"
+    rbpa/space/normals rbpa/space/periodic rbpa/space/persistence rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/tiles rbpa/space/triples"
   "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"
   "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
   "rbpa/space/closing: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
@@ -46,6 +46,7 @@ set(allowed
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
   "rbpa/space/normals: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"
   "rbpa/space/periodic: rbpa rbpa/base rbpa/base/exact rbpa/space"
+  "rbpa/space/persistence: rbpa rbpa/base"
   "rbpa/space/pivot: rbpa/space/predicate"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact"
   "rbpa/space/refining: meshops/stellar rbpa rbpa/space/predicate"

@@ -21,6 +21,7 @@ What there is:
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
     periodic_solid(points, box, alpha=inf)   the same in a box that repeats                     -> PeriodicSolid
+    solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
     estimate_normals(points)             of points in space that have none
     outliers(points)                     of points in space those that stand alone
@@ -55,6 +56,7 @@ from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
+from rbpa._solid_filtration import SolidFiltration, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -79,6 +81,7 @@ __all__ = [
     "Polygon",
     "Polygons",
     "Solid",
+    "SolidFiltration",
     "SolidVoid",
     "Surface",
     "SurfaceComponent",
@@ -96,6 +99,7 @@ __all__ = [
     "read_points",
     "scale_space",
     "solid",
+    "solid_filtration",
     "surface",
     "union_of_balls",
 ]
@@ -103,9 +107,9 @@ __all__ = [
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidVoid),
+    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidVoid),
     *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
-    *(periodic_solid, scale_space, surface, union_of_balls),
+    *(periodic_solid, scale_space, solid_filtration, surface, union_of_balls),
 ):
     _public.__module__ = __name__

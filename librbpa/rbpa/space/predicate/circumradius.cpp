@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/least_reaching.h"
 
 namespace rbpa::space {
 namespace {
@@ -84,15 +83,9 @@ std::optional<double> by_double_double(const Point3& a, const Point3& b, const P
   return std::nullopt;
 }
 
-/// By integers of any length. Positive doubles are in the order of their bits.
+/// By integers of any length.
 double exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  constexpr double greatest = std::numeric_limits<double>::max();
-  const auto reaches = [&](std::uint64_t bits) {
-    return exact::compare_circumradius(a, b, c, d, std::bit_cast<double>(bits)) <= 0;
-  };
-  std::uint64_t below = 0, above = std::bit_cast<std::uint64_t>(greatest);  // 0 is below
-  if (!reaches(above)) return std::numeric_limits<double>::infinity();
-  // From an estimate on, where there is one, in steps that grow.
+  double estimate = 0;
   const Edges scaled_edges = edges(a, b, c, d);
   if (scaled_edges.are_fit) {
     const auto& [u, v, w] = scaled_edges.edge;
@@ -102,25 +95,9 @@ double exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& 
       const double x = (dot(u, u) * vw[i] + dot(v, v) * wu[i] + dot(w, w) * uv[i]).high;
       square += x * x;
     }
-    const double estimate = std::ldexp(std::sqrt(square) / (2 * std::abs(dot(u, vw).high)), -scaled_edges.exponent);
-    if (estimate > 0 && estimate <= greatest) {
-      const auto start = std::bit_cast<std::uint64_t>(estimate);
-      const bool is_reached = reaches(start);
-      (is_reached ? above : below) = start;
-      for (std::uint64_t step = 1; above - below > step; step *= 4) {
-        const std::uint64_t next = is_reached ? start - std::min(step, start - 1) : std::min(start + step, above);
-        if (next == above || next == below) break;
-        const bool is_next_reached = reaches(next);
-        (is_next_reached ? above : below) = next;
-        if (is_next_reached != is_reached) break;
-      }
-    }
+    estimate = std::ldexp(std::sqrt(square) / (2 * std::abs(dot(u, vw).high)), -scaled_edges.exponent);
   }
-  while (above - below > 1) {
-    const std::uint64_t middle = below + (above - below) / 2;
-    (reaches(middle) ? above : below) = middle;
-  }
-  return std::bit_cast<double>(above);
+  return least_reaching(estimate, [&](double r) { return exact::compare_circumradius(a, b, c, d, r) <= 0; });
 }
 
 }  // namespace

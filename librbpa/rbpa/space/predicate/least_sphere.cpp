@@ -1,9 +1,11 @@
 #include "rbpa/space/predicate/least_sphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/least_reaching.h"
 #include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
@@ -17,6 +19,55 @@ constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 template <typename Exact>
 int sign(Real value, Real error, Exact exact) {
   return value > error ? 1 : value < -error ? -1 : exact();
+}
+
+/// Negative inside, where it is beyond the error.
+template <typename Number>
+struct Power {
+  Number value, error;
+};
+
+template <typename Number, typename Exact>
+int sign(const Power<Number>& power, Exact exact) {
+  return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
+}
+
+/// What may underflow is left to the next number: squares of edges have to be far above the least normal one, and the error with its square above it.
+template <typename Number>
+Power<Number> within_range(Number value, Number error, Number least_square) {
+  constexpr Number least = std::numeric_limits<Number>::min();
+  const bool fits = least_square > 0x1p100 * least && error * error > least;
+  return {value, fits ? error : std::numeric_limits<Number>::infinity()};
+}
+
+template <typename Number>
+Power<Number> beside_least_sphere(const Point3& a, const Point3& b, const Point3& q) {
+  const Vector3<Number> u = from<Number>(q, a), v = from<Number>(q, b);
+  constexpr Number roundoff = std::numeric_limits<Number>::epsilon() / 2;
+  const Number uu = dot(u, u), vv = dot(v, v);
+  return within_range(dot(u, v), 8 * roundoff * std::sqrt(uu * vv), std::min(uu, vv));
+}
+
+template <typename Number>
+Power<Number> beside_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
+  const Vector3<Number> u = from<Number>(a, b), v = from<Number>(a, c), d = from<Number>(a, q), n = cross(u, v);
+  constexpr Number roundoff = std::numeric_limits<Number>::epsilon() / 2;
+  const Number uu = dot(u, u), vv = dot(v, v), dd = dot(d, d), length = std::sqrt(dd);
+  return within_range(dot(n, n) * dd - uu * dot(cross(v, n), d) - vv * dot(cross(n, u), d),
+                      96 * roundoff * uu * vv * length * (length + std::sqrt(uu) + std::sqrt(vv)),
+                      std::min({uu, vv, dd}));
+}
+
+double rounded_up(Real value) {
+  const auto nearest = static_cast<double>(value);
+  return nearest < value ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
+}
+
+/// A radius that is off by at most `error`, rounded up: where both ends have one double above them, that is it.
+template <typename Reaches>
+double rounded_up(Real radius, Real error, const Reaches& reaches) {
+  const double low = rounded_up(radius - error), high = rounded_up(radius + error);
+  return low == high && std::isnormal(low) ? low : least_reaching(static_cast<double>(radius), reaches);
 }
 
 }  // namespace
@@ -36,18 +87,32 @@ bool is_least_sphere_within(const Point3& a, const Point3& b, const Point3& c, d
               [&] { return -exact::compare_circumradius(a, b, c, radius); }) >= 0;
 }
 
+double least_radius_rounded_up(const Point3& a, const Point3& b) {
+  const Vector u = from<Real>(a, b);
+  const Real radius = std::sqrt(dot(u, u)) / 2;
+  return rounded_up(radius, 8 * unit_roundoff * radius, [&](double r) { return is_least_sphere_within(a, b, r); });
+}
+
+double least_radius_rounded_up(const Point3& a, const Point3& b, const Point3& c) {
+  const Vector u = from<Real>(a, b), v = from<Real>(a, c), w = from<Real>(b, c), n = cross(u, v);
+  const Real uu = dot(u, u), vv = dot(v, v), nn = dot(n, n), spread = uu * vv / nn;
+  const Real radius = std::sqrt(uu * vv * (dot(w, w) / nn)) / 2;
+  // As in is_least_sphere_within(), where n² is off by at most 80 unit roundoffs of u² v²: that is halved by the root.
+  const Real error =
+      spread < 0x1p40L ? unit_roundoff * radius * (32 + 96 * spread) : std::numeric_limits<Real>::infinity();
+  return rounded_up(radius, error, [&](double r) { return is_least_sphere_within(a, b, c, r); });
+}
+
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q) {
-  const Vector u = from<Real>(q, a), v = from<Real>(q, b);
-  return sign(dot(u, v), 8 * unit_roundoff * std::sqrt(dot(u, u) * dot(v, v)),
-              [&] { return -exact::side_of_least_sphere(a, b, q); }) < 0;
+  return sign(beside_least_sphere<double>(a, b, q), [&] {
+           return sign(beside_least_sphere<Real>(a, b, q), [&] { return -exact::side_of_least_sphere(a, b, q); });
+         }) < 0;
 }
 
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
-  const Vector u = from<Real>(a, b), v = from<Real>(a, c), d = from<Real>(a, q), n = cross(u, v);
-  const Real uu = dot(u, u), vv = dot(v, v), dd = dot(d, d), length = std::sqrt(dd);
-  const Real power = dot(n, n) * dd - uu * dot(cross(v, n), d) - vv * dot(cross(n, u), d);
-  return sign(power, 96 * unit_roundoff * uu * vv * length * (length + std::sqrt(uu) + std::sqrt(vv)),
-              [&] { return -exact::side_of_least_sphere(a, b, c, q); }) < 0;
+  return sign(beside_least_sphere<double>(a, b, c, q), [&] {
+           return sign(beside_least_sphere<Real>(a, b, c, q), [&] { return -exact::side_of_least_sphere(a, b, c, q); });
+         }) < 0;
 }
 
 }  // namespace rbpa::space

@@ -1,0 +1,138 @@
+"""The alpha complex of points in space at every radius."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._input import Floats, Indices, Progress, as_numbers, as_points, as_threads
+from rbpa._plot import axes_or_current, label_axes
+from rbpa._result import Result, freeze
+
+
+def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> SolidFiltration:
+    """The alpha complex of points in space at every radius: which simplices there are from which radius on, and the births and deaths of
+    components, tunnels and voids.
+
+    Parameters
+    ----------
+    points, threads, progress
+        As for `solid`.
+
+    Returns
+    -------
+    SolidFiltration
+
+    Raises
+    ------
+    InvalidInput
+        As `solid`; also where all of several points are in a plane, where there is no tetrahedron.
+
+    Examples
+    --------
+    >>> octahedron = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
+    >>> f = rbpa.solid_filtration(octahedron)
+    >>> f.persistence(2).round(6).tolist()   # a void from where its triangles close it to where a ball does not fit in any more
+    [[0.816497, 1.0]]
+    >>> f.betti(0.9), f.betti(2)
+    ((1, 0, 1), (1, 0, 0))
+    """
+    array = as_points(points, columns=3)
+    return SolidFiltration(array, _core.solid_filtration(array, as_threads(threads), progress))
+
+
+class SolidFiltration(Result):
+    """The alpha complex in space at every radius: what `solid_filtration` returns. Arrays are read-only.
+
+    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that.
+
+    Attributes
+    ----------
+    points : float64 array of shape (n, 3)
+    edges, triangles, simplices : int32 arrays of shape (e, 2), (t, 3), (m, 4)
+        Edges, triangles and tetrahedra of the Delaunay triangulation. Corners of edges and triangles ascend.
+    edge_alpha, triangle_alpha, simplex_alpha : float64 arrays
+        The radius from which on each is in the complex.
+    distinct : int
+        The number of distinct points.
+    min, auto : float
+        The radii that alpha="min" and alpha="auto" of `solid` choose.
+    """
+
+    points: Floats
+    edges: Indices
+    edge_alpha: Floats
+    triangles: Indices
+    triangle_alpha: Floats
+    simplices: Indices
+    simplex_alpha: Floats
+    distinct: int
+    min: float
+    auto: float
+    _persistence: list[Floats]
+    _pairs: list[Indices]
+
+    def __init__(self, points: Floats, made: dict[str, Any]) -> None:
+        super().__init__(made, points=points)
+
+    def _freeze(self) -> None:
+        super()._freeze()
+        freeze(*self._persistence, *self._pairs)
+
+    def persistence(self, dimension: int) -> Floats:
+        """Births and deaths of components (dimension 0), tunnels (1) or voids (2) while the radius grows.
+
+        Returns
+        -------
+        float64 array of shape (k, 2)
+            Birth and death of each, sorted; a death of infinity is none. These are the square roots of what GUDHI's AlphaComplex gives.
+        """
+        return self._persistence[_checked(dimension)]
+
+    def pairs(self, dimension: int) -> Indices:
+        """The simplices that make and end what `persistence` has, row by row: of dimension 0 a point and an edge, of dimension 1 an edge and a triangle, of
+        dimension 2 a triangle and a tetrahedron, by their numbers; -1 for none. An array of shape (k, 2)."""
+        return self._pairs[_checked(dimension)]
+
+    def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
+        """(components, tunnels, voids) at a radius, or at each of an array of radii: the Betti numbers b0, b1 and b2 of the full complex."""
+        radii = as_numbers(alpha, "alpha", "radii")
+        if np.isnan(radii).any():
+            raise InvalidInput("alpha: found nan, expected radii")
+        numbers = [
+            np.searchsorted(np.sort(of[:, 0]), radii, side="right") - np.searchsorted(np.sort(of[:, 1]), radii, side="right")
+            for of in self._persistence
+        ]
+        if radii.ndim == 0:
+            return (int(numbers[0]), int(numbers[1]), int(numbers[2]))
+        return (numbers[0], numbers[1], numbers[2])
+
+    def plot_persistence(self, ax: Any = None) -> Any:
+        """Draws the persistence diagram with matplotlib, and returns the axes: a dot for each tunnel and void, born at x and dying at y, on logarithmic
+        scales. The farther from the diagonal the longer it lives. Components, which are all there from 0 on, are on the left edge."""
+        ax = axes_or_current(ax)
+        radii = np.concatenate([np.ravel(of) for of in self._persistence])
+        radii = radii[np.isfinite(radii) & (radii > 0)]
+        low, high = (radii.min() / 1.5, 1.5 * radii.max()) if len(radii) else (0.1, 1.0)
+        ax.plot([low, high], [low, high], color="#999999", linewidth=0.8)
+        for of, name in zip(self._persistence, ("components", "tunnels", "voids")):
+            shown = np.clip(of, low, high)
+            ax.plot(*shown.T, ".", label=name, markersize=3, markeredgewidth=0, alpha=0.5)
+        ax.set(xscale="log", yscale="log", xlim=(low / 1.3, high), ylim=(low / 1.3, high * 1.2))
+        label_axes(ax, "born at alpha (a radius, in the units of the points)", "dies at alpha")
+        ax.legend(loc="lower right", markerscale=3)
+        return ax
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{len(of)} {name}" for of, name in zip(self._persistence, ("components", "tunnels", "voids")))
+        return f"<rbpa.SolidFiltration of {len(self.points)} points: {counts}>"
+
+
+def _checked(dimension: int) -> int:
+    if dimension not in (0, 1, 2):
+        raise InvalidInput(f"dimension: found {dimension!r}, expected 0 for components, 1 for tunnels or 2 for voids")
+    return dimension

@@ -1,0 +1,79 @@
+#include "rbpa/solid_filtration.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "python/arrays.h"
+#include "python/module.h"
+#include "python/watched.h"
+#include "rbpa/solid.h"
+#include "rbpa/solid_persistence.h"
+#include "rbpa/solid_radii.h"
+
+namespace rbpa::python {
+namespace {
+
+/// The simplices with their radii, the pairs, and the radii of two rules, of all points at once.
+py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    Solid delaunay;
+    SolidFiltration filtration;
+    std::vector<SolidPair> pairs;
+    double least, automatic;
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Made made = watched(input.size(), progress, [&](Watch& watch) {
+    Made all{.delaunay = solid(input, infinity, {.threads = threads, .progress = watch.progress()}),
+             .filtration = {},
+             .pairs = {},
+             .least = infinity,
+             .automatic = infinity};
+    all.filtration = solid_filtration(input, all.delaunay, threads);
+    all.pairs = solid_persistence(all.delaunay, all.filtration, watch.until_stopped());
+    all.least = min_alpha(all.delaunay, all.filtration.tetrahedron_alpha);
+    all.automatic = auto_alpha(all.delaunay, all.filtration.tetrahedron_alpha);
+    return all;
+  });
+  std::array<std::vector<std::array<double, 2>>, 3> values;
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> simplices;
+  for (const SolidPair& pair : made.pairs) {
+    const auto dimension = static_cast<std::size_t>(pair.dimension);
+    values[dimension].push_back({pair.birth, pair.death.value_or(infinity)});
+    simplices[dimension].push_back({pair.born_by, pair.ended_by});
+  }
+  py::list persistence, pairs;
+  for (std::size_t dimension = 0; dimension < 3; ++dimension) {
+    persistence.append(rows<double>(std::move(values[dimension])));
+    pairs.append(rows<std::int32_t>(std::move(simplices[dimension])));
+  }
+  SolidFiltration& filtration = made.filtration;
+  py::dict result;
+  result["edges"] = rows<std::int32_t>(std::move(filtration.edges));
+  result["edge_alpha"] = line<double>(std::move(filtration.edge_alpha));
+  result["triangles"] = rows<std::int32_t>(std::move(filtration.triangles));
+  result["triangle_alpha"] = line<double>(std::move(filtration.triangle_alpha));
+  result["simplices"] = rows<std::int32_t>(std::move(made.delaunay.simplices));
+  result["simplex_alpha"] = line<double>(std::move(filtration.tetrahedron_alpha));
+  result["distinct"] = made.delaunay.distinct;
+  result["min"] = made.least;
+  result["auto"] = made.automatic;
+  result["_persistence"] = persistence;
+  result["_pairs"] = pairs;
+  return result;
+}
+
+}  // namespace
+
+void bind_solid_filtration(py::module_& module) {
+  using py::arg;
+  module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
+}
+
+}  // namespace rbpa::python

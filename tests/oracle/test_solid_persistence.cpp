@@ -1,0 +1,134 @@
+// Persistence in space against GUDHI's.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "oracle/gudhi_persistence.h"
+#include "rbpa/solid_filtration.h"
+#include "rbpa/solid_persistence.h"
+#include "support/arguments.h"
+#include "support/solid_sets.h"
+
+using namespace rbpa_test;
+using rbpa::Point3;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using Value = std::array<double, 2>;
+using Diagram = std::array<std::vector<Value>, 3>;
+
+/// Without those that roundings can make or end.
+Diagram sorted(Diagram diagram) {
+  for (auto& of : diagram) {
+    std::erase_if(of, [](const Value& v) { return !(v[1] > v[0] * (1 + 1e-9)); });
+    std::sort(of.begin(), of.end());
+  }
+  return diagram;
+}
+
+Diagram by_gudhi(const Points3& points) {
+  Diagram diagram;
+  for (const SquaredPair& pair : gudhi_persistence(points))
+    if (pair.dimension < 3)
+      diagram[static_cast<std::size_t>(pair.dimension)].push_back({std::sqrt(pair.birth), std::sqrt(pair.death)});
+  return sorted(diagram);
+}
+
+Diagram by_rbpa(const Points3& points, const rbpa::Solid& delaunay) {
+  Diagram diagram;
+  for (const rbpa::SolidPair& pair : rbpa::solid_persistence(delaunay, rbpa::solid_filtration(points, delaunay)))
+    diagram[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth, pair.death.value_or(infinity)});
+  return sorted(diagram);
+}
+
+bool is_near(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * std::max(a, b); }
+
+/// Whether there are as many, and each has a partner; values that roundings confuse may be in any order.
+bool same(const Diagram& a, const Diagram& b) {
+  for (std::size_t dimension = 0; dimension < 3; ++dimension) {
+    if (a[dimension].size() != b[dimension].size()) return false;
+    std::vector<bool> is_taken(b[dimension].size(), false);
+    for (const Value& value : a[dimension]) {
+      const auto low = std::lower_bound(b[dimension].begin(), b[dimension].end(), Value{value[0] * (1 - 2e-9), 0});
+      bool has_partner = false;
+      for (auto at = static_cast<std::size_t>(low - b[dimension].begin());
+           !has_partner && at < is_taken.size() && b[dimension][at][0] <= value[0] * (1 + 2e-9); ++at)
+        if (!is_taken[at] && is_near(value[1], b[dimension][at][1])) has_partner = is_taken[at] = true;
+      if (!has_partner) return false;
+    }
+  }
+  return true;
+}
+
+std::string text(const Points3& points) {
+  std::ostringstream out;
+  out << std::hexfloat;
+  for (const Point3& p : points) out << " {" << p.x << ", " << p.y << ", " << p.z << "}";
+  return out.str();
+}
+
+/// GUDHI squares radii.
+bool has_squares(const Points3& points) {
+  return std::all_of(points.begin(), points.end(), [](const Point3& p) {
+    const auto fits = [](double x) { return x == 0 || (std::abs(x) > 1e-60 && std::abs(x) < 1e60); };
+    return fits(p.x) && fits(p.y) && fits(p.z);
+  });
+}
+
+Points3 distinct(Points3 points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("small sets of every kind have GUDHI's pairs") {
+  const std::uint64_t sets = argument("count", 200) / space_kinds;
+  std::array<std::size_t, 3> pairs = {0, 0, 0};
+  for (int k = 0; k < space_kinds; ++k) {
+    Random random(800 + static_cast<std::uint64_t>(k));
+    CAPTURE(name(static_cast<SpaceKind>(k)));
+    for (std::uint64_t trial = 0; trial < sets; ++trial) {
+      const Points3 points = distinct(space_set(static_cast<SpaceKind>(k), 4 + random.below(50), random));
+      const rbpa::Solid delaunay = rbpa::solid(points, infinity);
+      if (delaunay.simplices.empty() || !has_squares(points)) continue;
+      const Diagram expected = by_gudhi(points);
+      if (!same(by_rbpa(points, delaunay), expected)) FAIL_CHECK(text(points));
+      for (std::size_t dimension = 0; dimension < 3; ++dimension) pairs[dimension] += expected[dimension].size();
+    }
+  }
+  for (const std::size_t count : pairs) CHECK(count > sets);
+}
+
+TEST_CASE("larger sets of every shape have GUDHI's pairs") {
+  std::size_t compared = 0;
+  for (const SolidSet& set : solid_sets(argument("points", 200))) {
+    const Points3 points = distinct(set.points);
+    if (!set.is_solid || !has_squares(points) || set.name.find("moment") != std::string::npos) continue;
+    CAPTURE(set.name);
+    const rbpa::Solid delaunay = rbpa::solid(points, infinity);
+    CHECK(same(by_rbpa(points, delaunay), by_gudhi(points)));
+    ++compared;
+  }
+  CHECK(compared > 10);
+}
+
+TEST_CASE("the comparison sees what is wrong") {
+  const Points3 points = uniform_cube(60, 801);
+  const Diagram right = by_gudhi(points);
+  REQUIRE(same(by_rbpa(points, rbpa::solid(points, infinity)), right));
+  Diagram wrong = right;
+  wrong[1].pop_back();
+  CHECK(!same(right, wrong));
+  wrong = right;
+  wrong[2][0][1] *= 1.001;
+  CHECK(!same(right, wrong));
+}

@@ -1,0 +1,100 @@
+"""The alpha complex of points in space at every radius."""
+
+import math
+import pickle
+
+import numpy
+import pytest
+import rbpa
+
+
+def pairs_of_gudhi(points):
+    gudhi = pytest.importorskip("gudhi")
+    tree = gudhi.AlphaComplex(points=points, precision="exact").create_simplex_tree()
+    tree.compute_persistence(homology_coeff_field=2, min_persistence=0)
+    found = [numpy.sqrt(tree.persistence_intervals_in_dimension(k).reshape(-1, 2)) for k in range(3)]
+    return [of[of[:, 1] > of[:, 0] * (1 + 1e-9)] for of in found]
+
+
+def longer_than_rounding(of):
+    return of[of[:, 1] > of[:, 0] * (1 + 1e-9)]
+
+
+def sets():
+    random = numpy.random.default_rng(11)
+    yield "uniform", random.random((300, 3))
+    yield "gauss", random.normal(size=(200, 3))
+    yield "integers", random.integers(0, 6, (200, 3)).astype(float)
+    yield "grid", numpy.array([(x, y, z) for x in range(5) for y in range(5) for z in range(5)], float)
+    sphere = random.normal(size=(250, 3))
+    yield "sphere", sphere / numpy.linalg.norm(sphere, axis=1)[:, None]
+    turn, around = 2 * math.pi * random.random((2, 300))
+    yield "ring", numpy.stack(
+        ((1 + 0.3 * numpy.cos(around)) * numpy.cos(turn), (1 + 0.3 * numpy.cos(around)) * numpy.sin(turn), 0.3 * numpy.sin(around)), 1
+    )
+
+
+@pytest.mark.parametrize("name, points", sets())
+def test_pairs_are_those_of_gudhi(name, points):
+    distinct = numpy.unique(points, axis=0)
+    filtration = rbpa.solid_filtration(distinct)
+    for dimension, expected in enumerate(pairs_of_gudhi(distinct)):
+        found = longer_than_rounding(filtration.persistence(dimension))
+        assert len(found) == len(expected)
+        order = numpy.lexsort(expected.round(9).T[::-1])
+        mine = numpy.lexsort(found.round(9).T[::-1])
+        numpy.testing.assert_allclose(found[mine], expected[order], rtol=1e-9, atol=1e-12)
+
+
+def test_radii_and_betti_numbers_belong_together():
+    points = numpy.random.default_rng(12).random((200, 3))
+    filtration = rbpa.solid_filtration(points)
+    solid = rbpa.solid(points)
+    assert (filtration.simplices == solid.simplices).all()
+    assert (filtration.simplex_alpha == solid.radii).all()
+    for alpha in (0.05, 0.12, 0.16, 0.3, 5):
+        edges, triangles, tetrahedra = (
+            int((of <= alpha).sum()) for of in (filtration.edge_alpha, filtration.triangle_alpha, filtration.simplex_alpha)
+        )
+        betti = filtration.betti(alpha)
+        assert betti[0] - betti[1] + betti[2] == 200 - edges + triangles - tetrahedra
+        if tetrahedra:
+            assert betti == rbpa.solid(points, alpha).full.betti
+    many = filtration.betti([0.05, 0.3])
+    assert [int(of[1]) for of in many] == list(filtration.betti(0.3))
+    assert filtration.min == rbpa.solid(points, "min").alpha
+    assert filtration.auto == rbpa.solid(points, "auto").alpha
+
+
+def test_pairs_have_the_simplices_of_their_radii():
+    filtration = rbpa.solid_filtration(numpy.random.default_rng(13).random((150, 3)))
+    alphas = [numpy.zeros(150), filtration.edge_alpha, filtration.triangle_alpha, filtration.simplex_alpha]
+    for dimension in range(3):
+        values, simplices = filtration.persistence(dimension), filtration.pairs(dimension)
+        assert len(values) == len(simplices) > 0
+        assert (alphas[dimension][simplices[:, 0]] == values[:, 0]).all()
+        ended = simplices[:, 1] >= 0
+        assert (alphas[dimension + 1][simplices[ended, 1]] == values[ended, 1]).all()
+        assert ended.sum() == len(values) - (dimension == 0)
+        assert not values.flags.writeable
+    again = pickle.loads(pickle.dumps(filtration))
+    assert (again.persistence(1) == filtration.persistence(1)).all()
+    assert not again.persistence(1).flags.writeable
+    assert "tunnels" in repr(filtration)
+
+
+def test_what_has_no_filtration_is_refused():
+    with pytest.raises(rbpa.InvalidInput, match="plane"):
+        rbpa.solid_filtration([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
+    filtration = rbpa.solid_filtration([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    with pytest.raises(rbpa.InvalidInput, match="dimension: found 3"):
+        filtration.persistence(3)
+    with pytest.raises(rbpa.InvalidInput, match="nan"):
+        filtration.betti(math.nan)
+    assert rbpa.solid_filtration([[1, 2, 3]]).betti(1) == (1, 0, 0)
+
+
+def test_the_diagram_is_drawn():
+    pytest.importorskip("matplotlib")
+    axes = rbpa.solid_filtration(numpy.random.default_rng(14).random((60, 3))).plot_persistence()
+    assert len(axes.lines) == 4
