@@ -1,4 +1,4 @@
-// bench.mjs PACKAGE PEERS: Delaunator of the package, in a folder, beside delaunator, d3-delaunay and concaveman in the node_modules of another, in
+// bench.mjs PACKAGE PEERS: Delaunator of the package, in a folder, beside delaunator and concaveman in the node_modules of another, in
 // turn in one process; milliseconds, the least of several runs, a new set of points each.
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
