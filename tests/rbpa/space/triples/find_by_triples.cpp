@@ -150,3 +150,30 @@ TEST_CASE("it gives up where too much would be decided exactly, or too many poin
   const Cells one(dense, 100, threads);
   CHECK_FALSE(find_by_triples(one, 50, 0, one.size(), SIZE_MAX, found));
 }
+
+TEST_CASE("the cost of triples is that of the points that are near, in a volume and on a surface") {
+  Random random(6200);
+  for (const bool is_flat : {false, true}) {
+    CAPTURE(is_flat);
+    Points3 points;
+    for (int i = 0; i < 4000; ++i) {
+      const double x = random.between(0, is_flat ? 63 : 16), y = random.between(0, is_flat ? 63 : 16);
+      points.push_back({x, y, is_flat ? 0.1 * std::sin(x) : random.between(0, 16)});
+    }
+    for (const double alpha : {0.6, 1.0, 1.6}) {
+      CAPTURE(alpha);
+      rbpa::Threads one(1);
+      const rbpa::space::Cells cells(points, 2 * alpha, one);
+      double expected = 0;
+      for (const Point3& p : points) {
+        const auto near = static_cast<double>(std::count_if(points.begin(), points.end(), [&](const Point3& q) {
+          return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) <= 2 * alpha;
+        }));
+        expected += 100 + near * (4 + 0.68 * near);
+      }
+      const double ratio = rbpa::space::triples_cost(cells) / expected;
+      CHECK(ratio > 0.75);
+      CHECK(ratio < 1.4);
+    }
+  }
+}
