@@ -14,7 +14,6 @@
 #include "cli/solid_request.h"
 #include "cli/void_files.h"
 #include "io/bytes/number.h"
-#include "io/bytes/same_file.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"

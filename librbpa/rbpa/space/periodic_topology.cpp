@@ -1,7 +1,6 @@
 #include "rbpa/periodic_topology.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <utility>

@@ -10,7 +10,6 @@
 #include "rbpa/solid_radii.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
-#include "rbpa/space/outer_faces.h"
 #include "rbpa/space/predicate/least_sphere.h"
 
 namespace rbpa {

@@ -16,7 +16,6 @@ constexpr std::uint32_t none = Solid::none;
 class Column {
  public:
   void clear() { ranks_.clear(); }
-  bool is_empty() const { return ranks_.empty(); }
   void add(std::uint32_t rank) {
     ranks_.push_back(rank);
     std::push_heap(ranks_.begin(), ranks_.end());
