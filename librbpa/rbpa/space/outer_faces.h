@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+
+#include "rbpa/base/triangle.h"
 
 namespace rbpa::space {
 
@@ -10,5 +13,10 @@ namespace rbpa::space {
 /// oriented with a point there.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outer_faces = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// That face of a tetrahedron with these corners.
+inline Triangle outer_face(const std::array<std::uint32_t, 4>& corners, std::size_t k) {
+  return {corners[outer_faces[k][0]], corners[outer_faces[k][1]], corners[outer_faces[k][2]]};
+}
 
 }  // namespace rbpa::space

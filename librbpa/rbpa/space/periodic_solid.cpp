@@ -176,9 +176,7 @@ std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid) {
   for (std::size_t t = 0; t < solid.simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k) {
       if (solid.neighbors[t][k] != none) continue;
-      const auto& [a, b, c] = space::outer_faces[k];
-      const Row& corners = solid.simplices[t];
-      boundary.push_back({corners[a], corners[b], corners[c]});
+      boundary.push_back(space::outer_face(solid.simplices[t], k));
     }
   return boundary;
 }

@@ -20,8 +20,7 @@ using space::Boxes;
 constexpr Boxes nowhere = {0, 0, 0};
 
 Triangle outer_face(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) {
-  const auto& corners = solid.simplices[t];
-  return {corners[space::outer_faces[k][0]], corners[space::outer_faces[k][1]], corners[space::outer_faces[k][2]]};
+  return space::outer_face(solid.simplices[t], k);
 }
 
 Point3 minus(const Point3& p, const std::array<std::int8_t, 3>& offset, const Point3& box) {

@@ -25,9 +25,7 @@ struct Face {
 };
 
 Face face_at(const PeriodicSolid& solid, std::uint32_t at) {
-  const auto& corners = solid.simplices[at / 4];
-  std::array<std::uint32_t, 3> ascending{};
-  for (std::size_t i = 0; i < 3; ++i) ascending[i] = corners[outer_faces[at % 4][i]];
+  Triangle ascending = outer_face(solid.simplices[at / 4], at % 4);
   std::sort(ascending.begin(), ascending.end());  // as their points
   Face face{.points = {}, .apart = {}, .at = at};
   const PeriodicVertex& first = solid.vertices[ascending[0]];
