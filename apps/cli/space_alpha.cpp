@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,7 +19,6 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/solid_persistence.h"
 #include "rbpa/solid_radii.h"
@@ -124,19 +122,16 @@ void run_space_alpha(const AlphaArguments& arguments) {
   const double read_seconds = run.lap();
   SpaceRadii report{.points = file.points.size(), .distinct = 0, .least = 0, .automatic = 0, .pairs = {}};
   try {
-    Solid delaunay;
+    SolidFiltration filtration;
     {
       TriangleProgress progress(!options.quiet, "tetrahedra", text_of_progress);
-      delaunay = solid(file.points, std::numeric_limits<double>::infinity(),
-                       {.threads = options.threads, .progress = progress.watch()});
+      filtration = solid_filtration(file.points, {.threads = options.threads, .progress = progress.watch()});
     }
     const ProgressLine line = options.line("persistence");
-    const SolidFiltration filtration = solid_filtration(file.points, delaunay, options.threads);
-    stop_if_interrupted();
-    report.distinct = delaunay.distinct;
-    report.least = min_alpha(delaunay, filtration.tetrahedron_alpha);
-    report.automatic = auto_alpha(delaunay, filtration.tetrahedron_alpha);
-    report.pairs = solid_persistence(delaunay, filtration, until_interrupted());
+    report.distinct = filtration.delaunay.distinct;
+    report.least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
+    report.automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
+    report.pairs = solid_persistence(filtration, until_interrupted());
   } catch (const InvalidInput& e) {
     throw BadInput(run.input() + ": " + e.what());
   }

@@ -12,7 +12,6 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/solid.h"
 #include "rbpa/solid_persistence.h"
 #include "rbpa/solid_radii.h"
 
@@ -23,22 +22,19 @@ namespace {
 py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   struct Made {
-    Solid delaunay;
     SolidFiltration filtration;
     std::vector<SolidPair> pairs;
     double least, automatic;
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Made made = watched(input.size(), progress, [&](Watch& watch) {
-    Made all{.delaunay = solid(input, infinity, {.threads = threads, .progress = watch.progress()}),
-             .filtration = {},
+    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
              .pairs = {},
              .least = infinity,
              .automatic = infinity};
-    all.filtration = solid_filtration(input, all.delaunay, threads);
-    all.pairs = solid_persistence(all.delaunay, all.filtration, watch.until_stopped());
-    all.least = min_alpha(all.delaunay, all.filtration.tetrahedron_alpha);
-    all.automatic = auto_alpha(all.delaunay, all.filtration.tetrahedron_alpha);
+    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
+    all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha);
+    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha);
     return all;
   });
   std::array<std::vector<std::array<double, 2>>, 3> values;
@@ -59,9 +55,11 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   result["edge_alpha"] = line<double>(std::move(filtration.edge_alpha));
   result["triangles"] = rows<std::int32_t>(std::move(filtration.triangles));
   result["triangle_alpha"] = line<double>(std::move(filtration.triangle_alpha));
-  result["simplices"] = rows<std::int32_t>(std::move(made.delaunay.simplices));
+  result["simplices"] = rows<std::int32_t>(std::move(filtration.delaunay.simplices));
   result["simplex_alpha"] = line<double>(std::move(filtration.tetrahedron_alpha));
-  result["distinct"] = made.delaunay.distinct;
+  result["edges_of"] = rows<std::int32_t>(std::move(filtration.edges_of));
+  result["triangles_of"] = rows<std::int32_t>(std::move(filtration.triangles_of));
+  result["distinct"] = filtration.delaunay.distinct;
   result["min"] = made.least;
   result["auto"] = made.automatic;
   result["_persistence"] = persistence;

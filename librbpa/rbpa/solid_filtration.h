@@ -1,7 +1,8 @@
-// What:   the alpha complex of points in space at every radius: its edges and triangles, and the radius at which each simplex comes into it.
+// What:   the alpha complex of points in space at every radius: all simplices of their Delaunay triangulation, what is a face of what, and the radius at which each
+//         comes into the complex.
 // Law:    a simplex is in the full alpha complex of alpha exactly if its radius is at most alpha, for every double alpha: it is rounded up from the exact one.
-//         No simplex has a greater radius than one that it is a face of. A function of the set of points and of their numbering.
-// Cost:   linear in the tetrahedra, shared among threads; microseconds a simplex where points are cospherical.
+//         No simplex has a greater radius than one that it is a face of. A function of the set of points, and of their numbering.
+// Cost:   that of solid(), and about as much again (docs/persistence_in_space.md); radii are shared among threads.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4; docs/persistence_in_space.md.
 #pragma once
 
@@ -18,19 +19,21 @@
 namespace rbpa {
 
 struct SolidFiltration {
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< ascending, in lexicographic order
-  std::vector<double> edge_alpha;
-  std::vector<Triangle>
-      triangles;  ///< ascending; in the order of their first tetrahedra, and there of the corner across
+  /// The tetrahedra of solid() at infinity, with neighbors, but along a space-filling curve in place of lexicographic order: what follows has them, and
+  /// each other, near by in memory. Positively oriented, from any corner on.
+  Solid delaunay;
+  std::vector<double> tetrahedron_alpha;
+  std::vector<Triangle> triangles;  ///< ascending corners; in the order of their first tetrahedra
   std::vector<double> triangle_alpha;
-  std::vector<double> tetrahedron_alpha;  ///< circumradii(), of the triangulation's
-  /// Of each tetrahedron, the triangle across from each corner.
-  std::vector<std::array<std::uint32_t, 4>> triangles_of;
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< ascending; in the order of their first triangles
+  std::vector<double> edge_alpha;
+
+  std::vector<std::array<std::uint32_t, 4>> triangles_of;  ///< of each tetrahedron, across from each corner
+  std::vector<std::array<std::uint32_t, 3>> edges_of;      ///< of each triangle, likewise
 };
 
-/// Requires: the result of solid() at infinity, with neighbors, which is not empty unless there are fewer than two distinct points. `threads` as in
-///           SolidOptions.
-/// Throws:   ContractViolation where neighbors are missing; InvalidInput when several points have no tetrahedron, as those of a plane.
-RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const Solid& delaunay, unsigned threads = 0);
+/// Options as in solid(); neighbors are always there. `progress` is called with all points once they are triangulated.
+/// Throws: as solid(); InvalidInput when several points have no tetrahedron, as those of a plane.
+RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options = {});
 
 }  // namespace rbpa

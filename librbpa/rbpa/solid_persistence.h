@@ -2,7 +2,7 @@
 // Law:    components at alpha = pairs of dimension 0 with birth ≤ alpha < death, tunnels those of dimension 1, voids those of dimension 2: the Betti numbers of
 //         the full alpha complex. A pair never has birth = death. Exact, with coefficients in Z/2: simplices are in one order, by alpha, dimension and
 //         number. A function of the set of points alone, but for the simplices that make pairs where radii are equal.
-// Cost:   sorts of the edges and the triangles; union–find for dimensions 0 and 2; for dimension 1 a reduction that is nearly linear in practice.
+// Cost:   union–find for dimensions 0 and 2; for dimension 1 a reduction that is nearly linear in practice.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002); Delfinado, Edelsbrunner (1995): dimension 2 by duality;
 //         Chen, Kerber, Persistent homology computation with a twist (2011); docs/persistence_in_space.md.
 #pragma once
@@ -30,9 +30,9 @@ struct SolidPair {
 };
 
 /// Sorted by dimension, birth, death, those without a death last, then by what makes them.
-/// Requires: solid_filtration() of this triangulation. Throws: ContractViolation where it visibly is of another; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<SolidPair> solid_persistence(const Solid& delaunay, const SolidFiltration& filtration,
+/// Throws: ContractViolation where it visibly is no filtration; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
+///         called.
+RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration,
                                                   const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

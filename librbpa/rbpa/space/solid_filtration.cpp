@@ -2,126 +2,148 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
-#include "rbpa/base/parallel/in_order.h"
-#include "rbpa/base/simplices_at.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/solid_radii.h"
-#include "rbpa/space/full/check_triangulation.h"
-#include "rbpa/space/full/faces_within.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/insertion/spatial_order.h"
+#include "rbpa/space/persistence/number_faces.h"
 #include "rbpa/space/predicate/least_sphere.h"
+#include "rbpa/space/predicate/spread.h"
 
 namespace rbpa {
 namespace {
 
 constexpr std::uint32_t none = Solid::none;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_a_time = 1u << 12;
 
-/// Numbers the triangles, by the first tetrahedron of each.
-void list_triangles(const Solid& delaunay, SolidFiltration& filtration) {
-  filtration.triangles_of.resize(delaunay.simplices.size());
-  for (std::uint32_t t = 0; t < delaunay.simplices.size(); ++t)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint32_t beyond = delaunay.neighbors[t][k];
-      if (beyond < t) {
-        const auto& others = delaunay.neighbors[beyond];
-        const auto back = static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
-        filtration.triangles_of[t][k] = filtration.triangles_of[beyond][back];
-        continue;
-      }
-      filtration.triangles_of[t][k] = static_cast<std::uint32_t>(filtration.triangles.size());
-      Triangle triangle = {delaunay.simplices[t][(k + 1) % 4], delaunay.simplices[t][(k + 2) % 4],
-                           delaunay.simplices[t][(k + 3) % 4]};
-      std::sort(triangle.begin(), triangle.end());
-      filtration.triangles.push_back(triangle);
-    }
+std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const std::function<void()>& ask) {
+  const space::Spread spread = space::spread(points);
+  std::vector<Point3> copy;
+  return space::order_on_curve(points, space::scaled(points, spread, copy), ask);
 }
 
 /// That of its own least sphere if no corner across is inside, else that of the first tetrahedron at it.
-double alpha_of_triangle(std::span<const Point3> points, const Solid& delaunay, const SolidFiltration& filtration,
-                         std::uint32_t t, std::size_t k) {
+double alpha_of_triangle(std::span<const Point3> points, const SolidFiltration& filtration, std::uint32_t t,
+                         std::size_t k) {
+  const auto& [simplices, neighbors, duplicates, isolated, distinct] = filtration.delaunay;
   const Triangle& triangle = filtration.triangles[filtration.triangles_of[t][k]];
-  const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
+  const space::LeastSphere sphere(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
   double least = filtration.tetrahedron_alpha[t];
-  bool is_alone = !space::in_least_sphere(a, b, c, points[delaunay.simplices[t][k]]);
-  if (const std::uint32_t beyond = delaunay.neighbors[t][k]; beyond != none) {
+  bool is_alone = !sphere.has_inside(points[simplices[t][k]]);
+  if (const std::uint32_t beyond = neighbors[t][k]; beyond != none) {
     least = std::min(least, filtration.tetrahedron_alpha[beyond]);
-    for (const std::uint32_t corner : delaunay.simplices[beyond])
-      if (corner != triangle[0] && corner != triangle[1] && corner != triangle[2])
-        is_alone = is_alone && !space::in_least_sphere(a, b, c, points[corner]);
+    const auto back = static_cast<std::size_t>(std::find(neighbors[beyond].begin(), neighbors[beyond].end(), t) -
+                                               neighbors[beyond].begin());
+    is_alone = is_alone && !sphere.has_inside(points[simplices[beyond][back]]);
   }
-  return is_alone ? space::least_radius_rounded_up(a, b, c) : least;
+  return is_alone ? sphere.radius_rounded_up() : least;
 }
 
-void find_alpha_of_triangles(std::span<const Point3> points, const Solid& delaunay, Threads& threads,
-                             SolidFiltration& filtration) {
+/// Which corner of a triangle is inside the least sphere of the others, as at most one is; 3 where none is.
+std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& triangle) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (space::in_least_sphere(points[triangle[(k + 1) % 3]], points[triangle[(k + 2) % 3]], points[triangle[k]]))
+      return static_cast<std::uint8_t>(k);
+  return 3;
+}
+
+void find_alpha_of_triangles(std::span<const Point3> points, Threads& threads, SolidFiltration& filtration) {
   filtration.triangle_alpha.resize(filtration.triangles.size());
-  for_each_part(threads, delaunay.simplices.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+  const auto& neighbors = filtration.delaunay.neighbors;
+  for_each_part(threads, neighbors.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint32_t beyond = delaunay.neighbors[t][k];
-        if (beyond == none || t < beyond)
-          filtration.triangle_alpha[filtration.triangles_of[t][k]] =
-              alpha_of_triangle(points, delaunay, filtration, t, k);
-      }
+      for (std::size_t k = 0; k < 4; ++k)
+        if (neighbors[t][k] == none || t < neighbors[t][k])
+          filtration.triangle_alpha[filtration.triangles_of[t][k]] = alpha_of_triangle(points, filtration, t, k);
   });
 }
 
 /// That of its own least sphere if no corner around is inside, else that of the first triangle at it.
-double alpha_of_edge(std::span<const Point3> points, const Solid& delaunay, const SolidFiltration& filtration,
-                     std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
-  double least = std::numeric_limits<double>::infinity();
-  bool is_alone = true;
-  for (const std::uint32_t t : around)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint32_t corner = delaunay.simplices[t][k];
-      if (corner == a || corner == b) continue;
-      least = std::min(least, filtration.triangle_alpha[filtration.triangles_of[t][k]]);
-      is_alone = is_alone && !space::in_least_sphere(points[a], points[b], points[corner]);
-    }
-  return is_alone ? space::least_radius_rounded_up(points[a], points[b]) : least;
+void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps& step, SolidFiltration& filtration) {
+  const auto& triangles = filtration.triangles;
+  std::vector<std::uint8_t> obtuse(triangles.size());
+  for_each_part(threads, triangles.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) obtuse[i] = obtuse_corner(points, triangles[i]);
+  });
+  std::vector<std::uint8_t> is_alone(filtration.edges.size(), 1);
+  auto& alpha = filtration.edge_alpha;
+  alpha.assign(filtration.edges.size(), infinity);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    step();
+    for (const std::uint32_t edge : filtration.edges_of[i])
+      alpha[edge] = std::min(alpha[edge], filtration.triangle_alpha[i]);
+    if (obtuse[i] < 3) is_alone[filtration.edges_of[i][obtuse[i]]] = 0;
+  }
+  for_each_part(threads, alpha.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (is_alone[i] != 0)
+        alpha[i] = space::least_radius_rounded_up(points[filtration.edges[i][0]], points[filtration.edges[i][1]]);
+  });
 }
 
-void list_edges(std::span<const Point3> points, const Solid& delaunay, Threads& threads, SolidFiltration& filtration) {
-  constexpr std::size_t points_at_a_time = 1u << 10;
-  const std::size_t bound = corner_bound<4>(delaunay.simplices);
-  const TetrahedraAt stars(delaunay.simplices, bound);
-  struct Workspace {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    std::vector<double> alpha;
-  };
-  in_order<Workspace>(
-      threads, (bound + points_at_a_time - 1) / points_at_a_time,
-      [&](std::size_t part, Workspace& w) {
-        w.edges.clear();
-        w.alpha.clear();
-        const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
-        for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
-          space::for_each_edge_up(a, stars[a], delaunay, w.ends,
-                                  [&](std::uint32_t b, std::span<const std::uint32_t> around) {
-                                    w.edges.push_back({a, b});
-                                    w.alpha.push_back(alpha_of_edge(points, delaunay, filtration, a, b, around));
-                                  });
-      },
-      [&](std::size_t, Workspace& w) {
-        filtration.edges.insert(filtration.edges.end(), w.edges.begin(), w.edges.end());
-        filtration.edge_alpha.insert(filtration.edge_alpha.end(), w.alpha.begin(), w.alpha.end());
-      },
-      [](std::size_t, Workspace&) {});
+/// From places on the curve to input indices.
+void rename_corners(std::span<const std::uint32_t> index, SolidFiltration& filtration) {
+  Solid& delaunay = filtration.delaunay;
+  for (auto& row : delaunay.simplices)
+    for (std::uint32_t& corner : row) corner = index[corner];
+  for (std::uint32_t& point : delaunay.isolated) point = index[point];
+  std::sort(delaunay.isolated.begin(), delaunay.isolated.end());
+  for (Duplicate& duplicate : delaunay.duplicates) duplicate = {index[duplicate.index], index[duplicate.stands_for]};
+  std::sort(delaunay.duplicates.begin(), delaunay.duplicates.end(),
+            [](const Duplicate& a, const Duplicate& b) { return a.index < b.index; });
+  for (std::size_t i = 0; i < filtration.triangles.size(); ++i) {
+    auto& corners = filtration.triangles[i];
+    auto& across = filtration.edges_of[i];
+    for (std::uint32_t& corner : corners) corner = index[corner];
+    for (const auto& [k, l] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 1u)})
+      if (corners[k] > corners[l]) {
+        std::swap(corners[k], corners[l]);
+        std::swap(across[k], across[l]);
+      }
+  }
+  for (auto& [a, b] : filtration.edges) {
+    a = index[a];
+    b = index[b];
+    if (a > b) std::swap(a, b);
+  }
 }
 
 }  // namespace
 
-SolidFiltration solid_filtration(std::span<const Point3> points, const Solid& delaunay, unsigned wanted) {
+/// In order:
+///   1. sort the points along a curve, and triangulate them as if they had been numbered so;
+///   2. number triangles and edges;
+///   3. find the radii of tetrahedra, triangles and edges;
+///   4. rename the corners.
+SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options) {
+  space::check_points(points);
+  const std::vector<std::uint32_t> index = order_on_curve(points, asking(options.progress, points.size()));
+  std::vector<Point3> sorted(points.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = points[index[i]];
+
   SolidFiltration filtration;
-  filtration.tetrahedron_alpha = circumradii(points, delaunay.simplices, wanted);
-  Threads threads =
-      space::check_triangulation("solid_filtration", points, delaunay, filtration.tetrahedron_alpha, 1, wanted);
-  list_triangles(delaunay, filtration);
-  find_alpha_of_triangles(points, delaunay, threads, filtration);
-  list_edges(points, delaunay, threads, filtration);
+  Solid& delaunay = filtration.delaunay;
+  delaunay = solid(sorted, infinity, {.neighbors = true, .threads = options.threads, .progress = options.progress});
+  if (delaunay.simplices.empty() && delaunay.distinct > 1)
+    throw InvalidInput("the points are in a plane, expected some that have a tetrahedron");
+  const std::function<bool()> go_on = [&] {
+    return !options.progress || options.progress({delaunay.distinct, delaunay.distinct});
+  };
+  Steps step(go_on);
+  space::number_faces(sorted.size(), step, filtration);
+  filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads);
+  Threads threads = threads_for(points.size(), options.threads);
+  find_alpha_of_triangles(sorted, threads, filtration);
+  find_alpha_of_edges(sorted, threads, step, filtration);
+  rename_corners(index, filtration);
   return filtration;
 }
 

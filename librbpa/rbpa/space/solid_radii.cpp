@@ -83,10 +83,8 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
   Threads some = threads_for(simplices.size(), threads);
   constexpr std::size_t at_a_time = 1u << 12;
   for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& [a, b, c, d] = simplices[t];
-      radii[t] = space::circumradius_rounded_up(points[a], points[b], points[c], points[d]);
-    }
+    space::circumradii_rounded_up(points, simplices.subspan(begin, end - begin),
+                                  std::span(radii).subspan(begin, end - begin));
   });
   return radii;
 }

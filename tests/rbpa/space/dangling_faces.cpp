@@ -129,9 +129,9 @@ TEST_CASE("the filters of least spheres never differ from integers") {
     REQUIRE(rbpa::space::in_least_sphere(a, b, q) == (exact::side_of_least_sphere(a, b, q) > 0));
     on += exact::side_of_least_sphere(a, b, q) == 0;
     if (exact::compare_circumradius(a, b, c, 1e300) > 0) continue;  // on a line
-    REQUIRE(rbpa::space::is_least_sphere_within(a, b, c, radius) ==
-            (exact::compare_circumradius(a, b, c, radius) <= 0));
-    REQUIRE(rbpa::space::in_least_sphere(a, b, c, q) == (exact::side_of_least_sphere(a, b, c, q) > 0));
+    const rbpa::space::LeastSphere sphere(a, b, c);
+    REQUIRE(sphere.is_within(radius) == (exact::compare_circumradius(a, b, c, radius) <= 0));
+    REQUIRE(sphere.has_inside(q) == (exact::side_of_least_sphere(a, b, c, q) > 0));
     on += exact::side_of_least_sphere(a, b, c, q) == 0;
   }
   CHECK(on > 500);

@@ -3,13 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <vector>
 
-#include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/full_topology.h"
 #include "rbpa/solid_radii.h"
@@ -29,6 +29,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Corners ascending.
+std::vector<std::array<std::uint32_t, 4>> sorted_rows(const Solid& solid) {
+  auto rows = solid.simplices;
+  for (auto& row : rows) std::sort(row.begin(), row.end());
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 }  // namespace
 
 TEST_CASE("the least radius of two and of three points is the least double that is not below it") {
@@ -43,7 +51,7 @@ TEST_CASE("the least radius of two and of three points is the least double that 
     CHECK((below == 0 || rbpa::space::exact::compare_circumradius(p[0], p[1], below) > 0));
     exact += rbpa::space::exact::compare_circumradius(p[0], p[1], two) == 0 ? 1u : 0u;
     if (rbpa::space::exact::compare_circumradius(p[0], p[1], p[2], infinity) >= 0) continue;  // on a line
-    const double three = rbpa::space::least_radius_rounded_up(p[0], p[1], p[2]);
+    const double three = rbpa::space::LeastSphere(p[0], p[1], p[2]).radius_rounded_up();
     CHECK((std::isinf(three) || rbpa::space::exact::compare_circumradius(p[0], p[1], p[2], three) <= 0));
     CHECK(rbpa::space::exact::compare_circumradius(p[0], p[1], p[2], std::nextafter(three, 0.0)) > 0);
   }
@@ -55,14 +63,14 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
   for (const SolidSet& set : solid_sets(60)) {
     if (!set.is_solid) continue;
     CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
+    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    const Solid& delaunay = filtration.delaunay;
     if (delaunay.simplices.size() > 1000) continue;
-    const SolidFiltration one = rbpa::solid_filtration(set.points, delaunay, 1);
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points, delaunay, 3);
-    CHECK(filtration.edge_alpha == one.edge_alpha);
-    CHECK(filtration.triangle_alpha == one.triangle_alpha);
-    CHECK(filtration.edges == one.edges);
-    CHECK(std::is_sorted(filtration.edges.begin(), filtration.edges.end()));
+    const Solid in_canonical_order = rbpa::solid(set.points, infinity);
+    CHECK(sorted_rows(delaunay) == sorted_rows(in_canonical_order));
+    CHECK(delaunay.duplicates == in_canonical_order.duplicates);
+    CHECK(delaunay.isolated == in_canonical_order.isolated);
+    CHECK(std::set(filtration.edges.begin(), filtration.edges.end()).size() == filtration.edges.size());
     CHECK(filtration.tetrahedron_alpha == rbpa::circumradii(set.points, delaunay.simplices));
     CHECK(std::set(filtration.triangles.begin(), filtration.triangles.end()).size() == filtration.triangles.size());
     for (std::size_t t = 0; t < delaunay.simplices.size(); ++t)
@@ -72,6 +80,13 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
         std::sort(across.begin(), across.end());
         CHECK(filtration.triangles[filtration.triangles_of[t][k]] == across);
         CHECK(filtration.triangle_alpha[filtration.triangles_of[t][k]] <= filtration.tetrahedron_alpha[t]);
+      }
+    for (std::size_t i = 0; i < filtration.triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t edge = filtration.edges_of[i][k];
+        const std::uint32_t a = filtration.triangles[i][k == 0 ? 1 : 0], b = filtration.triangles[i][k == 2 ? 1 : 2];
+        CHECK(filtration.edges[edge] == std::array{a, b});
+        CHECK(filtration.edge_alpha[edge] <= filtration.triangle_alpha[i]);
       }
     std::vector<double> alphas = filtration.edge_alpha;
     alphas.insert(alphas.end(), filtration.triangle_alpha.begin(), filtration.triangle_alpha.end());
@@ -95,14 +110,43 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
   CHECK(checked > 200);
 }
 
-TEST_CASE("what has no filtration is refused") {
+TEST_CASE("threads make no difference, and large sets have no wrong neighbour of a face") {
+  const Points3 points = uniform_cube(12000, 5002);
+  const SolidFiltration one = rbpa::solid_filtration(points, {.threads = 1});
+  const SolidFiltration more = rbpa::solid_filtration(points, {.threads = 3});
+  CHECK(one.delaunay.simplices == more.delaunay.simplices);
+  CHECK(one.triangles == more.triangles);
+  CHECK(one.edges == more.edges);
+  CHECK(one.tetrahedron_alpha == more.tetrahedron_alpha);
+  CHECK(one.triangle_alpha == more.triangle_alpha);
+  CHECK(one.edge_alpha == more.edge_alpha);
+  // Euler: of the ball that the hull bounds.
+  CHECK(12000 - one.edges.size() + one.triangles.size() - one.tetrahedron_alpha.size() == 1);
+}
+
+TEST_CASE("many edges at one point") {
+  const Points3 moment = [] {
+    Points3 points;
+    for (int i = 1; i <= 150; ++i) points.push_back({double(i), double(i) * i, double(i) * i * i});
+    return points;
+  }();
+  const SolidFiltration filtration = rbpa::solid_filtration(moment);
+  CHECK(filtration.edges.size() == 150 * 149 / 2);
+}
+
+TEST_CASE("what has no filtration is refused, and a run is cancelled") {
   const Points3 flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  CHECK_THROWS_AS(rbpa::solid_filtration(flat, rbpa::solid(flat, infinity)), rbpa::InvalidInput);
-  Random random(5001);
-  const Points3 points = space_set(SpaceKind::cube, 20, random);
-  Solid delaunay = rbpa::solid(points, infinity);
-  delaunay.neighbors.clear();
-  CHECK_THROWS_AS(rbpa::solid_filtration(points, delaunay), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::solid_filtration(flat), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::solid_filtration(Points3{{0, 0, infinity}}), rbpa::InvalidInput);
+  const Points3 points = uniform_cube(3000, 5001);
+  for (const int calls : {0, 3, 8, 20}) {
+    int left = calls;
+    const auto stop = [&](const rbpa::Progress&) { return left-- > 0; };
+    CHECK_THROWS_AS(rbpa::solid_filtration(points, {.progress = stop}), rbpa::Cancelled);
+  }
   const Points3 one = {{1, 2, 3}, {1, 2, 3}};
-  CHECK(rbpa::solid_filtration(one, rbpa::solid(one, infinity)).edges.empty());
+  const SolidFiltration filtration = rbpa::solid_filtration(one);
+  CHECK(filtration.edges.empty());
+  CHECK(filtration.delaunay.isolated == std::vector<std::uint32_t>{0});
+  CHECK(filtration.delaunay.duplicates == std::vector<rbpa::Duplicate>{{1, 0}});
 }

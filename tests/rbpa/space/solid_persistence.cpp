@@ -38,7 +38,8 @@ struct Entry {
 };
 
 /// By the definition: columns of the whole boundary matrix, reduced in the order of the filtration.
-std::vector<SolidPair> pairs_by_matrix(const Solid& delaunay, const SolidFiltration& filtration) {
+std::vector<SolidPair> pairs_by_matrix(const SolidFiltration& filtration) {
+  const Solid& delaunay = filtration.delaunay;
   std::vector<Entry> all;
   std::set<std::uint32_t> corners;
   for (const auto& row : delaunay.simplices) corners.insert(row.begin(), row.end());
@@ -110,11 +111,11 @@ TEST_CASE("pairs are those of the whole boundary matrix, simplex by simplex") {
     for (const SolidSet& set : solid_sets(size)) {
       if (!set.is_solid) continue;
       CAPTURE(set.name);
-      const Solid delaunay = rbpa::solid(set.points, infinity);
-      if (delaunay.simplices.empty() || delaunay.simplices.size() > 700) continue;
-      const SolidFiltration filtration = rbpa::solid_filtration(set.points, delaunay);
-      const std::vector<SolidPair> pairs = rbpa::solid_persistence(delaunay, filtration);
-      CHECK(pairs == pairs_by_matrix(delaunay, filtration));
+      const std::size_t size_of_all = rbpa::solid(set.points, infinity).simplices.size();
+      if (size_of_all == 0 || size_of_all > 700) continue;
+      const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+      const std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
+      CHECK(pairs == pairs_by_matrix(filtration));
       for (const SolidPair& pair : pairs) ++found[static_cast<std::size_t>(pair.dimension)];
     }
   }
@@ -126,14 +127,14 @@ TEST_CASE("at every alpha there are as many pairs of each dimension as Betti num
   for (const SolidSet& set : solid_sets(250)) {
     if (!set.is_solid) continue;
     CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points, delaunay);
-    const std::vector<SolidPair> pairs = rbpa::solid_persistence(delaunay, filtration);
+    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    const std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
     std::vector<double> alphas = filtration.triangle_alpha;
     std::sort(alphas.begin(), alphas.end());
     for (std::size_t i = 0; i < alphas.size(); i += 1 + alphas.size() / 9) {
       if (!(alphas[i] > 0) || std::isinf(alphas[i])) continue;
-      const rbpa::FullCounts counts = rbpa::count_full(set.points, delaunay, filtration.tetrahedron_alpha, alphas[i]);
+      const rbpa::FullCounts counts =
+          rbpa::count_full(set.points, filtration.delaunay, filtration.tetrahedron_alpha, alphas[i]);
       std::array<std::size_t, 3> alive = {0, 0, 0};
       for (const SolidPair& pair : pairs)
         if (pair.birth <= alphas[i] && alphas[i] < pair.death.value_or(infinity))
@@ -153,8 +154,7 @@ TEST_CASE("shuffled points have the same births and deaths") {
     Points3 points = set.points;
     std::vector<std::vector<Values>> all;
     for (int time = 0; time < 2; ++time) {
-      const Solid delaunay = rbpa::solid(points, infinity);
-      all.push_back(values_of(rbpa::solid_persistence(delaunay, rbpa::solid_filtration(points, delaunay))));
+      all.push_back(values_of(rbpa::solid_persistence(rbpa::solid_filtration(points))));
       random.shuffle(points);
     }
     CHECK(all[0] == all[1]);
@@ -172,9 +172,8 @@ TEST_CASE("a hollow ball has a void for as long as a ball fits into it, a ring a
     ring.push_back({out * std::cos(turn), out * std::sin(turn), 0.2 * std::sin(around)});
   }
   const auto longest = [](const Points3& points, int dimension) {
-    const Solid delaunay = rbpa::solid(points, infinity);
     double length = 0, second = 0, death = 0;
-    for (const SolidPair& pair : rbpa::solid_persistence(delaunay, rbpa::solid_filtration(points, delaunay))) {
+    for (const SolidPair& pair : rbpa::solid_persistence(rbpa::solid_filtration(points))) {
       if (pair.dimension != dimension || !pair.death) continue;
       const double ratio = *pair.death / pair.birth;
       if (ratio > length) {
@@ -194,18 +193,14 @@ TEST_CASE("a hollow ball has a void for as long as a ball fits into it, a ring a
 
 TEST_CASE("few points, what does not belong together, and a run that is cancelled") {
   const Points3 none, one = {{1, 2, 3}, {1, 2, 3}};
-  const auto pairs = [](const Points3& points) {
-    const Solid delaunay = rbpa::solid(points, infinity);
-    return rbpa::solid_persistence(delaunay, rbpa::solid_filtration(points, delaunay));
-  };
+  const auto pairs = [](const Points3& points) { return rbpa::solid_persistence(rbpa::solid_filtration(points)); };
   CHECK(pairs(none).empty());
   REQUIRE(pairs(one).size() == 1);
   CHECK(!pairs(one)[0].death);
   CHECK(pairs({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).size() == 4);  // components
   const Points3 points = uniform_cube(3000, 5102);
-  const Solid delaunay = rbpa::solid(points, infinity);
-  SolidFiltration filtration = rbpa::solid_filtration(points, delaunay);
-  CHECK_THROWS_AS(rbpa::solid_persistence(delaunay, filtration, [] { return false; }), rbpa::Cancelled);
+  SolidFiltration filtration = rbpa::solid_filtration(points);
+  CHECK_THROWS_AS(rbpa::solid_persistence(filtration, [] { return false; }), rbpa::Cancelled);
   filtration.triangles_of.pop_back();
-  CHECK_THROWS_AS(rbpa::solid_persistence(delaunay, filtration), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::solid_persistence(filtration), meshops::ContractViolation);
 }

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <string>
@@ -38,10 +40,17 @@ bool is_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Poin
   return compare_circumradius(a, b, c, d, radius) <= 0 && (below == 0 || compare_circumradius(a, b, c, d, below) > 0);
 }
 
+double radius_of(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+  const Points3 points = {a, b, c, d};
+  const std::array<std::uint32_t, 4> corners = {0, 1, 2, 3};
+  return rbpa::circumradii(points, {&corners, 1}).front();
+}
+
 void check_radius(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  const double radius = rbpa::space::circumradius_rounded_up(a, b, c, d);
+  const double radius = radius_of(a, b, c, d);
   CAPTURE(radius);
   CHECK(is_rounded_up(a, b, c, d, radius));
+  CHECK(rbpa::space::circumradius_rounded_up(a, b, c, d) == radius);
 }
 
 /// The most corners that a solid component has.
@@ -84,8 +93,8 @@ TEST_CASE("a radius is the least double at which its tetrahedron is in the compl
 
 TEST_CASE("radii that are doubles, or next to one, and such at the ends of their range") {
   check_radius({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1});  // 1.5
-  CHECK(rbpa::space::circumradius_rounded_up({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}) == 1.5);
-  CHECK(rbpa::space::circumradius_rounded_up({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == 1);
+  CHECK(radius_of({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}) == 1.5);
+  CHECK(radius_of({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == 1);
   const double next = std::nextafter(1, 2);
   check_radius({-1, 0, 0}, {next, 0, 0}, {0, 1, 0}, {0, 0, 1});
   check_radius({-1, 0, 0}, {1, 0, 0}, {0, next, 0}, {0, 0, 1});
@@ -97,8 +106,7 @@ TEST_CASE("radii that are doubles, or next to one, and such at the ends of their
   // Flat: a radius far above the distances, and one above all doubles.
   check_radius({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1e-12});
   check_radius({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1e-300});
-  CHECK(
-      std::isinf(rbpa::space::circumradius_rounded_up({0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e299, 1e299, 1e280})));
+  CHECK(std::isinf(radius_of({0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e299, 1e299, 1e280})));
   Random random(3);
   for (int round = 0; round < 2000; ++round) {
     const auto coordinate = [&] {

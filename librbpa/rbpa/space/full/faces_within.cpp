@@ -14,12 +14,12 @@ FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, 
   constexpr std::size_t at_a_time = 1u << 12;
   const auto is_alone_within = [&](std::uint32_t t, std::size_t k) {
     const auto& corners = delaunay_.simplices[t];
-    const Point3 &a = points_[corners[outer_faces[k][0]]], &b = points_[corners[outer_faces[k][1]]],
-                 &c = points_[corners[outer_faces[k][2]]];
-    if (!is_least_sphere_within(a, b, c, alpha_) || in_least_sphere(a, b, c, points_[corners[k]])) return false;
+    const LeastSphere sphere(points_[corners[outer_faces[k][0]]], points_[corners[outer_faces[k][1]]],
+                             points_[corners[outer_faces[k][2]]]);
+    if (!sphere.is_within(alpha_) || sphere.has_inside(points_[corners[k]])) return false;
     const std::uint32_t beyond = delaunay_.neighbors[t][k];
     if (beyond == Solid::none) return true;
-    return !in_least_sphere(a, b, c, points_[delaunay_.simplices[beyond][back(t, k)]]);
+    return !sphere.has_inside(points_[delaunay_.simplices[beyond][back(t, k)]]);
   };
   // Each by its first tetrahedron, and then read from there.
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {

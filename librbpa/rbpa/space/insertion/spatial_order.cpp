@@ -87,23 +87,29 @@ unsigned round_of(std::size_t place) {
 
 }  // namespace
 
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
-                           const std::function<void()>& ask) {
+std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
+                                          const std::function<void()>& ask) {
   std::vector<Place> places(points.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i].index = static_cast<std::uint32_t>(i);
   Sorter(points, scaled, ask).sort(places);
+  std::vector<std::uint32_t> order(places.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = places[i].index;
+  return order;
+}
 
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
+                           const std::function<void()>& ask) {
   SpatialOrder result;
   std::vector<std::uint32_t> on_curve;
   on_curve.reserve(points.size());
   std::array<std::size_t, 64 / bits_of_round + 1> in_round{};
-  for (const Place& place : places) {
-    if (!on_curve.empty() && points[on_curve.back()] == points[place.index]) {
-      result.duplicates.push_back({place.index, on_curve.back()});
+  for (const std::uint32_t index : order_on_curve(points, scaled, ask)) {
+    if (!on_curve.empty() && points[on_curve.back()] == points[index]) {
+      result.duplicates.push_back({index, on_curve.back()});
       continue;
     }
     ++in_round[round_of(on_curve.size())];
-    on_curve.push_back(place.index);
+    on_curve.push_back(index);
   }
   std::sort(result.duplicates.begin(), result.duplicates.end(),
             [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });

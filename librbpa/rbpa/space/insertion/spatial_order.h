@@ -16,13 +16,18 @@
 
 namespace rbpa::space {
 
+/// All points along the Hilbert curve; equal ones follow each other, the lowest index first.
+/// Requires: finite points; the same points scaled, whose differences do not overflow: near enough to lie in the same cells, as
+/// nothing but the order of points near each other depends on the cells. Calls `ask`, if any, now and then; it may throw.
+std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
+                                          const std::function<void()>& ask);
+
 struct SpatialOrder {
   std::vector<std::uint32_t> order;   ///< indices of the distinct points
   std::vector<Duplicate> duplicates;  ///< the other points, ascending by index
 };
 
-/// Requires: finite points; the same points scaled, whose differences do not overflow: near enough to lie in the same cells, as
-/// nothing but the time depends on the cells. Calls `ask`, if any, now and then; it may throw.
+/// Requires and calls `ask` as order_on_curve().
 SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
                            const std::function<void()>& ask);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "rbpa/solid.h"
@@ -12,136 +13,168 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// A sum of columns: a heap of ranks, of which those that come twice are not there.
+/// An edge in a column: its rank in the filtration, from 1 on, above its number; so they are compared by rank. 0 is none.
+using Entry = std::uint64_t;
+std::uint32_t edge_of(Entry entry) { return static_cast<std::uint32_t>(entry); }
+
+/// A sum of columns: ascending entries; where there are many, a heap, of which those that come twice are not there.
 class Column {
  public:
-  void clear() { ranks_.clear(); }
-  void add(std::uint32_t rank) {
-    ranks_.push_back(rank);
-    std::push_heap(ranks_.begin(), ranks_.end());
+  void clear() {
+    entries_.clear();
+    is_heap_ = false;
   }
-  /// The greatest, or none.
-  std::uint32_t pivot() {
-    while (!ranks_.empty()) {
-      const std::uint32_t greatest = pop();
-      if (ranks_.empty() || ranks_.front() != greatest) {
-        add(greatest);
+  void assign(std::span<const Entry> ascending) {
+    entries_.assign(ascending.begin(), ascending.end());
+    is_heap_ = false;
+  }
+  void add(std::span<const Entry> ascending) {
+    constexpr std::size_t few = 64;
+    if (!is_heap_ && entries_.size() + ascending.size() > few) {
+      is_heap_ = true;
+      std::make_heap(entries_.begin(), entries_.end());
+    }
+    if (is_heap_) {
+      for (const Entry entry : ascending) push(entry);
+      return;
+    }
+    sum_.clear();
+    std::set_symmetric_difference(entries_.begin(), entries_.end(), ascending.begin(), ascending.end(),
+                                  std::back_inserter(sum_));
+    entries_.swap(sum_);
+  }
+  /// The greatest, or 0.
+  Entry pivot() {
+    if (!is_heap_) return entries_.empty() ? 0 : entries_.back();
+    while (!entries_.empty()) {
+      const Entry greatest = pop();
+      if (entries_.empty() || entries_.front() != greatest) {
+        push(greatest);
         return greatest;
       }
       pop();
     }
-    return none;
+    return 0;
   }
-  /// All, in any order; then it is empty.
-  std::vector<std::uint32_t> release() {
-    std::sort(ranks_.begin(), ranks_.end());
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i < ranks_.size();) {
+  /// All, ascending.
+  std::vector<Entry> ascending() {
+    if (!is_heap_) return {entries_.begin(), entries_.end()};
+    std::sort(entries_.begin(), entries_.end());
+    std::vector<Entry> kept;
+    for (std::size_t i = 0; i < entries_.size();) {
       std::size_t end = i + 1;
-      while (end < ranks_.size() && ranks_[end] == ranks_[i]) ++end;
-      if ((end - i) % 2 == 1) kept.push_back(ranks_[i]);
+      while (end < entries_.size() && entries_[end] == entries_[i]) ++end;
+      if ((end - i) % 2 == 1) kept.push_back(entries_[i]);
       i = end;
     }
-    ranks_.clear();
     return kept;
   }
 
  private:
-  std::uint32_t pop() {
-    std::pop_heap(ranks_.begin(), ranks_.end());
-    const std::uint32_t greatest = ranks_.back();
-    ranks_.pop_back();
+  void push(Entry entry) {
+    entries_.push_back(entry);
+    std::push_heap(entries_.begin(), entries_.end());
+  }
+  Entry pop() {
+    std::pop_heap(entries_.begin(), entries_.end());
+    const Entry greatest = entries_.back();
+    entries_.pop_back();
     return greatest;
   }
 
-  std::vector<std::uint32_t> ranks_;
+  std::vector<Entry> entries_, sum_;
+  bool is_heap_ = false;
 };
 
 class Reduction {
  public:
   Reduction(const SolidFiltration& filtration, std::span<const std::uint32_t> order, const std::vector<bool>& joins)
-      : filtration_(filtration), rank_(order.size()), owner_(order.size(), none), kept_(order.size(), none) {
-    for (std::uint32_t rank = 0; rank < order.size(); ++rank) rank_[order[rank]] = joins[order[rank]] ? none : rank;
-    for (const auto& edge : filtration.edges) {
-      if (edge[0] + std::size_t{2} > begin_.size()) begin_.resize(edge[0] + std::size_t{2}, 0);
-      ++begin_[edge[0] + std::size_t{1}];
-    }
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+      : filtration_(filtration), entry_(order.size()), owner_(order.size(), none), kept_(order.size(), none) {
+    for (std::uint32_t rank = 0; rank < order.size(); ++rank)
+      entry_[order[rank]] = joins[order[rank]] ? 0 : (rank + Entry{1}) << 32U | order[rank];
   }
 
   void reduce(std::uint32_t triangle) {
-    column_.clear();
-    add_boundary(triangle);
+    const Boundary boundary = boundary_of(triangle);
+    Entry pivot = boundary.entries.back();
+    if (pivot == 0) return;
+    if (owner_[edge_of(pivot)] == none) {
+      owner_[edge_of(pivot)] = triangle;
+      return;
+    }
+    column_.assign(boundary.span());
     bool is_sum = false;
-    while (true) {
-      const std::uint32_t pivot = column_.pivot();
-      if (pivot == none) return;  // of no triangle that ends a tunnel
-      if (owner_[pivot] == none) return keep(pivot, triangle, is_sum);
-      if (is_before(triangle, owner_[pivot])) {
+    for (; pivot != 0; pivot = column_.pivot()) {
+      const std::uint32_t edge = edge_of(pivot), owner = owner_[edge];
+      if (owner == none) return keep(edge, triangle, is_sum);
+      if (is_before(triangle, owner)) {
         // What was reduced goes there; what was there goes on.
-        const std::uint32_t other = owner_[pivot];
-        const std::vector<std::uint32_t> others = released(pivot);
-        keep(pivot, triangle, is_sum);
-        triangle = other;
+        const std::vector<Entry> others = released(edge);
+        std::vector<Entry> mine = column_.ascending();
         if (others.empty())
-          add_boundary(triangle);
+          column_.assign(boundary_of(owner).span());
         else
-          for (const std::uint32_t rank : others) column_.add(rank);
+          column_.assign(others);
+        column_.add(mine);
+        keep(edge, triangle, is_sum, std::move(mine));
+        triangle = owner;
+      } else if (kept_[edge] == none) {
+        column_.add(boundary_of(owner).span());
+      } else {
+        column_.add(columns_[kept_[edge]]);
       }
-      add_column(pivot);
       is_sum = true;
     }
   }
 
-  std::uint32_t owner(std::uint32_t rank) const { return owner_[rank]; }
+  std::vector<std::uint32_t> release_owners() { return std::move(owner_); }
 
  private:
+  struct Boundary {
+    std::array<Entry, 3> entries;  ///< ascending; zeros are none
+    std::span<const Entry> span() const {
+      return std::span(entries).subspan(static_cast<std::size_t>(std::count(entries.begin(), entries.end(), Entry{0})));
+    }
+  };
+
+  Boundary boundary_of(std::uint32_t triangle) const {
+    const auto& [a, b, c] = filtration_.edges_of[triangle];
+    Boundary boundary{{entry_[a], entry_[b], entry_[c]}};
+    std::sort(boundary.entries.begin(), boundary.entries.end());
+    return boundary;
+  }
   bool is_before(std::uint32_t a, std::uint32_t b) const {
     const double of_a = filtration_.triangle_alpha[a], of_b = filtration_.triangle_alpha[b];
     return of_a != of_b ? of_a < of_b : a < b;
   }
 
-  std::uint32_t rank_of(std::uint32_t a, std::uint32_t b) const {
-    const auto first = filtration_.edges.begin() + static_cast<std::ptrdiff_t>(begin_[a]),
-               last = filtration_.edges.begin() + static_cast<std::ptrdiff_t>(begin_[a + std::size_t{1}]);
-    const auto at = std::lower_bound(first, last, b, [](const auto& edge, std::uint32_t end) { return edge[1] < end; });
-    return rank_[static_cast<std::size_t>(at - filtration_.edges.begin())];
+  void keep(std::uint32_t edge, std::uint32_t triangle, bool is_sum) {
+    keep(edge, triangle, is_sum, is_sum ? column_.ascending() : std::vector<Entry>());
   }
-  void add_boundary(std::uint32_t triangle) {
-    const auto& [a, b, c] = filtration_.triangles[triangle];
-    for (const std::uint32_t rank : {rank_of(a, b), rank_of(a, c), rank_of(b, c)})
-      if (rank != none) column_.add(rank);
-  }
-  void add_column(std::uint32_t pivot) {
-    if (kept_[pivot] == none) return add_boundary(owner_[pivot]);
-    for (const std::uint32_t rank : columns_[kept_[pivot]]) column_.add(rank);
-  }
-
-  void keep(std::uint32_t pivot, std::uint32_t triangle, bool is_sum) {
-    owner_[pivot] = triangle;
-    if (!is_sum) return column_.clear();
+  void keep(std::uint32_t edge, std::uint32_t triangle, bool is_sum, std::vector<Entry> column) {
+    owner_[edge] = triangle;
+    if (!is_sum) return;
     if (free_.empty()) {
       free_.push_back(static_cast<std::uint32_t>(columns_.size()));
       columns_.emplace_back();
     }
-    kept_[pivot] = free_.back();
+    kept_[edge] = free_.back();
     free_.pop_back();
-    columns_[kept_[pivot]] = column_.release();
+    columns_[kept_[edge]] = std::move(column);
   }
   /// The sum that is kept there, if any; then none is.
-  std::vector<std::uint32_t> released(std::uint32_t pivot) {
-    const std::uint32_t at = std::exchange(kept_[pivot], none);
+  std::vector<Entry> released(std::uint32_t edge) {
+    const std::uint32_t at = std::exchange(kept_[edge], none);
     if (at == none) return {};
     free_.push_back(at);
     return std::exchange(columns_[at], {});
   }
 
   const SolidFiltration& filtration_;
-  std::vector<std::uint32_t> rank_;   // of each edge, or none where it ends a component
-  std::vector<std::size_t> begin_;    // of the edges of each point that is their first
-  std::vector<std::uint32_t> owner_;  // of each rank that is a pivot: the triangle
-  std::vector<std::uint32_t> kept_;   // of each such rank: which of the columns, or none: the triangle's boundary
-  std::vector<std::vector<std::uint32_t>> columns_;
+  std::vector<Entry> entry_;          // of each edge; 0 where it ends a component
+  std::vector<std::uint32_t> owner_;  // of each edge that is a pivot: the triangle
+  std::vector<std::uint32_t> kept_;   // of each such edge: which of the columns, or none: the triangle's boundary
+  std::vector<std::vector<Entry>> columns_;
   std::vector<std::uint32_t> free_;
   Column column_;
 };
@@ -149,16 +182,14 @@ class Reduction {
 }  // namespace
 
 std::vector<std::uint32_t> pair_tunnels(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
-                                        const std::vector<bool>& joins, const std::vector<std::uint32_t>& ended,
+                                        const std::vector<bool>& joins, const std::vector<bool>& makes_void,
                                         Steps& step) {
   Reduction reduction(filtration, order, joins);
-  for (const std::uint32_t triangle : ended) {
-    step(16);
-    reduction.reduce(triangle);
+  for (std::uint32_t triangle = 0; triangle < filtration.triangles.size(); ++triangle) {
+    step(makes_void[triangle] ? 1 : 8);
+    if (!makes_void[triangle]) reduction.reduce(triangle);
   }
-  std::vector<std::uint32_t> result(order.size());
-  for (std::uint32_t rank = 0; rank < order.size(); ++rank) result[order[rank]] = reduction.owner(rank);
-  return result;
+  return reduction.release_owners();
 }
 
 }  // namespace rbpa::space

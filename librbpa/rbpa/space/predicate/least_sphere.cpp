@@ -49,13 +49,13 @@ Power<Number> beside_least_sphere(const Point3& a, const Point3& b, const Point3
 }
 
 template <typename Number>
-Power<Number> beside_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
-  const Vector3<Number> u = from<Number>(a, b), v = from<Number>(a, c), d = from<Number>(a, q), n = cross(u, v);
+Power<Number> beside(const PowerByLeastSphere<Number>& by, const Point3& a, const Point3& q) {
+  const Vector3<Number> d = from<Number>(a, q);
   constexpr Number roundoff = std::numeric_limits<Number>::epsilon() / 2;
-  const Number uu = dot(u, u), vv = dot(v, v), dd = dot(d, d), length = std::sqrt(dd);
-  return within_range(dot(n, n) * dd - uu * dot(cross(v, n), d) - vv * dot(cross(n, u), d),
-                      96 * roundoff * uu * vv * length * (length + std::sqrt(uu) + std::sqrt(vv)),
-                      std::min({uu, vv, dd}));
+  const Number dd = dot(d, d), length = std::sqrt(dd);
+  return within_range(by.square * dd - dot(by.axis, d),
+                      96 * roundoff * by.product_of_squares * length * (length + by.lengths),
+                      std::min(by.least_square, dd));
 }
 
 double rounded_up(Real value) {
@@ -79,12 +79,26 @@ bool is_least_sphere_within(const Point3& a, const Point3& b, double radius) {
               [&] { return -exact::compare_circumradius(a, b, radius); }) >= 0;
 }
 
-bool is_least_sphere_within(const Point3& a, const Point3& b, const Point3& c, double radius) {
-  const Vector u = from<Real>(a, b), v = from<Real>(a, c), w = from<Real>(b, c), n = cross(u, v);
+template <typename Number>
+PowerByLeastSphere<Number>::PowerByLeastSphere(const Point3& a, const Point3& b, const Point3& c) {
+  const Vector3<Number> u = from<Number>(a, b), v = from<Number>(a, c), n = cross(u, v), vn = cross(v, n),
+                        nu = cross(n, u);
+  const Number uu = dot(u, u), vv = dot(v, v);
+  axis = {uu * vn.x + vv * nu.x, uu * vn.y + vv * nu.y, uu * vn.z + vv * nu.z};
+  square = dot(n, n);
+  product_of_squares = uu * vv;
+  lengths = std::sqrt(uu) + std::sqrt(vv);
+  least_square = std::min(uu, vv);
+}
+
+LeastSphere::LeastSphere(const Point3& a, const Point3& b, const Point3& c) : a_(a), b_(b), c_(c), power_(a, b, c) {}
+
+bool LeastSphere::is_within(double radius) const {
+  const Vector u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);
   const Real uu = dot(u, u), vv = dot(v, v), diameter = 4 * Real(radius) * Real(radius);
   const Real sides = uu * vv * dot(w, w);
   return sign(diameter * dot(n, n) - sides, unit_roundoff * (80 * diameter * uu * vv + 24 * sides),
-              [&] { return -exact::compare_circumradius(a, b, c, radius); }) >= 0;
+              [&] { return -exact::compare_circumradius(a_, b_, c_, radius); }) >= 0;
 }
 
 double least_radius_rounded_up(const Point3& a, const Point3& b) {
@@ -93,14 +107,14 @@ double least_radius_rounded_up(const Point3& a, const Point3& b) {
   return rounded_up(radius, 8 * unit_roundoff * radius, [&](double r) { return is_least_sphere_within(a, b, r); });
 }
 
-double least_radius_rounded_up(const Point3& a, const Point3& b, const Point3& c) {
-  const Vector u = from<Real>(a, b), v = from<Real>(a, c), w = from<Real>(b, c), n = cross(u, v);
+double LeastSphere::radius_rounded_up() const {
+  const Vector u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);
   const Real uu = dot(u, u), vv = dot(v, v), nn = dot(n, n), spread = uu * vv / nn;
   const Real radius = std::sqrt(uu * vv * (dot(w, w) / nn)) / 2;
-  // As in is_least_sphere_within(), where n² is off by at most 80 unit roundoffs of u² v²: that is halved by the root.
+  // As in is_within(), where n² is off by at most 80 unit roundoffs of u² v²: that is halved by the root.
   const Real error =
       spread < 0x1p40L ? unit_roundoff * radius * (32 + 96 * spread) : std::numeric_limits<Real>::infinity();
-  return rounded_up(radius, error, [&](double r) { return is_least_sphere_within(a, b, c, r); });
+  return rounded_up(radius, error, [&](double r) { return is_within(r); });
 }
 
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q) {
@@ -109,9 +123,10 @@ bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q) {
          }) < 0;
 }
 
-bool in_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
-  return sign(beside_least_sphere<double>(a, b, c, q), [&] {
-           return sign(beside_least_sphere<Real>(a, b, c, q), [&] { return -exact::side_of_least_sphere(a, b, c, q); });
+bool LeastSphere::has_inside(const Point3& q) const {
+  return sign(beside(power_, a_, q), [&] {
+           return sign(beside(PowerByLeastSphere<Real>(a_, b_, c_), a_, q),
+                       [&] { return -exact::side_of_least_sphere(a_, b_, c_, q); });
          }) < 0;
 }
 

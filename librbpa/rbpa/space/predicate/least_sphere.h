@@ -5,20 +5,42 @@
 #pragma once
 
 #include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
 
-/// Requires: distinct points, three of them on no line; a finite radius.
+/// Requires: distinct points; a finite radius.
 bool is_least_sphere_within(const Point3& a, const Point3& b, double radius);
-bool is_least_sphere_within(const Point3& a, const Point3& b, const Point3& c, double radius);
 
-/// The radius rounded up: the least double that is not below it; infinity above all doubles.
-/// Requires: distinct points, three of them on no line.
+/// The radius rounded up: the least double that is not below it; infinity above all doubles. Requires: distinct points.
 double least_radius_rounded_up(const Point3& a, const Point3& b);
-double least_radius_rounded_up(const Point3& a, const Point3& b, const Point3& c);
 
 /// Whether q is inside.
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q);
-bool in_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q);
+
+/// The power of points by the least sphere through three, times the square of their normal n: n² d² − axis · d for a point at d from the first.
+template <typename Number>
+struct PowerByLeastSphere {
+  PowerByLeastSphere(const Point3& a, const Point3& b, const Point3& c);
+
+  Vector3<Number> axis;
+  Number square;                                     ///< n²
+  Number product_of_squares, lengths, least_square;  ///< of the two edges from the first point
+};
+
+/// That of three points on no line. Keeps references to them.
+class LeastSphere {
+ public:
+  LeastSphere(const Point3& a, const Point3& b, const Point3& c);
+
+  /// Requires: a finite radius.
+  bool is_within(double radius) const;
+  double radius_rounded_up() const;
+  bool has_inside(const Point3& q) const;
+
+ private:
+  const Point3 &a_, &b_, &c_;
+  PowerByLeastSphere<double> power_;
+};
 
 }  // namespace rbpa::space

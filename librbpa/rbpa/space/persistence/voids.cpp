@@ -1,0 +1,101 @@
+#include "rbpa/space/persistence/voids.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/space/persistence/sorted_by_alpha.h"
+
+namespace rbpa::space {
+namespace {
+
+constexpr std::uint32_t none = Solid::none;
+
+/// Sets of tetrahedra, and of the outside, which is the greatest number; each with the last of them in the filtration.
+class Basins {
+ public:
+  explicit Basins(std::span<const double> alpha) : alpha_(alpha), sets_(alpha.size() + 1), last_(alpha.size() + 1) {
+    for (std::uint32_t t = 0; t < last_.size(); ++t) last_[t] = t;
+  }
+
+  std::uint32_t outside() const { return static_cast<std::uint32_t>(alpha_.size()); }
+  std::uint32_t find(std::uint32_t t) { return sets_.find(t); }
+  /// Of two sets. Returns: the last tetrahedron of the one that ends.
+  std::uint32_t join(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t ended = last_[a], stays = last_[b];
+    if (is_before(stays, ended)) std::swap(ended, stays);
+    last_[sets_.link(a, b)] = stays;
+    return ended;
+  }
+
+ private:
+  bool is_before(std::uint32_t t, std::uint32_t other) const {
+    if (t == outside() || other == outside()) return other == outside();
+    return alpha_[t] != alpha_[other] ? alpha_[t] < alpha_[other] : t < other;
+  }
+
+  std::span<const double> alpha_;
+  meshops::DisjointSets sets_;
+  std::vector<std::uint32_t> last_;
+};
+
+/// Joins each tetrahedron by the last of its triangles, where that has the same radius.
+void flow(const SolidFiltration& filtration, Steps& step, Basins& basins, std::vector<bool>& makes_one) {
+  const auto& neighbors = filtration.delaunay.neighbors;
+  for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
+    step();
+    std::uint32_t last = none, across = none;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t triangle = filtration.triangles_of[t][k];
+      if (filtration.triangle_alpha[triangle] != filtration.tetrahedron_alpha[t] || (last != none && triangle < last))
+        continue;
+      last = triangle;
+      across = neighbors[t][k] == none ? basins.outside() : neighbors[t][k];
+    }
+    if (last == none) continue;
+    const std::uint32_t a = basins.find(t), b = basins.find(across);
+    if (a == b) continue;  // by the same triangle, from across
+    basins.join(a, b);
+    makes_one[last] = true;
+  }
+}
+
+struct Passage {
+  std::uint32_t triangle, a, b;
+};
+
+}  // namespace
+
+PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step) {
+  const auto& neighbors = filtration.delaunay.neighbors;
+  PersistentVoids result;
+  result.makes_one.assign(filtration.triangles.size(), false);
+  Basins basins(filtration.tetrahedron_alpha);
+  flow(filtration, step, basins, result.makes_one);
+
+  std::vector<Passage> passages;
+  std::vector<double> alpha;
+  for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
+    step();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t beyond = neighbors[t][k];
+      if (beyond < t) continue;
+      const std::uint32_t a = basins.find(t), b = basins.find(beyond == none ? basins.outside() : beyond);
+      if (a == b) continue;
+      passages.push_back({filtration.triangles_of[t][k], a, b});  // ascending
+      alpha.push_back(filtration.triangle_alpha[passages.back().triangle]);
+    }
+  }
+  const auto order = sorted_by_alpha(alpha, step);
+  for (std::size_t i = order.size(); i-- > 0;) {
+    step(4);
+    const Passage& passage = passages[order[i]];
+    const std::uint32_t a = basins.find(passage.a), b = basins.find(passage.b);
+    if (a == b) continue;
+    result.makes_one[passage.triangle] = true;
+    result.all.push_back({passage.triangle, basins.join(a, b)});
+  }
+  return result;
+}
+
+}  // namespace rbpa::space

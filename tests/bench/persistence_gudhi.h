@@ -1,0 +1,21 @@
+// What: GUDHI's persistence of the alpha complex in space as a user runs it: AlphaComplex with precision "fast", cohomology with coefficients in Z/2.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa_bench {
+
+struct PersistenceRun {
+  std::array<std::size_t, 3> pairs;  ///< of each dimension, those that last longer than rounding
+  double complex_seconds;            ///< of the processor: until the simplices have radii
+  double pairs_seconds;
+};
+
+/// From points to pairs.
+PersistenceRun persistence_by_gudhi(std::span<const rbpa::Point3> points);
+
+}  // namespace rbpa_bench
