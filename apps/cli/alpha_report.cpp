@@ -8,6 +8,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/formats.h"
 #include "io/interrupt.h"
 
 namespace rbpa::app {
@@ -177,6 +178,11 @@ std::optional<Recommendation> recommended(const Radii& radii) {
   return Recommendation{"plateau", best.alpha,
                         "from " + from + up_to + ", " + factor + ", " + counted(best.step.solid_components, "part") +
                             " and " + counted(best.step.holes, "hole") + " hardly change"};
+}
+
+void require_plot(const std::string& path) {
+  if (find_format(Use::shape, ending(path)) != Format::svg)
+    throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected svg");
 }
 
 std::string for_people(const AlphaReport& report) {

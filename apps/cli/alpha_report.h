@@ -19,6 +19,9 @@ struct AlphaReport {
 /// Nothing where the points have no triangle, or plateaus were not requested.
 std::optional<Recommendation> recommended(const Radii& radii);
 
+/// Of --output. Throws WrongUsage unless the ending is .svg.
+void require_plot(const std::string& path);
+
 /// For people: the radii by name, and a table of the choices there are.
 std::string for_people(const AlphaReport& report);
 

@@ -5,21 +5,23 @@
 #include "cli/alpha_report.h"
 #include "cli/arguments.h"
 #include "cli/radii_run.h"
+#include "cli/representative_files.h"
 #include "cli/space_alpha.h"
 #include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/formats.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
 #include "rbpa/persistence.h"
+#include "rbpa/representatives.h"
 
 namespace rbpa::app {
 namespace {
 
 ComplexKind parse_complex(const AlphaArguments& arguments) {
   if (!arguments.complex) return ComplexKind::solid;
-  if (!arguments.persistence) throw WrongUsage("--complex: found no --persistence, which is what it is about");
+  if (!arguments.persistence && !arguments.representatives)
+    throw WrongUsage("--complex: found no --persistence, which is what it is about");
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 
@@ -30,8 +32,10 @@ bool is_in_space(const AlphaArguments& arguments) {
 }
 
 /// Of the radii and their pairs.
-FiltrationPlot plot_of(const Radii& radii, const std::vector<PersistencePair>& pairs) {
-  FiltrationPlot plot{radii.filtration.steps, pairs, radii.least_covering, radii.least_connected};
+FiltrationPlot marked_plot(const Radii& radii, const std::vector<PersistencePair>& pairs) {
+  FiltrationPlot plot = plot_of(radii.filtration.steps, pairs);
+  plot.least_covering = radii.least_covering;
+  plot.least_connected = radii.least_connected;
   if (!radii.plateaus.empty()) plot.plateau = radii.plateaus.front();
   return plot;
 }
@@ -55,10 +59,9 @@ void run_alpha(const AlphaArguments& arguments) {
   const ComplexKind kind = parse_complex(arguments);
   const RunOptions options = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
-  if (arguments.picture && find_format(Use::shape, ending(*arguments.picture)) != Format::svg)
-    throw WrongUsage(*arguments.picture + ": found the ending " + in_quotes(ending(*arguments.picture)) +
-                     ", expected svg");
-  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.stats});
+  if (arguments.picture) require_plot(*arguments.picture);
+  const std::optional<RepresentativeRequest> request_of_pairs = parse_representatives(arguments, false);
+  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
   require_different(outputs, arguments.points, "points");
 
   RadiiRun run(source, outputs, options, request, !arguments.csv || arguments.picture);
@@ -66,6 +69,11 @@ void run_alpha(const AlphaArguments& arguments) {
   if (arguments.persistence || arguments.picture) {
     const ProgressLine line = options.line("persistence");
     report.pairs = persistence(run.delaunay(), run.radii.filtration, kind, until_interrupted());
+  }
+  std::vector<Representative> found;
+  if (request_of_pairs) {
+    const ProgressLine line = options.line("representatives");
+    found = representatives(run.delaunay(), run.radii.filtration, kind, request_of_pairs->choice, until_interrupted());
   }
   run.stats.build_seconds = run.lap();
 
@@ -75,10 +83,13 @@ void run_alpha(const AlphaArguments& arguments) {
   {
     const ProgressLine line = run.writing();
     if (picture != nullptr) {
-      picture->write(svg_of(plot_of(run.radii, *report.pairs)));
+      picture->write(svg_of(marked_plot(run.radii, *report.pairs)));
       picture->finish();
       if (!arguments.persistence) report.pairs.reset();
     }
+    if (request_of_pairs)
+      run.add(request_of_pairs->target.path,
+              [&](OutputFile& out) { write_representatives(out, run.file.points, run.file.crs, found); });
     write(run.files().add("-"), report, arguments);
     run.stats.write_seconds = run.lap();
     if (stats_file != nullptr) {

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/alpha_report.h"
 #include "cli/point_arguments.h"
 #include "cli/progress.h"
+#include "cli/representative_files.h"
 #include "cli/run.h"
 #include "cli/solid_request.h"
 #include "cli/stats.h"
@@ -18,10 +21,13 @@
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "picture/filtration_plot.h"
 #include "rbpa/base/error.h"
+#include "rbpa/pair_choice.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/solid_persistence.h"
 #include "rbpa/solid_radii.h"
+#include "rbpa/solid_representatives.h"
 
 namespace rbpa::app {
 namespace {
@@ -71,30 +77,37 @@ void write_csv(OutputFile& file, const SpaceRadii& report) {
   }
 }
 
-/// The tunnels and voids that last longest, by ratio.
+/// The tunnels and voids that last longest.
 void write_for_people(OutputFile& file, const SpaceRadii& report) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.points, report.points - report.distinct) + "\nmin " + text_of(report.least) +
              ", auto " + text_of(report.automatic) + "\n");
+  std::vector<SolidPair> longest = chosen(report.pairs, {.top = shown});
+  std::stable_sort(longest.begin(), longest.end(), [](const SolidPair& a, const SolidPair& b) {
+    return a.death.value_or(0) - a.birth > b.death.value_or(0) - b.birth;
+  });
   for (int dimension = 1; dimension < 3; ++dimension) {
-    std::vector<SolidPair> of;
-    for (const SolidPair& pair : report.pairs)
-      if (pair.dimension == dimension && pair.death) of.push_back(pair);
-    const auto ratio = [](const SolidPair& pair) { return *pair.death / pair.birth; };
-    std::stable_sort(of.begin(), of.end(), [&](const SolidPair& a, const SolidPair& b) { return ratio(a) > ratio(b); });
-    file.write(counted(of.size(), dimension == 1 ? "tunnel" : "void") +
-               (of.empty() ? "\n" : "; longest, by death / birth:\n"));
-    for (std::size_t i = 0; i < std::min(of.size(), shown); ++i)
-      file.write("  from " + rounded(of[i].birth, 6) + " to " + rounded(*of[i].death, 6) + ", ratio " +
-                 rounded(ratio(of[i]), 3) + "\n");
+    const std::size_t all = count(report, dimension);
+    file.write(counted(all, dimension == 1 ? "tunnel" : "void") +
+               (all == 0 ? "\n" : "; those that last longest, death - birth:\n"));
+    for (const SolidPair& pair : longest)
+      if (pair.dimension == dimension)
+        file.write("  from " + rounded(pair.birth, 6) + " to " + rounded(*pair.death, 6) + ", " +
+                   rounded(*pair.death - pair.birth, 6) + "\n");
   }
+}
+
+FiltrationPlot marked_plot(const SpaceRadii& report) {
+  FiltrationPlot plot = plot_of(report.pairs);
+  if (std::isfinite(report.least)) plot.least_covering = report.least;
+  if (std::isfinite(report.automatic)) plot.least_connected = report.automatic;
+  return plot;
 }
 
 void check(const AlphaArguments& arguments) {
   const auto refuse = [](bool is_given, const std::string& option) {
     if (is_given) throw WrongUsage(option + ": found --dimension 3 as well, with which it has no meaning yet");
   };
-  refuse(arguments.picture.has_value(), "--output");
   refuse(arguments.complex.has_value(), "--complex");
   refuse(arguments.cover.has_value(), "--cover");
   refuse(arguments.components != "1", "--components");
@@ -113,7 +126,9 @@ void run_space_alpha(const AlphaArguments& arguments) {
   points.where = arguments.where;
   points.skip_invalid = arguments.skip_invalid;
   const SpacePointSource source = parse_space_source(points);
-  const std::vector<std::string> outputs = given({"-", arguments.stats});
+  if (arguments.picture) require_plot(*arguments.picture);
+  const std::optional<RepresentativeRequest> request = parse_representatives(arguments, true);
+  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
   require_different(outputs, arguments.points, "points");
 
   Run run(source.path, outputs, options);
@@ -121,8 +136,10 @@ void run_space_alpha(const AlphaArguments& arguments) {
   run.remark(file.remarks);
   const double read_seconds = run.lap();
   SpaceRadii report{.points = file.points.size(), .distinct = 0, .least = 0, .automatic = 0, .pairs = {}};
+  SolidFiltration filtration;
+  std::vector<SolidPair> pairs;
+  std::vector<SolidRepresentative> found;
   try {
-    SolidFiltration filtration;
     {
       TriangleProgress progress(!options.quiet, "tetrahedra", text_of_progress);
       filtration = solid_filtration(file.points, {.threads = options.threads, .progress = progress.watch()});
@@ -132,10 +149,19 @@ void run_space_alpha(const AlphaArguments& arguments) {
     report.least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
     report.automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
     report.pairs = solid_persistence(filtration, until_interrupted());
+    if (request) {
+      pairs = chosen(report.pairs, request->choice);
+      found = solid_representatives(file.points, filtration, pairs, until_interrupted());
+    }
   } catch (const InvalidInput& e) {
     throw BadInput(run.input() + ": " + e.what());
   }
   const double build_seconds = run.lap();
+  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(report))); });
+  if (request)
+    run.add(request->target.path, [&](OutputFile& out) {
+      write_representatives(out, request->target.format, {file.points, filtration, pairs, found});
+    });
   run.add("-", [&](OutputFile& out) {
     if (arguments.json)
       write_json(out, report, arguments.persistence);

@@ -43,8 +43,14 @@ struct RadiiArguments : PointArguments {
   RunArguments run;
 };
 
+/// Where pairs of a persistence are, as a file.
+struct RepresentativeArguments {
+  std::optional<std::string> representatives;  ///< the file
+  std::optional<std::string> min_persistence, top;
+};
+
 /// The radii at which the complex of a set of points changes, and which of them to choose, on standard output.
-struct AlphaArguments : RadiiArguments, GroupArguments {
+struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
   std::optional<std::string> picture;  ///< an .svg to write
   bool json = false;
   bool csv = false;

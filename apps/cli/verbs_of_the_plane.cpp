@@ -67,6 +67,16 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("-o,--output", arguments.picture,
                   "Picture to write, .svg: the counts against alpha, and the persistence")
       ->type_name("OUT");
+  verb.add_option("--representatives", arguments.representatives,
+                  "Where the pairs are, as a file: .geojson, holes as polygons at their birth and before their death; "
+                  "in space " +
+                      std::string(cycle_formats) + ", cycles around tunnels and surfaces around voids")
+      ->type_name("FILE");
+  verb.add_option("--top", arguments.top,
+                  "Of these in each dimension the K that last longest (100, unless --min-persistence)")
+      ->type_name("K");
+  verb.add_option("--min-persistence", arguments.min_persistence, "Of these those with death - birth at least P")
+      ->type_name("P");
   add_run_options(verb, arguments.run, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
@@ -75,6 +85,8 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       "recommended. Parts are solid components: they hang together through edges, components through points.\n\n"
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
       "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n"
+      "  rbpa alpha points.xy --representatives holes.geojson --top 10\n"
+      "  rbpa alpha atoms.pdb --dimension 3 --representatives cycles.obj --min-persistence 1\n"
       "  rbpa alpha fixes.csv --columns x,y --group-by animal --csv\n\n" +
       std::string(exit_codes));
   return &verb;

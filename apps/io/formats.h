@@ -55,7 +55,8 @@ enum class Use : unsigned {
   levels = 1U << 7U,     ///< out
   polylines = 1U << 8U,  ///< out
   solid = 1U << 9U,      ///< out: tetrahedra
-  voids = 1U << 10U      ///< out
+  voids = 1U << 10U,     ///< out
+  cycles = 1U << 11U     ///< out: representatives of pairs in space
 };
 
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
@@ -89,6 +90,7 @@ constexpr std::string_view space_formats =
 constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view void_formats = "obj, json, csv";
+constexpr std::string_view cycle_formats = "obj, json, vtu";
 constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
 constexpr std::string_view surface_formats = "ply, off, obj, stl, glb, vtu, npy, png";

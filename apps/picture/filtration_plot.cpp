@@ -73,19 +73,16 @@ void draw_frame(std::string& svg, const Axis& x, int top, int bottom, const char
   line(svg, left, top, left, bottom, "stroke=\"#1b2733\"");
 }
 
-using Count = std::size_t FiltrationStep::*;
-
 /// Per column of pixels its least, its greatest and its last value.
-void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, Count count,
-                const std::string& colour) {
-  svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + colour + "\" d=\"M" + std::to_string(left) +
-         " " + std::to_string(y.from);
-  const auto column = [&](std::size_t i) { return x.at(std::log10(plot.steps[i].alpha)); };
-  for (std::size_t i = 0; i < plot.steps.size();) {
+void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, const PlotCurve& curve) {
+  svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + curve.colour + "\" d=\"M" +
+         std::to_string(left) + " " + std::to_string(y.from);
+  const auto column = [&](std::size_t i) { return x.at(std::log10(plot.alpha[i])); };
+  for (std::size_t i = 0; i < plot.alpha.size();) {
     const int at = column(i);
     int least = y.from, greatest = y.to, last = y.from;
-    for (; i < plot.steps.size() && column(i) == at; ++i) {
-      last = y.at(std::log10(1 + static_cast<double>(plot.steps[i].*count)));
+    for (; i < plot.alpha.size() && column(i) == at; ++i) {
+      last = y.at(std::log10(1 + static_cast<double>(curve.counts[i])));
       least = std::min(least, last);
       greatest = std::max(greatest, last);
     }
@@ -110,19 +107,16 @@ void draw_band(std::string& svg, const Axis& x, const Plateau& plateau) {
          "\" fill=\"#e6f0f9\"/>\n";
 }
 
+/// On the right of what it explains.
+void draw_key(std::string& svg, int y, const std::string& name, const std::string& colour) {
+  line(svg, right + 15, y - 5, right + 35, y - 5, ("stroke-width=\"3\" stroke=\"" + colour + "\"").c_str());
+  text(svg, right + 42, y, name, "start");
+}
+
 void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
-  struct Series {
-    Count count;
-    const char* name;
-    const char* colour;
-  };
-  constexpr std::array<Series, 4> all{{{&FiltrationStep::covered, "covered points", "#7d8b98"},
-                                       {&FiltrationStep::holes, "holes", "#d9730d"},
-                                       {&FiltrationStep::solid_components, "solid components", "#7cb7e8"},
-                                       {&FiltrationStep::components, "components", "#10335c"}}};
   std::size_t most = 1;
-  for (const FiltrationStep& step : plot.steps)
-    for (const Series& series : all) most = std::max(most, step.*series.count);
+  for (const PlotCurve& curve : plot.curves)
+    for (const std::size_t count : curve.counts) most = std::max(most, count);
   const Axis y{0, std::log10(1 + static_cast<double>(most)), curves_bottom, curves_top};
   if (plot.plateau) draw_band(svg, x, *plot.plateau);
   draw_frame(svg, x, curves_top, curves_bottom, "alpha");
@@ -133,11 +127,9 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
     text(svg, left - 8, at + 5, number(t), "end");
   }
   int row = curves_top + 20;
-  for (const Series& series : all) {
-    draw_curve(svg, plot, x, y, series.count, series.colour);
-    line(svg, right + 15, row - 5, right + 35, row - 5,
-         (std::string("stroke-width=\"3\" stroke=\"") + std::string(series.colour) + "\"").c_str());
-    text(svg, right + 42, row, series.name, "start");
+  for (const PlotCurve& curve : plot.curves) {
+    draw_curve(svg, plot, x, y, curve);
+    draw_key(svg, row, curve.name, curve.colour);
     row += 24;
   }
   if (plot.plateau) draw_mark(svg, x, plot.plateau->alpha, "plateau", 18);
@@ -160,17 +152,69 @@ void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
         {pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : never_dies});
   for (const auto& [dimension, at, death] : dots)
     svg += std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
-           "\" fill=\"" + (dimension == 0 ? "#10335c" : "#d9730d") + "\"/>\n";
+           "\" fill=\"" + plot.dimensions[static_cast<std::size_t>(dimension)].colour + "\"/>\n";
+  int row = last_death + 20;
+  for (const PlotDimension& dimension : plot.dimensions) {
+    draw_key(svg, row, dimension.name, dimension.colour);
+    row += 24;
+  }
 }
+
+constexpr const char *dark_blue = "#10335c", *orange = "#d9730d", *green = "#2f8f5b", *grey = "#7d8b98",
+                     *light_blue = "#7cb7e8";
 
 }  // namespace
 
+FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs) {
+  FiltrationPlot plot{.alpha = {},
+                      .curves = {{"covered points", grey},
+                                 {"holes", orange},
+                                 {"solid components", light_blue},
+                                 {"components", dark_blue}},
+                      .pairs = std::move(pairs),
+                      .dimensions = {{"components", dark_blue}, {"holes", orange}}};
+  for (const FiltrationStep& step : steps) {
+    plot.alpha.push_back(step.alpha);
+    std::size_t curve = 0;
+    for (const std::size_t count : {step.covered, step.holes, step.solid_components, step.components})
+      plot.curves[curve++].counts.push_back(count);
+  }
+  return plot;
+}
+
+FiltrationPlot plot_of(std::span<const SolidPair> pairs) {
+  FiltrationPlot plot{.alpha = {},
+                      .curves = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}},
+                      .dimensions = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}}};
+  std::vector<std::pair<double, std::pair<std::size_t, bool>>> changes;  // of a dimension: one more, or one less
+  std::array<std::size_t, 3> count = {0, 0, 0};
+  for (const SolidPair& pair : pairs) {
+    const auto dimension = static_cast<std::size_t>(pair.dimension);
+    plot.pairs.push_back({pair.dimension, pair.birth, pair.death});
+    if (pair.birth > 0)
+      changes.push_back({pair.birth, {dimension, true}});
+    else
+      ++count[dimension];
+    if (pair.death) changes.push_back({*pair.death, {dimension, false}});
+  }
+  std::sort(changes.begin(), changes.end());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const auto& [alpha, change] = changes[i];
+    change.second ? ++count[change.first] : --count[change.first];
+    if (i + 1 < changes.size() && changes[i + 1].first == alpha) continue;
+    plot.alpha.push_back(alpha);
+    for (std::size_t dimension = 0; dimension < 3; ++dimension)
+      plot.curves[dimension].counts.push_back(count[dimension]);
+  }
+  return plot;
+}
+
 std::string svg_of(const FiltrationPlot& plot) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const FiltrationStep& step : plot.steps)
-    if (std::isfinite(step.alpha)) {
-      low = std::min(low, std::log10(step.alpha));
-      high = std::max(high, std::log10(step.alpha));
+  for (const double alpha : plot.alpha)
+    if (std::isfinite(alpha)) {
+      low = std::min(low, std::log10(alpha));
+      high = std::max(high, std::log10(alpha));
     }
   if (!(low <= high)) low = high = 0;
   const double margin = high > low ? (high - low) / 40 : 1;

@@ -14,6 +14,7 @@
 #include "rbpa/delaunay.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
+#include "rbpa/representatives.h"
 
 namespace rbpa::python {
 namespace {
@@ -48,6 +49,42 @@ py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& 
                                p.step.components, p.step.holes, p.step.covered, p.step.area, p.effective_parts,
                                p.hole_share, p.kind == PlateauKind::structured ? "structured" : "one piece",
                                p.is_long));
+  return list;
+}
+
+PairChoice pair_choice(double min_persistence, std::optional<std::size_t> top) {
+  PairChoice choice{.min_persistence = min_persistence};
+  if (top) choice.top = *top;
+  return choice;
+}
+
+/// Rings of input indices, the shell first.
+py::list rings_of(Polygon polygon) {
+  py::list rings;
+  if (polygon.shell.points.empty()) return rings;
+  rings.append(line<std::int32_t>(std::move(polygon.shell.points)));
+  for (Ring& hole : polygon.holes) rings.append(line<std::int32_t>(std::move(hole.points)));
+  return rings;
+}
+
+/// Of each pair what rbpa.Representative is made of.
+py::list representatives_of(const Doubles& points, bool full, double min_persistence, std::optional<std::size_t> top,
+                            unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  std::vector<Representative> found = watched(input.size(), progress, [&](Watch& watch) {
+    const Delaunay delaunay = delaunay_of(input, threads, watch);
+    return representatives(delaunay, filtration(delaunay, watch.until_stopped()),
+                           full ? ComplexKind::full : ComplexKind::solid, pair_choice(min_persistence, top),
+                           watch.until_stopped());
+  });
+  py::list list;
+  for (Representative& one : found) {
+    py::object joined = py::none();
+    if (one.joined_at) joined = py::make_tuple((*one.joined_at)[0], (*one.joined_at)[1]);
+    const double area = one.at_birth.area;
+    list.append(py::make_tuple(one.pair.dimension, one.pair.birth, one.pair.death.value_or(infinity), joined,
+                               rings_of(std::move(one.at_birth)), rings_of(std::move(one.before_death)), area));
+  }
   return list;
 }
 
@@ -102,6 +139,8 @@ void bind_filtration(py::module_& module) {
   module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("share"), arg("components"), arg("threads"),
              arg("progress"));
   module.def("plateaus", &plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("representatives", &representatives_of, arg("points").noconvert(), arg("full"), arg("min_persistence"),
+             arg("top"), arg("threads"), arg("progress"));
   module.def("filtration", &filtration_steps, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("persistence", &persistence_intervals, arg("points").noconvert(), arg("full"), arg("threads"),
              arg("progress"));

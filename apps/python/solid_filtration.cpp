@@ -6,14 +6,17 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
+#include "rbpa/pair_choice.h"
 #include "rbpa/solid_persistence.h"
 #include "rbpa/solid_radii.h"
+#include "rbpa/solid_representatives.h"
 
 namespace rbpa::python {
 namespace {
@@ -67,11 +70,48 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   return result;
 }
 
+/// Of each pair what rbpa.SolidRepresentative is made of.
+py::list solid_representatives_of(const Doubles& points, int dimension, double min_persistence,
+                                  std::optional<std::size_t> top, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    SolidFiltration filtration;
+    std::vector<SolidPair> pairs;
+    std::vector<SolidRepresentative> found;
+  };
+  Made made = watched(input.size(), progress, [&](Watch& watch) {
+    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
+             .pairs = {},
+             .found = {}};
+    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
+    std::erase_if(all.pairs, [&](const SolidPair& pair) { return pair.dimension != dimension; });
+    PairChoice choice{.min_persistence = min_persistence};
+    if (top) choice.top = *top;
+    all.pairs = chosen(all.pairs, choice);
+    all.found = solid_representatives(input, all.filtration, all.pairs, watch.until_stopped());
+    return all;
+  });
+  py::list list;
+  for (std::size_t i = 0; i < made.pairs.size(); ++i) {
+    SolidRepresentative& one = made.found[i];
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    if (dimension < 2)
+      for (const std::uint32_t edge : one.cells) edges.push_back(made.filtration.edges[edge]);
+    list.append(py::make_tuple(
+        dimension, made.pairs[i].birth, made.pairs[i].death.value_or(std::numeric_limits<double>::infinity()),
+        rows<std::int32_t>(std::move(edges)), rows<std::int32_t>(std::move(one.faces)),
+        line<std::int32_t>(std::move(one.tetrahedra)), one.length, one.area, one.volume, one.is_shortest));
+  }
+  return list;
+}
+
 }  // namespace
 
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
   module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("solid_representatives", &solid_representatives_of, arg("points").noconvert(), arg("dimension"),
+             arg("min_persistence"), arg("top"), arg("threads"), arg("progress"));
 }
 
 }  // namespace rbpa::python

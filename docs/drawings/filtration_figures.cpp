@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "drawings/drawn_complex.h"
@@ -9,6 +10,8 @@
 #include "rbpa/filtration.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
+#include "rbpa/solid_filtration.h"
+#include "rbpa/solid_persistence.h"
 
 namespace figures {
 namespace {
@@ -45,15 +48,31 @@ std::string filtration_plot() {
       rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
   const auto pairs = rbpa::persistence(delaunay, points, filtration);
-  return rbpa::app::svg_of({filtration.steps, pairs, rbpa::smallest_covering(filtration),
-                            rbpa::smallest_covering(filtration, 1),
-                            rbpa::plateaus(delaunay, points, filtration).front()});
+  rbpa::app::FiltrationPlot plot = rbpa::app::plot_of(filtration.steps, pairs);
+  plot.least_covering = rbpa::smallest_covering(filtration);
+  plot.least_connected = rbpa::smallest_covering(filtration, 1);
+  plot.plateau = rbpa::plateaus(delaunay, points, filtration).front();
+  return rbpa::app::svg_of(plot);
+}
+
+/// 96 times 24 points of a torus.
+std::string persistence_of_torus() {
+  constexpr int around_hole = 96, around_tube = 24;
+  constexpr double turn = 6.283185307179586;
+  std::vector<rbpa::Point3> points;
+  for (int i = 0; i < around_hole; ++i)
+    for (int j = 0; j < around_tube; ++j) {
+      const double along = turn * i / around_hole, around = turn * j / around_tube, out = 1 + std::cos(around) / 4;
+      points.push_back({out * std::cos(along), out * std::sin(along), std::sin(around) / 4});
+    }
+  return rbpa::app::svg_of(rbpa::app::plot_of(rbpa::solid_persistence(rbpa::solid_filtration(points))));
 }
 
 }  // namespace
 
 std::span<const Figure> filtration_figures() {
-  static constexpr std::array figures = {Figure{"filtration_plot", filtration_plot}};
+  static constexpr std::array figures = {Figure{"filtration_plot", filtration_plot},
+                                         Figure{"persistence_torus", persistence_of_torus}};
   return figures;
 }
 

@@ -159,6 +159,40 @@ TEST_SUITE("alpha") {
     }
   }
 
+  TEST_CASE("representatives are GeoJSON: holes at their birth and before their death, edges at which components end") {
+    const Folder folder;
+    REQUIRE(folder.rbpa("alpha " + points + "--representatives r.geojson --top 3 -q").code == 0);
+    const Json made = Json::parse(folder.content("r.geojson"));
+    std::size_t holes = 0, lines = 0;
+    for (const Json& feature : made["features"]) {
+      const Json& properties = feature["properties"];
+      const Json& coordinates = feature["geometry"]["coordinates"];
+      CHECK(properties["birth"] < properties["death"]);
+      if (properties["dimension"] == 0) {
+        CHECK(coordinates.size() == 2);
+        CHECK(properties["points"].size() == 2);
+        ++lines;
+        continue;
+      }
+      CHECK(feature["geometry"]["type"] == "Polygon");
+      CHECK(coordinates[0].front() == coordinates[0].back());
+      std::size_t corners = 0;
+      for (const Json& ring : coordinates) corners += ring.size() - 1;
+      CHECK(properties["points"].size() == corners);
+      CHECK(properties["area"].get<double>() > 0);
+      holes += properties["when"] == "birth" ? 1u : 0u;
+    }
+    CHECK(holes == 3);
+    CHECK(lines == 2);  // one of the three never ends
+    REQUIRE(
+        folder.rbpa("alpha " + points + "--representatives all.geojson --min-persistence 0 --complex full -q").code ==
+        0);
+    CHECK(Json::parse(folder.content("all.geojson"))["features"].size() > 1000);
+    const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
+    CHECK(wrong.code == 2);
+    CHECK(wrong.err.find("--representatives: found the ending 'obj', expected geojson") != std::string::npos);
+  }
+
   TEST_CASE("a picture that cannot be is refused, and leaves no file") {
     const Folder folder;
     folder.file("p.xy", corner);

@@ -33,7 +33,7 @@ TEST_SUITE("space alpha") {
     const Outcome text = folder.rbpa("alpha s.xyz --dimension 3 -q");
     REQUIRE(text.code == 0);
     CHECK(text.out.starts_with("500 points\nmin "));
-    CHECK(text.out.find("; longest, by death / birth:\n") != std::string::npos);
+    CHECK(text.out.find("; those that last longest, death - birth:\n") != std::string::npos);
     const Outcome outcome = folder.rbpa("alpha s.xyz --dimension 3 --json --persistence --stats t.json -q");
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
@@ -56,6 +56,37 @@ TEST_SUITE("space alpha") {
     CHECK(json::parse(solid.out)["alpha"] == report["auto"]);
   }
 
+  TEST_CASE("representatives are files of lines and triangles, and the diagram is a picture") {
+    const Folder folder;
+    folder.file("s.xyz", sphere(300));
+    REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.json --top 4 -o plot.svg -q").code == 0);
+    const json all = json::parse(folder.content("r.json"));
+    REQUIRE(all.size() == 9);  // there is one void
+    for (const json& one : all) {
+      if (one["dimension"] == 2) {
+        CHECK(one["volume"].get<double>() > 0);
+        CHECK(one["triangles"].size() >= 4);
+        continue;
+      }
+      CHECK(one["edges"].size() >= (one["dimension"] == 1 ? 3u : one["death"].is_null() ? 0u : 1u));
+    }
+    // The ball's inside.
+    CHECK(std::any_of(all.begin(), all.end(), [](const json& one) {
+      return one["dimension"] == 2 && one["volume"].get<double>() > 3.9 && one["volume"].get<double>() < 4.19;
+    }));
+    const std::string plot = folder.content("plot.svg");
+    for (const char* name : {"components", "tunnels", "voids", "min = ", "auto = "})
+      CHECK(plot.find(name) != std::string::npos);
+    REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.obj --top 4 -q").code == 0);
+    const std::string obj = folder.content("r.obj");
+    for (const char* name : {"g component_3\n", "g tunnel_4\n", "g void_1\n", "\nl 1 2\n", "\nf "})
+      CHECK(obj.find(name) != std::string::npos);
+    REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.vtu --min-persistence 0.1 -q").code == 0);
+    CHECK(folder.content("r.vtu").find("Name=\"death\"") != std::string::npos);
+    REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives none.json --min-persistence 5 -q").code == 0);
+    CHECK(json::parse(folder.content("none.json")).size() == 1);  // what never ends
+  }
+
   TEST_CASE("what it does not know is refused") {
     const Folder folder;
     folder.file("s.xyz", sphere(20));
@@ -67,7 +98,12 @@ TEST_SUITE("space alpha") {
       CHECK(outcome.err.find(message) != std::string::npos);
     };
     refuses("s.xyz --dimension 4", 2, "--dimension: found '4', expected 2 or 3");
-    refuses("s.xyz --dimension 3 -o plot.svg", 2, "--output: found --dimension 3 as well");
+    refuses("s.xyz --dimension 3 -o plot.png", 2, "plot.png: found the ending 'png', expected svg");
+    refuses("s.xyz --dimension 3 --representatives r.geojson", 2,
+            "--representatives: found the ending 'geojson', expected one of obj, json, vtu");
+    refuses("s.xyz --dimension 3 --top 3", 2, "--top: found no --representatives");
+    refuses("s.xyz --dimension 3 --representatives r.obj --top 0", 2, "--top: found '0'");
+    refuses("s.xyz --dimension 3 --representatives r.obj --min-persistence -1", 2, "--min-persistence: found '-1'");
     refuses("s.xyz --dimension 3 --complex full --persistence", 2, "--complex: found --dimension 3 as well");
     refuses("s.xyz --dimension 3 --cover 0.9", 2, "--cover: found --dimension 3 as well");
     refuses("flat.xyz --dimension 3", 3, "the points are in a plane");

@@ -102,3 +102,23 @@ def test_nothing_is_copied():
     del f
     rbpa.filtration(uniform(100, 2))
     assert holes.tolist() == expected
+
+
+def test_representatives_are_holes_of_the_shape_at_their_birth():
+    shapely = pytest.importorskip("shapely.geometry")
+    points = uniform(300)
+    f = rbpa.filtration(points)
+    longest = f.representatives(top=10)
+    assert [one.dimension for one in longest] == [0] * 10 + [1] * 10
+    for one in longest[10:]:
+        shell, *inner = ([points[i] for i in ring] for ring in one.at_birth)
+        hole = shapely.Polygon(shell, inner)
+        assert hole.is_valid and hole.area == pytest.approx(one.area)
+        inside = rbpa.alpha_shape(points, one.birth).polygons
+        assert all(p.area == 0 or hole.intersection(shapely.Polygon(points[p.shell], [points[h] for h in p.holes])).area < 1e-9 for p in inside)
+        assert len(one.before_death) == 1 and len(one.before_death[0]) == 3
+    assert longest[-1].joined_at is None
+    assert sum(one.death == np.inf for one in longest) == 1
+    assert len(f.representatives(complex="full", min_persistence=0.05)) < len(f.representatives(complex="full"))
+    with pytest.raises(rbpa.InvalidInput, match="complex"):
+        f.representatives(complex="half")

@@ -105,3 +105,32 @@ def test_the_diagram_is_drawn():
     pytest.importorskip("matplotlib")
     axes = rbpa.solid_filtration(numpy.random.default_rng(14).random((60, 3))).plot_persistence()
     assert len(axes.lines) == 4
+
+
+def test_representatives_are_cycles_and_closed_surfaces():
+    random = numpy.random.default_rng(15)
+    points = random.random((400, 3))
+    filtration = rbpa.solid_filtration(points)
+    (component, *rest) = filtration.representatives(0, top=2)
+    assert component.edges.shape == (1, 2) and not rest[0].death < math.inf
+    tunnels = filtration.representatives(1, top=20)
+    assert len(tunnels) == 20
+    shortest_life = min(of.death - of.birth for of in tunnels)
+    values = filtration.persistence(1)
+    assert (values[:, 1] - values[:, 0] > shortest_life).sum() == 19
+    for tunnel in tunnels:
+        points_of, counts = numpy.unique(tunnel.edges, return_counts=True)
+        assert (counts % 2 == 0).all()
+        lengths = numpy.linalg.norm(points[tunnel.edges[:, 0]] - points[tunnel.edges[:, 1]], axis=1)
+        assert tunnel.length == pytest.approx(lengths.sum())
+        assert lengths.max() / 2 <= tunnel.birth * (1 + 1e-12) or not tunnel.is_shortest or len(points_of) > 2
+    voids = filtration.representatives(2, min_persistence=0.01)
+    assert len(voids) == (lambda v: (v[:, 1] - v[:, 0] >= 0.01).sum())(filtration.persistence(2)) > 3
+    for void in voids:
+        a, b, c = (points[void.triangles[:, k]] for k in range(3))
+        assert numpy.einsum("ij,ij->", a, numpy.cross(b, c)) / 6 == pytest.approx(void.volume, rel=1e-6)
+        assert (filtration.simplex_alpha[void.simplices] > void.birth).all()
+    with pytest.raises(rbpa.InvalidInput, match="top: found 0"):
+        filtration.representatives(1, top=0)
+    with pytest.raises(rbpa.InvalidInput, match="min_persistence"):
+        filtration.representatives(1, min_persistence=-1)

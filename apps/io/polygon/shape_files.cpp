@@ -61,11 +61,6 @@ std::string crs_member(const std::optional<Crs>& crs) {
   return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
 }
 
-/// What begins a FeatureCollection.
-std::string collection(const std::optional<Crs>& crs) {
-  return "{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[";
-}
-
 void write_properties(OutputFile& file, std::uint64_t number, const PolygonFacts& facts) {
   const auto write_if_finite = [&](double value) {
     std::isfinite(value) ? file.write_number(value) : file.write("null");
@@ -113,9 +108,13 @@ void write_closed(OutputFile& file, const PolygonSigns& signs, std::span<const P
 
 }  // namespace
 
+std::string geojson_collection(const std::optional<Crs>& crs) {
+  return "{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[";
+}
+
 PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs)
     : file_(file), signs_(format == Format::geojson ? geojson : wkt) {
-  if (format == Format::geojson) file_.write(collection(crs));
+  if (format == Format::geojson) file_.write(geojson_collection(crs));
 }
 
 void PolygonWriter::begin(const PolygonFacts& facts) {
@@ -223,7 +222,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
   const auto write_if_finite = [&](double value) {
     std::isfinite(value) ? file.write_number(value) : file.write("null");
   };
-  file.write(collection(groups.crs));
+  file.write(geojson_collection(groups.crs));
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
     const PolygonTotals& totals = groups.shapes.totals[g];
     file.write(g == 0 ? "\n" : ",\n");
@@ -296,7 +295,7 @@ void write_isolated_csv(OutputFile& file, const Shape& shape) {
 }
 
 void write_isolated_geojson(OutputFile& file, const Shape& shape) {
-  file.write(collection(shape.crs));
+  file.write(geojson_collection(shape.crs));
   std::string_view before = "\n";
   for_each_isolated(shape, [&](std::size_t i) {
     file.write(before);

@@ -34,6 +34,9 @@ std::vector<std::size_t> points_in_polygons(const Shape& shape);
 /// Why readers may take the coordinates for something else, if they may.
 std::optional<std::string> geojson_caution(const Shape& shape);
 
+/// What begins a FeatureCollection: "crs", where it is to be said, and features follow, with commas between, then "]}".
+std::string geojson_collection(const std::optional<Crs>& crs);
+
 /// What is known of a polygon beside its rings.
 struct PolygonFacts {
   double area = 0;

@@ -50,13 +50,13 @@ from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
-from rbpa._filtration import Filtration, Plateau, filtration
+from rbpa._filtration import Filtration, Plateau, Representative, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
-from rbpa._solid_filtration import SolidFiltration, solid_filtration
+from rbpa._solid_filtration import SolidFiltration, SolidRepresentative, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -80,8 +80,10 @@ __all__ = [
     "PointFile",
     "Polygon",
     "Polygons",
+    "Representative",
     "Solid",
     "SolidFiltration",
+    "SolidRepresentative",
     "SolidVoid",
     "Surface",
     "SurfaceComponent",
@@ -106,8 +108,8 @@ __all__ = [
 
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
-    *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons),
-    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidVoid),
+    *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons, Representative),
+    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidRepresentative, SolidVoid),
     *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
     *(periodic_solid, scale_space, solid_filtration, surface, union_of_balls),

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Integers, Progress
-from rbpa._input import as_count, as_numbers, as_points, as_share, as_threads
+from rbpa._input import Floats, Indices, Integers, Progress
+from rbpa._input import as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads
 from rbpa._plot import axes_or_current, label_axes
 from rbpa._result import Result
 
@@ -38,6 +38,23 @@ class Plateau(NamedTuple):
     """"structured", with several parts or holes of weight, or "one piece"."""
     is_long: bool
     """Its ratio is more than points without any structure reach by chance."""
+
+
+class Representative(NamedTuple):
+    """Where a pair of a persistence diagram is: a hole as polygons, a component by the edge at which it ends."""
+
+    dimension: int
+    birth: float
+    death: float
+    """Infinity: it never dies."""
+    joined_at: Optional[tuple[int, int]]
+    """Dimension 0: the two points at whose edge it meets an older component; None where it never dies."""
+    at_birth: list[Indices]
+    """Dimension 1: rings of points around the hole at its birth, the outer one first, then those around what is in it."""
+    before_death: list[Indices]
+    """The same of what is left just before its death: a triangle, or several of one circle."""
+    area: float
+    """Of the hole at its birth."""
 
 
 def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:
@@ -177,6 +194,19 @@ class Filtration(Result):
             raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
         self._require_unchanged()
         return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
+
+    def representatives(self, *, complex: str = "solid", min_persistence: float = 0.0, top: Optional[int] = None) -> list[Representative]:
+        """Where the pairs of `persistence` are, in its order: of those with death - birth at least `min_persistence`, and of each dimension
+        at most the `top` that last longest.
+
+        Of all sets of triangles that enclose a hole at its birth, the rings are around the one of least area. Computed anew with each call.
+        """
+        if complex not in ("solid", "full"):
+            raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
+        least, most = as_pair_choice(min_persistence, top)
+        self._require_unchanged()
+        found = _core.representatives(self.points, complex == "full", least, most, as_threads(None), None)
+        return [Representative(*one) for one in found]
 
     def plot(self, ax: Any = None) -> Any:
         """Draws components and holes against the radius with matplotlib, on logarithmic scales, and returns the axes."""

@@ -173,6 +173,13 @@ def as_share(value: float, name: str) -> float:
     return share
 
 
+def as_pair_choice(min_persistence: float, top: int | None) -> tuple[float, int | None]:
+    least = as_number(min_persistence, "min_persistence", "a length, at least 0")
+    if not least >= 0:
+        raise InvalidInput(f"min_persistence: found {as_scalar(min_persistence)!r}, expected a length, at least 0")
+    return least, None if top is None else as_count(top, "top", 1)
+
+
 def as_threads(threads: int | None) -> int:
     """0 for all processors."""
     return _default_threads if threads is None else as_count(threads, "threads", 1)

@@ -4,18 +4,11 @@
 #include <cstddef>
 #include <tuple>
 
-#include "meshops/core/contract.h"
-#include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/simplices_at.h"
 #include "rbpa/base/steps.h"
-#include "rbpa/space/persistence/sorted_by_alpha.h"
-#include "rbpa/space/persistence/tunnels.h"
-#include "rbpa/space/persistence/voids.h"
+#include "rbpa/space/persistence/pairing.h"
 
 namespace rbpa {
 namespace {
-
-constexpr std::uint32_t none = Solid::none;
 
 /// By birth, death, and what makes them, where they are by birth already.
 void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& step) {
@@ -33,66 +26,31 @@ void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& 
   }
 }
 
-/// Of the points, each there from the beginning: where two components meet, that of the greater point ends. Returns: which edges end one.
-std::vector<bool> find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order, Steps& step,
-                                  std::vector<SolidPair>& pairs) {
-  const Solid& delaunay = filtration.delaunay;
-  meshops::DisjointSets sets(corner_bound<4>(delaunay.simplices));
-  std::vector<bool> joins(order.size(), false);
-  for (const std::uint32_t edge : order) {
-    step(4);
-    const std::uint32_t a = sets.find(filtration.edges[edge][0]), b = sets.find(filtration.edges[edge][1]);
-    if (a == b) continue;
-    joins[edge] = true;
-    pairs.push_back({0, 0, filtration.edge_alpha[edge], std::max(a, b), edge});
-    sets.link(a, b);
-  }
-  if (delaunay.distinct > 0)
-    pairs.push_back({.dimension = 0, .birth = 0, .death = {}, .born_by = 0});  // the first point is the least of all
-  return joins;
-}
-
-void check(const SolidFiltration& filtration) {
-  const auto& [simplices, neighbors, duplicates, isolated, distinct] = filtration.delaunay;
-  const std::size_t triangles = filtration.triangles.size(), edges = filtration.edges.size();
-  const auto require = [](bool fits) {
-    meshops::require(fits, "solid_persistence: expected what solid_filtration() returned");
-  };
-  require(neighbors.size() == simplices.size() && filtration.triangles_of.size() == simplices.size() &&
-          filtration.tetrahedron_alpha.size() == simplices.size() && filtration.triangle_alpha.size() == triangles &&
-          filtration.edges_of.size() == triangles && filtration.edge_alpha.size() == edges);
-  for (std::size_t t = 0; t < simplices.size(); ++t)
-    for (std::size_t k = 0; k < 4; ++k)
-      require(filtration.triangles_of[t][k] < triangles &&
-              (neighbors[t][k] == none || neighbors[t][k] < simplices.size()));
-  for (const auto& of : filtration.edges_of)
-    for (const std::uint32_t edge : of) require(edge < edges);
-}
-
 }  // namespace
 
 std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const std::function<bool()>& go_on) {
-  check(filtration);
+  space::check_filtration("solid_persistence", filtration);
   Steps step(go_on);
+  const space::Pairing pairing(filtration, step);
   std::vector<SolidPair> pairs;
-  const auto order = space::sorted_by_alpha(filtration.edge_alpha, step);
-  const std::vector<bool> joins = find_components(filtration, order, step, pairs);
+  const auto add = [&](int dimension, double birth, double death, std::uint32_t born_by, std::uint32_t ended_by) {
+    if (birth != death) pairs.push_back({dimension, birth, death, born_by, ended_by});
+  };
+  for (const auto& [point, edge] : pairing.components.all) add(0, 0, filtration.edge_alpha[edge], point, edge);
+  if (filtration.delaunay.distinct > 0)
+    pairs.push_back({.dimension = 0, .birth = 0, .death = {}, .born_by = 0});  // the first point is the least of all
   sort_equal_births(pairs, 0, step);
 
-  space::PersistentVoids voids = space::find_voids(filtration, step);
-  const std::vector<std::uint32_t> ended_by = space::pair_tunnels(filtration, order, joins, voids.makes_one, step);
   const std::size_t first_tunnel = pairs.size();
-  for (const std::uint32_t edge : order)
-    if (ended_by[edge] != none && filtration.edge_alpha[edge] != filtration.triangle_alpha[ended_by[edge]])
-      pairs.push_back(
-          {1, filtration.edge_alpha[edge], filtration.triangle_alpha[ended_by[edge]], edge, ended_by[edge]});
+  for (const std::uint32_t edge : pairing.edges)
+    if (const std::uint32_t triangle = pairing.tunnels.ended_by(edge); triangle != Solid::none)
+      add(1, filtration.edge_alpha[edge], filtration.triangle_alpha[triangle], edge, triangle);
   sort_equal_births(pairs, first_tunnel, step);
 
   const std::size_t first_void = pairs.size();
-  for (auto at = voids.all.rbegin(); at != voids.all.rend(); ++at) {
-    const double birth = filtration.triangle_alpha[at->triangle], death = filtration.tetrahedron_alpha[at->tetrahedron];
-    if (birth != death) pairs.push_back({2, birth, death, at->triangle, at->tetrahedron});
-  }
+  for (auto at = pairing.voids.all.rbegin(); at != pairing.voids.all.rend(); ++at)
+    add(2, filtration.triangle_alpha[at->triangle], filtration.tetrahedron_alpha[at->tetrahedron], at->triangle,
+        at->tetrahedron);
   sort_equal_births(pairs, first_void, step);
   return pairs;
 }

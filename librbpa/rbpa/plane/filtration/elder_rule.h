@@ -9,7 +9,6 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
@@ -25,8 +24,8 @@ struct Arrival {
   friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-/// Edges ascending: an edge between two components ends the younger. Calls pair(vertex's arrival, death) for each
-/// component that lives for some time, with the vertex that it began with.
+/// Edges ascending: an edge between two components ends the younger. Calls pair(vertex's arrival, edge) for each
+/// component that lives for some time, with the vertex that it began with, and the edge that ends it, or null.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
@@ -39,11 +38,11 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
     const std::uint32_t a = components.find(edge.ends[0]), b = components.find(edge.ends[1]);
     if (a == b) continue;
     const auto [elder, younger] = std::minmax({first[a], first[b]});
-    if (younger.alpha < edge.alpha) pair(younger, std::optional(edge.alpha));
+    if (younger.alpha < edge.alpha) pair(younger, &edge);
     first[components.link(a, b)] = elder;
   }
   for (std::uint32_t v = 0; v < first.size(); ++v)
-    if (components.find(v) == v) pair(first[v], std::optional<double>());
+    if (components.find(v) == v) pair(first[v], static_cast<const FilteredCells::Edge*>(nullptr));
 }
 
 /// Edges descending: removing an edge joins the gaps on its sides. A gap fills up with the last of its triangles; of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "rbpa/base/steps.h"
@@ -86,7 +87,8 @@ void add_pairs(FiltrationArrays& arrays, const FilteredCells& cells, Steps& puls
   Numbers first_at(arrays.points.size());
   for (std::size_t t = arrays.triangles.size(); t-- > 0;)
     for (const std::uint32_t corner : arrays.triangles[t]) first_at[corner] = static_cast<std::uint32_t>(t);
-  pair_components(cells, pulse, [&](const Arrival& birth, const std::optional<double>& death) {
+  pair_components(cells, pulse, [&](const Arrival& birth, const FilteredCells::Edge* ending) {
+    const std::optional<double> death = ending == nullptr ? std::nullopt : std::optional(ending->alpha);
     arrays.pairs.push_back({{0, birth.alpha, death}, first_at[birth.cell]});
   });
   pair_holes(cells, pulse, [&](double birth, const Arrival& death) {

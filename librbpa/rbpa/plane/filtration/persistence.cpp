@@ -1,6 +1,7 @@
 #include "rbpa/persistence.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "rbpa/base/steps.h"
@@ -31,8 +32,8 @@ std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtrat
     return a.alpha < b.alpha;
   });
   std::vector<PersistencePair> pairs;
-  pair_components(cells, pulse, [&](const Arrival& birth, const std::optional<double>& death) {
-    pairs.push_back({0, birth.alpha, death});
+  pair_components(cells, pulse, [&](const Arrival& birth, const FilteredCells::Edge* ending) {
+    pairs.push_back({0, birth.alpha, ending == nullptr ? std::nullopt : std::optional(ending->alpha)});
   });
   pair_holes(cells, pulse, [&](double birth, const Arrival& death) { pairs.push_back({1, birth, death.alpha}); });
   std::sort(pairs.begin(), pairs.end(), [&](const PersistencePair& a, const PersistencePair& b) {

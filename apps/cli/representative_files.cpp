@@ -1,0 +1,263 @@
+#include "cli/representative_files.h"
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/vtu.h"
+#include "io/polygon/shape_files.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t top_unless_said = 100;
+
+double parse_min_persistence(const std::string& text) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || !(number.value >= 0))
+    throw WrongUsage("--min-persistence: found " + in_quotes(text) + ", expected a length, at least 0");
+  return number.value;
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+/// Separates what is in a list.
+class Between {
+ public:
+  explicit Between(OutputFile& file) : file_(file) {}
+  void operator()(const Json& json) {
+    stop_if_interrupted();
+    file_.write(before_);
+    file_.write(json.dump());
+    before_ = ",\n";
+  }
+  bool is_empty() const { return before_ == "\n"; }
+
+ private:
+  OutputFile& file_;
+  std::string_view before_ = "\n";
+};
+
+Json coordinates(std::span<const Point> points, const Ring& ring) {
+  Json list = Json::array();
+  for (const std::uint32_t i : ring.points) list.push_back({points[i].x, points[i].y});
+  list.push_back({points[ring.points.front()].x, points[ring.points.front()].y});
+  return list;
+}
+
+Json polygon_feature(std::span<const Point> points, std::size_t number, const PersistencePair& pair, const char* when,
+                     const Polygon& polygon) {
+  std::vector<std::uint32_t> indices = polygon.shell.points;
+  Json rings = Json::array({coordinates(points, polygon.shell)});
+  for (const Ring& hole : polygon.holes) {
+    indices.insert(indices.end(), hole.points.begin(), hole.points.end());
+    rings.push_back(coordinates(points, hole));
+  }
+  return {{"type", "Feature"},
+          {"properties",
+           {{"pair", number},
+            {"dimension", 1},
+            {"birth", pair.birth},
+            {"death", *pair.death},
+            {"when", when},
+            {"area", polygon.area},
+            {"points", indices}}},
+          {"geometry", {{"type", "Polygon"}, {"coordinates", rings}}}};
+}
+
+Json line_feature(std::span<const Point> points, std::size_t number, const PersistencePair& pair,
+                  const std::array<std::uint32_t, 2>& edge) {
+  const Point &a = points[edge[0]], &b = points[edge[1]];
+  return {
+      {"type", "Feature"},
+      {"properties",
+       {{"pair", number}, {"dimension", 0}, {"birth", pair.birth}, {"death", or_null(pair.death)}, {"points", edge}}},
+      {"geometry", {{"type", "LineString"}, {"coordinates", Json::array({{a.x, a.y}, {b.x, b.y}})}}}};
+}
+
+void write_json(OutputFile& file, const SpaceRepresentatives& all) {
+  file.write("[");
+  Between write(file);
+  for (std::size_t i = 0; i < all.pairs.size(); ++i) {
+    const SolidPair& pair = all.pairs[i];
+    const SolidRepresentative& of = all.of_pairs[i];
+    Json one = {{"dimension", pair.dimension}, {"birth", pair.birth}, {"death", or_null(pair.death)}};
+    if (pair.dimension == 2) {
+      one["volume"] = of.volume;
+      one["area"] = of.area;
+      one["triangles"] = of.faces;
+    } else {
+      one["length"] = of.length;
+      if (pair.dimension == 1) one["is_shortest"] = of.is_shortest;
+      one["edges"] = Json::array();
+      for (const std::uint32_t edge : of.cells) one["edges"].push_back(all.filtration.edges[edge]);
+    }
+    write(one);
+  }
+  file.write(write.is_empty() ? "]\n" : "\n]\n");
+}
+
+/// A group's vertices, numbered in the file from 1 as they come.
+class Vertices {
+ public:
+  Vertices(OutputFile& file, std::span<const Point3> points) : file_(file), points_(points) {}
+
+  void begin() { number_.clear(); }
+  void add(std::uint32_t point) {
+    if (!number_.try_emplace(point, written_ + 1).second) return;
+    ++written_;
+    const Point3& p = points_[point];
+    file_.write("v");
+    for (const double value : {p.x, p.y, p.z}) {
+      file_.write(" ");
+      file_.write_number(value);
+    }
+    file_.write("\n");
+  }
+  std::uint64_t number(std::uint32_t point) const { return number_.at(point); }
+
+ private:
+  OutputFile& file_;
+  std::span<const Point3> points_;
+  std::unordered_map<std::uint32_t, std::uint64_t> number_;
+  std::uint64_t written_ = 0;
+};
+
+template <typename Cells>
+void write_cells(OutputFile& file, const char* sign, const Cells& cells, Vertices& vertices) {
+  for (const auto& cell : cells)
+    for (const std::uint32_t point : cell) vertices.add(point);
+  for (const auto& cell : cells) {
+    file.write(sign);
+    for (const std::uint32_t point : cell) {
+      file.write(" ");
+      file.write_number(vertices.number(point));
+    }
+    file.write("\n");
+  }
+}
+
+std::vector<std::array<std::uint32_t, 2>> edges_of(const SpaceRepresentatives& all, std::size_t i) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const std::uint32_t edge : all.of_pairs[i].cells) edges.push_back(all.filtration.edges[edge]);
+  return edges;
+}
+
+void write_obj(OutputFile& file, const SpaceRepresentatives& all) {
+  constexpr std::array<const char*, 3> names = {"component", "tunnel", "void"};
+  std::array<std::size_t, 3> count = {0, 0, 0};
+  Vertices vertices(file, all.points);
+  for (std::size_t i = 0; i < all.pairs.size(); ++i) {
+    stop_if_interrupted();
+    const auto dimension = static_cast<std::size_t>(all.pairs[i].dimension);
+    if (all.of_pairs[i].cells.empty()) continue;  // of a component that never ends
+    file.write("g " + std::string(names[dimension]) + "_" + std::to_string(++count[dimension]) + "\n");
+    vertices.begin();
+    if (dimension == 2)
+      write_cells(file, "f", all.of_pairs[i].faces, vertices);
+    else
+      write_cells(file, "l", edges_of(all, i), vertices);
+  }
+}
+
+void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::size_t> pairs, pairs_of_edges;  // of each cell, triangles first
+  for (std::size_t i = 0; i < all.pairs.size(); ++i) {
+    if (all.pairs[i].dimension == 2) {
+      triangles.insert(triangles.end(), all.of_pairs[i].faces.begin(), all.of_pairs[i].faces.end());
+      pairs.resize(triangles.size(), i);
+    } else {
+      for (const auto& edge : edges_of(all, i)) edges.push_back(edge);
+      pairs_of_edges.resize(edges.size(), i);
+    }
+  }
+  pairs.insert(pairs.end(), pairs_of_edges.begin(), pairs_of_edges.end());
+  const auto radii = [&](const char* name, auto radius) {
+    return VtuArray{.type = "Float64",
+                    .name = name,
+                    .bytes = pairs.size() * sizeof(double),
+                    .write = [&pairs, radius](OutputFile& out) {
+                      for (const std::size_t i : pairs) {
+                        const double value = radius(i);
+                        out.write_binary(std::span<const double>(&value, 1));
+                      }
+                    }};
+  };
+  const auto numbers = [&](const char* name, auto number) {
+    return VtuArray{.type = "UInt32",
+                    .name = name,
+                    .bytes = pairs.size() * sizeof(std::uint32_t),
+                    .write = [&pairs, number](OutputFile& out) {
+                      for (const std::size_t i : pairs) {
+                        const auto value = static_cast<std::uint32_t>(number(i));
+                        out.write_binary(std::span<const std::uint32_t>(&value, 1));
+                      }
+                    }};
+  };
+  VtuGrid grid{.points = all.points.size(),
+               .write_positions = [&](OutputFile& out) { write_coordinates(out, all.points); },
+               .triangles = triangles,
+               .edges = edges};
+  grid.of_cells.push_back(numbers("pair", [](std::size_t i) { return i + 1; }));
+  grid.of_cells.push_back(numbers("dimension", [&](std::size_t i) { return all.pairs[i].dimension; }));
+  grid.of_cells.push_back(radii("birth", [&](std::size_t i) { return all.pairs[i].birth; }));
+  grid.of_cells.push_back(radii("death", [&](std::size_t i) { return *all.pairs[i].death; }));  // of those with cells
+  write_vtu(file, grid);
+}
+
+}  // namespace
+
+std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space) {
+  if (!arguments.representatives) {
+    for (const auto& [given, option] :
+         {std::pair(&arguments.top, "--top"), std::pair(&arguments.min_persistence, "--min-persistence")})
+      if (*given) throw WrongUsage(std::string(option) + ": found no --representatives, which are what it is about");
+    return std::nullopt;
+  }
+  const std::string& path = *arguments.representatives;
+  const std::optional<Format> format = find_format(in_space ? Use::cycles : Use::polygons, ending(path));
+  if (!format || (!in_space && *format != Format::geojson))
+    throw WrongUsage("--representatives: found the ending " + in_quotes(ending(path)) + ", expected " +
+                     (in_space ? "one of " + std::string(cycle_formats) : "geojson"));
+  RepresentativeRequest request{.target = {path, *format}, .choice = {}};
+  if (arguments.min_persistence) request.choice.min_persistence = parse_min_persistence(*arguments.min_persistence);
+  if (arguments.top)
+    request.choice.top = parse_whole("--top", *arguments.top, {.least = 1});
+  else if (!arguments.min_persistence)
+    request.choice.top = top_unless_said;
+  return request;
+}
+
+void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs,
+                           std::span<const Representative> representatives) {
+  file.write(geojson_collection(crs));
+  Between write(file);
+  std::size_t number = 0;
+  for (const Representative& one : representatives) {
+    ++number;
+    if (one.pair.dimension == 1) {
+      write(polygon_feature(points, number, one.pair, "birth", one.at_birth));
+      write(polygon_feature(points, number, one.pair, "death", one.before_death));
+    } else if (one.joined_at) {
+      write(line_feature(points, number, one.pair, *one.joined_at));
+    }
+  }
+  file.write("\n]}\n");
+}
+
+void write_representatives(OutputFile& file, Format format, const SpaceRepresentatives& all) {
+  if (format == Format::json) return write_json(file, all);
+  if (format == Format::obj) return write_obj(file, all);
+  write_vtu(file, all);
+}
+
+}  // namespace rbpa::app

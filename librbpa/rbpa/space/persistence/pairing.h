@@ -1,0 +1,33 @@
+// What: which simplex ends what each simplex makes, in all dimensions.
+// Cost: docs/persistence_in_space.md.
+#pragma once
+
+#include <cstdint>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/steps.h"
+#include "rbpa/solid_filtration.h"
+#include "rbpa/space/persistence/components.h"
+#include "rbpa/space/persistence/sorted_by_alpha.h"
+#include "rbpa/space/persistence/tunnels.h"
+#include "rbpa/space/persistence/voids.h"
+
+namespace rbpa::space {
+
+/// Throws ContractViolation, which begins with the function's name, where the arrays do not belong together.
+void check_filtration(const char* function, const SolidFiltration& filtration);
+
+struct Pairing {
+  Pairing(const SolidFiltration& filtration, Steps& step)
+      : edges(sorted_by_alpha(filtration.edge_alpha, step)),
+        components(find_components(filtration, edges, step)),
+        voids(find_voids(filtration, step)),
+        tunnels(filtration, edges, components.joins, voids.makes_one, step) {}
+
+  meshops::FreshVector<std::uint32_t> edges;  ///< by alpha
+  PersistentComponents components;
+  PersistentVoids voids;
+  Tunnels tunnels;
+};
+
+}  // namespace rbpa::space

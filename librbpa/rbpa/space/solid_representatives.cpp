@@ -1,0 +1,153 @@
+#include "rbpa/solid_representatives.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/steps.h"
+#include "rbpa/space/outer_faces.h"
+#include "rbpa/space/persistence/cycles.h"
+#include "rbpa/space/persistence/pairing.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+constexpr std::uint32_t none = Solid::none;
+
+/// The tetrahedra that a void has at one radius.
+class VoidSearch {
+ public:
+  VoidSearch(std::span<const Point3> points, const SolidFiltration& filtration)
+      : points_(points), filtration_(filtration), is_reached_(filtration.triangles_of.size(), false) {}
+
+  /// That with this tetrahedron at `alpha`. Requires: a bounded one.
+  SolidRepresentative of(std::uint32_t tetrahedron, double alpha, Steps& step) {
+    SolidRepresentative result;
+    auto& reached = result.tetrahedra;
+    reached = {tetrahedron};
+    is_reached_[tetrahedron] = true;
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      step(2);
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t triangle = filtration_.triangles_of[reached[i]][k];
+        if (filtration_.triangle_alpha[triangle] <= alpha) continue;
+        const std::uint32_t beyond = filtration_.delaunay.neighbors[reached[i]][k];
+        meshops::require(beyond != none, "solid_representatives: found a void without an end");
+        if (is_reached_[beyond]) continue;
+        is_reached_[beyond] = true;
+        reached.push_back(beyond);
+      }
+    }
+    for (const std::uint32_t t : reached) is_reached_[t] = false;
+    std::sort(reached.begin(), reached.end());
+    add_faces(result);
+    measure(result);
+    return result;
+  }
+
+ private:
+  using Vector = space::Vector3<double>;
+
+  /// A triangle with the void on both sides bounds nothing.
+  void add_faces(SolidRepresentative& result) const {
+    struct Side {
+      std::uint32_t triangle, tetrahedron;
+      std::size_t corner;
+    };
+    std::vector<Side> sides;
+    for (const std::uint32_t t : result.tetrahedra)
+      for (std::size_t k = 0; k < 4; ++k) sides.push_back({filtration_.triangles_of[t][k], t, k});
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.triangle < b.triangle; });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (i + 1 < sides.size() && sides[i].triangle == sides[i + 1].triangle) {
+        ++i;
+        continue;
+      }
+      result.cells.push_back(sides[i].triangle);
+      result.faces.push_back(space::outer_face(filtration_.delaunay.simplices[sides[i].tetrahedron], sides[i].corner));
+    }
+  }
+  void measure(SolidRepresentative& result) const {
+    for (const std::uint32_t t : result.tetrahedra) {
+      const auto& [a, b, c, d] = filtration_.delaunay.simplices[t];
+      const Vector u = edge(a, b), v = edge(a, c), w = edge(a, d);
+      result.volume += std::abs(dot(cross(u, v), w)) / 6;
+    }
+    for (const std::uint32_t i : result.cells) {
+      const auto& [a, b, c] = filtration_.triangles[i];
+      const Vector normal = cross(edge(a, b), edge(a, c));
+      result.area += std::hypot(normal.x, normal.y, normal.z) / 2;
+    }
+  }
+  Vector edge(std::uint32_t a, std::uint32_t b) const { return space::from<double>(points_[a], points_[b]); }
+
+  std::span<const Point3> points_;
+  const SolidFiltration& filtration_;
+  std::vector<bool> is_reached_;
+};
+
+void check(std::span<const Point3> points, const SolidFiltration& filtration, std::span<const SolidPair> pairs) {
+  space::check_filtration("solid_representatives", filtration);
+  for (const auto& row : filtration.delaunay.simplices)
+    for (const std::uint32_t corner : row)
+      meshops::require(corner < points.size(), "solid_representatives: expected the points of the filtration");
+  const std::array<std::size_t, 4> counts = {points.size(), filtration.edges.size(), filtration.triangles.size(),
+                                             filtration.triangles_of.size()};
+  for (const SolidPair& pair : pairs) {
+    const auto dimension = static_cast<std::size_t>(pair.dimension);
+    meshops::require(dimension < 3 && pair.born_by < counts[dimension] &&
+                         (pair.death ? pair.ended_by < counts[dimension + 1] : dimension == 0),
+                     "solid_representatives: expected pairs of this filtration");
+  }
+}
+
+}  // namespace
+
+std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
+                                                       const SolidFiltration& filtration,
+                                                       std::span<const SolidPair> pairs,
+                                                       const std::function<bool()>& go_on) {
+  check(points, filtration, pairs);
+  Steps step(go_on);
+  std::optional<space::Pairing> pairing;
+  std::optional<space::Cycles> cycles;
+  VoidSearch voids(points, filtration);
+  const auto cycle_of = [&](const SolidPair& pair) {
+    if (!cycles) {
+      pairing.emplace(filtration, step);
+      cycles.emplace(points, filtration, *pairing, step);
+    }
+    meshops::require(pairing->tunnels.ended_by(pair.born_by) == pair.ended_by,
+                     "solid_representatives: expected pairs of this filtration");
+    space::Cycle cycle = cycles->of(pair.born_by);
+    SolidRepresentative one;
+    one.cells = std::move(cycle.edges);
+    one.length = cycle.length;
+    one.is_shortest = cycle.is_shortest;
+    return one;
+  };
+  std::vector<SolidRepresentative> result;
+  for (const SolidPair& pair : pairs) {
+    step(64);
+    if (pair.dimension == 1) {
+      result.push_back(cycle_of(pair));
+    } else if (pair.dimension == 2) {
+      result.push_back(voids.of(pair.ended_by, pair.birth, step));
+    } else {
+      result.emplace_back();
+      if (!pair.death) continue;
+      const auto& [a, b] = filtration.edges[pair.ended_by];
+      result.back().cells = {pair.ended_by};
+      result.back().length =
+          std::hypot(points[b].x - points[a].x, points[b].y - points[a].y, points[b].z - points[a].z);
+    }
+  }
+  return result;
+}
+
+}  // namespace rbpa
