@@ -80,8 +80,7 @@ void PeriodicRun::select_within() {
   stop_if_interrupted();
   facts_.alpha_rule = name_of({.rule = request_.alpha.rule});
   if (request_.alpha.rule != AlphaRule::given) {
-    const Solid by_points = without_offsets(solid_);
-    facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(by_points, radii) : auto_alpha(by_points, radii);
+    facts_.alpha = request_.alpha.choose(without_offsets(solid_), radii);
     stop_if_interrupted();
   }
   if (is_counted()) facts_.topology = periodic_topology(solid_, radii, facts_.alpha);

@@ -74,6 +74,12 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .is_full = arguments.complex && parse_is_full(*arguments.complex),
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
+  if (arguments.cover) {
+    if (request.alpha.rule == AlphaRule::given)
+      throw WrongUsage("--cover: found --alpha " + arguments.alpha +
+                       ", expected --alpha auto or min, which are what it is about");
+    request.alpha.cover = parse_cover(*arguments.cover);
+  }
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
     throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "cli/verbs.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/solid.h"
+#include "rbpa/solid_radii.h"
 
 namespace rbpa::app {
 
@@ -20,6 +23,12 @@ namespace rbpa::app {
 struct SolidAlpha {
   AlphaRule rule = AlphaRule::given;
   double radius = std::numeric_limits<double>::infinity();
+  double cover = 1;  ///< share of the points, of a rule
+
+  /// By a rule, of all tetrahedra.
+  double choose(const Solid& delaunay, std::span<const double> radii) const {
+    return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover) : auto_alpha(delaunay, radii, cover);
+  }
 };
 
 struct SolidRequest {

@@ -95,9 +95,7 @@ void SolidRun::select_within() {
   radii_ = circumradii(file_.points, solid_.simplices, options().threads);
   stop_if_interrupted();
   triangulation_ = std::move(solid_);
-  if (request_.alpha.rule != AlphaRule::given)
-    facts_.alpha = request_.alpha.rule == AlphaRule::least ? min_alpha(triangulation_, radii_)
-                                                           : auto_alpha(triangulation_, radii_);
+  if (request_.alpha.rule != AlphaRule::given) facts_.alpha = request_.alpha.choose(triangulation_, radii_);
   solid_ = within(triangulation_, radii_, facts_.alpha);
   stop_if_interrupted();
   facts_.choose_seconds = lap();

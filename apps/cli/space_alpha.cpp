@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/alpha_choice.h"
 #include "cli/alpha_report.h"
 #include "cli/point_arguments.h"
 #include "cli/progress.h"
@@ -109,7 +110,6 @@ void check(const AlphaArguments& arguments) {
     if (is_given) throw WrongUsage(option + ": found --dimension 3 as well, with which it has no meaning yet");
   };
   refuse(arguments.complex.has_value(), "--complex");
-  refuse(arguments.cover.has_value(), "--cover");
   refuse(arguments.components != "1", "--components");
   refuse(arguments.group_by.has_value() || arguments.group_by_file, "--group-by");
 }
@@ -119,6 +119,7 @@ void check(const AlphaArguments& arguments) {
 void run_space_alpha(const AlphaArguments& arguments) {
   check(arguments);
   const RunOptions options = parse_run(arguments.run);
+  const double cover = arguments.cover ? parse_cover(*arguments.cover) : 1;
   SpacePointArguments points;
   points.points = arguments.points;
   points.format = arguments.format;
@@ -146,8 +147,8 @@ void run_space_alpha(const AlphaArguments& arguments) {
     }
     const ProgressLine line = options.line("persistence");
     report.distinct = filtration.delaunay.distinct;
-    report.least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
-    report.automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha);
+    report.least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
+    report.automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
     report.pairs = solid_persistence(filtration, until_interrupted());
     if (request) {
       pairs = chosen(report.pairs, request->choice);

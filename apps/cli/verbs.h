@@ -121,6 +121,7 @@ void run_surface(const SurfaceArguments& arguments);
 /// Tetrahedra of points in space.
 struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
+  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
   std::optional<std::string> box, boundary, voids, complex;
   std::string width = "1200";
   bool balls = false, json = false;

@@ -174,6 +174,10 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "that covers every point; auto: the least that has every point in one solid component")
       ->type_name("R|inf|auto|min")
       ->required();
+  verb.add_option(
+          "--cover", arguments.cover,
+          "Share of the points that auto and min are about, such as 0.99, so that single ones do not decide them")
+      ->type_name("SHARE");
   verb.add_option("--box", arguments.box,
                   "Points are those of a box with these sides that repeats, as under periodic boundary conditions; "
                   "coordinates count modulo the sides. Voids have a dimension: 0, or in how many directions they go on")

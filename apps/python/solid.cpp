@@ -55,10 +55,11 @@ Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threa
   }));
 }
 
-double alpha_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, bool in_one_piece) {
+double alpha_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, bool in_one_piece,
+                double share) {
   return watched(static_cast<std::size_t>(radii.size()), py::none(), [&](Watch&) {
     const Solid delaunay = solid_again(simplices, neighbors);
-    return in_one_piece ? auto_alpha(delaunay, line_of(radii)) : min_alpha(delaunay, line_of(radii));
+    return in_one_piece ? auto_alpha(delaunay, line_of(radii), share) : min_alpha(delaunay, line_of(radii), share);
   });
 }
 
@@ -173,7 +174,7 @@ void bind_solid(py::module_& module) {
   module.def("solid", &solid_of, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
   module.def("circumradii", &radii_of, arg("points").noconvert(), arg("simplices").noconvert(), arg("threads"));
   module.def("solid_alpha", &alpha_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
-             arg("radii").noconvert(), arg("in_one_piece"));
+             arg("radii").noconvert(), arg("in_one_piece"), arg("share"));
   module.def("solid_within", &within_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
              arg("radii").noconvert(), arg("alpha"));
   module.def("union_of_balls", &balls_of, arg("points").noconvert(), arg("radius"), arg("threads"), arg("progress"));

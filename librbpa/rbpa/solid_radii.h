@@ -22,14 +22,15 @@ namespace rbpa {
 RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
                                          std::span<const std::array<std::uint32_t, 4>> simplices, unsigned threads = 0);
 
-/// The least alpha at which each point is the corner of a tetrahedron; infinity where there is no tetrahedron.
-/// Requires: the result of solid() at infinity, and its circumradii. Throws ContractViolation where these are more or fewer.
-RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii);
+/// The least alpha at which a share of the points, each of them or so many that outliers do not decide, are corners of tetrahedra; infinity where there is no
+/// tetrahedron.
+/// Requires: the result of solid() at infinity, and its circumradii; 0 < share ≤ 1. Throws ContractViolation otherwise.
+RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1);
 
-/// The least alpha at which one solid component has each point for a corner: moreover in one piece, connected through triangles.
+/// The least alpha at which one solid component has a share of the points for corners: moreover in one piece, connected through triangles.
 /// Others may be in it that have no corner for themselves. Infinity where there is no tetrahedron.
 /// Requires: as min_alpha(), with neighbors.
-RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii);
+RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1);
 
 /// The tetrahedra of radius at most alpha of a solid, with neighbors if it has any: from the Delaunay triangulation, that is
 /// solid() with this alpha.

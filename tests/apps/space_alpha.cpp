@@ -54,6 +54,12 @@ TEST_SUITE("space alpha") {
     // As `rbpa solid` chooses.
     const Outcome solid = folder.rbpa("solid s.xyz --alpha auto --json -q");
     CHECK(json::parse(solid.out)["alpha"] == report["auto"]);
+    const json share = json::parse(folder.rbpa("alpha s.xyz --dimension 3 --cover 0.9 --json -q").out);
+    CHECK(share["auto"] < report["auto"]);
+    CHECK(json::parse(folder.rbpa("solid s.xyz --alpha auto --cover 0.9 --json -q").out)["alpha"] == share["auto"]);
+    CHECK(json::parse(folder.rbpa("solid s.xyz --alpha min --cover 0.9 --json -q").out)["alpha"] == share["min"]);
+    CHECK(folder.rbpa("solid s.xyz --alpha 1 --cover 0.9").err.find("--cover: found --alpha 1, expected") !=
+          std::string::npos);
   }
 
   TEST_CASE("representatives are files of lines and triangles, and the diagram is a picture") {
@@ -105,7 +111,8 @@ TEST_SUITE("space alpha") {
     refuses("s.xyz --dimension 3 --representatives r.obj --top 0", 2, "--top: found '0'");
     refuses("s.xyz --dimension 3 --representatives r.obj --min-persistence -1", 2, "--min-persistence: found '-1'");
     refuses("s.xyz --dimension 3 --complex full --persistence", 2, "--complex: found --dimension 3 as well");
-    refuses("s.xyz --dimension 3 --cover 0.9", 2, "--cover: found --dimension 3 as well");
+    refuses("s.xyz --dimension 3 --cover 2", 2, "--cover: found '2'");
+    refuses("s.xyz --dimension 3 --components 2", 2, "--components: found --dimension 3 as well");
     refuses("flat.xyz --dimension 3", 3, "the points are in a plane");
     refuses("missing.xyz --dimension 3", 3, "missing.xyz");
   }

@@ -241,3 +241,13 @@ def test_a_plot_has_every_triangle_of_the_boundary():
     assert solid.plot(ax, facecolors="red") is ax and len(ax.collections) == 2
     rbpa.solid(numpy.eye(3)).plot().figure.canvas.draw()
     plt.close("all")
+
+
+def test_a_share_of_the_points_decides_auto_and_min():
+    points = numpy.vstack([numpy.random.default_rng(21).random((500, 3)), [[50, 50, 50]]])
+    assert rbpa.solid(points, "auto").alpha > 10
+    covered = rbpa.solid(points, "auto", cover=0.99)
+    assert covered.alpha < 1
+    assert rbpa.solid(points, "min", cover=0.99).alpha <= covered.alpha
+    with pytest.raises(rbpa.InvalidInput, match="cover: found 0.5 with alpha 1"):
+        rbpa.solid(points, 1.0, cover=0.5)

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_share, as_threads
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
 
@@ -20,6 +20,7 @@ def solid(
     points: npt.ArrayLike,
     alpha: Union[float, Literal["auto", "min"]] = math.inf,
     *,
+    cover: float = 1.0,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Solid:
@@ -34,6 +35,8 @@ def solid(
     alpha : float, "auto" or "min"
         A radius in the units of the points, never its square. "min" is the least at which every point is in a tetrahedron, "auto"
         the least at which one solid component has every point. Infinity where there is no tetrahedron.
+    cover : float
+        Share of the points that "auto" and "min" are about, such as 0.99, so that single ones do not decide them.
     threads, progress
         As for `alpha_shape`; `progress` is called with the number of points done in place of triangles.
 
@@ -59,11 +62,14 @@ def solid(
     expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
     if isinstance(alpha, str) and alpha not in ("auto", "min"):
         raise InvalidInput(f"alpha: found {alpha!r}, expected {expected}")
+    share = as_share(cover, "cover")
+    if share < 1 and not isinstance(alpha, str):
+        raise InvalidInput(f"cover: found {share!r} with alpha {alpha!r}, expected alpha 'auto' or 'min', which are what it is about")
     radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
     made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
     if not isinstance(alpha, str):
         return made
-    return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto"))
+    return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto", share))
 
 
 class BallUnion(NamedTuple):

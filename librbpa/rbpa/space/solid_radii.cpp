@@ -1,6 +1,7 @@
 #include "rbpa/solid_radii.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -26,13 +27,27 @@ void require_radii(const Solid& solid, std::span<const double> radii) {
   meshops::require(radii.size() == solid.simplices.size(), "radii: expected one for each tetrahedron");
 }
 
-/// Whether in the complex of alpha one solid component has as many corners as there are.
+void require_share(double share) {
+  meshops::require(share > 0 && share <= 1, "min_alpha, auto_alpha: a share is above 0 and at most 1");
+}
+
+/// The least number whose share of so many, as double divides, is at least this.
+std::size_t share_of(std::size_t all, double share) {
+  const auto whole = static_cast<double>(all);
+  auto count = static_cast<std::size_t>(std::max(1.0, std::floor(share * whole) - 1));
+  while (static_cast<double>(count) / whole < share) ++count;
+  return count;
+}
+
+/// Whether in the complex of alpha one solid component has a share of the corners that there are.
 class Connection {
  public:
-  Connection(const Solid& delaunay, std::span<const double> radii)
+  Connection(const Solid& delaunay, std::span<const double> radii, double share)
       : delaunay_(delaunay), radii_(radii), seen_(corner_bound<4>(delaunay.simplices), none) {
+    std::size_t corners = 0;
     for (const Row& row : delaunay.simplices)
-      for (const std::uint32_t corner : row) corners_ += std::exchange(seen_[corner], unseen) == none;
+      for (const std::uint32_t corner : row) corners += std::exchange(seen_[corner], unseen) == none;
+    wanted_ = share_of(corners, share);
   }
 
   bool is_whole(double alpha) {
@@ -47,7 +62,7 @@ class Connection {
       if (radii_[t] <= alpha) ++size[sets.find(t)];
     // Each corner of a component is one of its tetrahedra's, so that hardly any component is large enough.
     for (std::uint32_t root = 0; root < size.size(); ++root)
-      if (4 * std::size_t{size[root]} >= corners_ && count_corners(root, alpha, sets) == corners_) return true;
+      if (4 * std::size_t{size[root]} >= wanted_ && count_corners(root, alpha, sets) >= wanted_) return true;
     return false;
   }
 
@@ -67,7 +82,7 @@ class Connection {
   const Solid& delaunay_;
   std::span<const double> radii_;
   std::vector<std::uint32_t> seen_;  // of each point, the root of the last component that was seen to have it
-  std::size_t corners_ = 0;
+  std::size_t wanted_ = 0;
 };
 
 }  // namespace
@@ -89,27 +104,32 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
   return radii;
 }
 
-double min_alpha(const Solid& delaunay, std::span<const double> radii) {
+double min_alpha(const Solid& delaunay, std::span<const double> radii, double share) {
   require_radii(delaunay, radii);
-  std::vector<double> least(corner_bound<4>(delaunay.simplices), infinity);
+  require_share(share);
+  if (delaunay.simplices.empty()) return infinity;
+  constexpr double never = -1;  // no corner
+  std::vector<double> least(corner_bound<4>(delaunay.simplices), never);
   for (std::size_t t = 0; t < radii.size(); ++t)
-    for (const std::uint32_t corner : delaunay.simplices[t]) least[corner] = std::min(least[corner], radii[t]);
-  double greatest = delaunay.simplices.empty() ? infinity : 0;
-  for (const Row& row : delaunay.simplices)
-    for (const std::uint32_t corner : row) greatest = std::max(greatest, least[corner]);
-  return greatest;
+    for (const std::uint32_t corner : delaunay.simplices[t])
+      least[corner] = least[corner] < 0 ? radii[t] : std::min(least[corner], radii[t]);
+  std::erase(least, never);
+  const auto last = least.begin() + static_cast<std::ptrdiff_t>(share_of(least.size(), share) - 1);
+  std::nth_element(least.begin(), last, least.end());
+  return *last;
 }
 
-double auto_alpha(const Solid& delaunay, std::span<const double> radii) {
+double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share) {
   require_radii(delaunay, radii);
+  require_share(share);
   meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");
   if (delaunay.simplices.empty()) return infinity;
-  // A component with all points keeps them as alpha grows: so the least alpha is found by bisection among radii.
+  // A component with so many points keeps them as alpha grows: so the least alpha is found by bisection among radii.
   std::vector<double> sorted(radii.begin(), radii.end());
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  Connection connection(delaunay, radii);
-  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii));
+  Connection connection(delaunay, radii, share);
+  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share));
   auto first = static_cast<std::size_t>(at_min - sorted.begin());  // is the least that may do
   std::size_t last = first;
   for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {

@@ -161,6 +161,35 @@ TEST_CASE("at the least alpha that connects one solid component has all points, 
   }
 }
 
+TEST_CASE("a share of the points is covered, or in one piece, from the least alpha on, and outliers do not decide it") {
+  for (const SolidSet& set : solid_sets(200)) {
+    if (!set.is_solid) continue;
+    CAPTURE(set.name);
+    const Solid delaunay = rbpa::solid(set.points, infinity);
+    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+    for (const double share : {0.3, 0.9, 0.99}) {
+      std::size_t wanted = 0;
+      while (static_cast<double>(wanted) / static_cast<double>(delaunay.distinct) < share) ++wanted;
+      const auto covered = [&](double alpha) {
+        return delaunay.distinct - rbpa::solid(set.points, alpha).isolated.size();
+      };
+      const double least = rbpa::min_alpha(delaunay, radii, share), whole = rbpa::auto_alpha(delaunay, radii, share);
+      CHECK(covered(least) >= wanted);
+      CHECK(covered(std::nextafter(least, 0)) < wanted);
+      CHECK(most_corners(set.points, rbpa::within(delaunay, radii, whole)) >= wanted);
+      CHECK(most_corners(set.points, rbpa::within(delaunay, radii, std::nextafter(whole, 0))) < wanted);
+    }
+  }
+  Points3 points = jittered_cubes(1000, 8);
+  points.push_back({500, 500, 500});
+  const Solid delaunay = rbpa::solid(points, infinity);
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  CHECK(rbpa::auto_alpha(delaunay, radii) > 100);
+  CHECK(rbpa::auto_alpha(delaunay, radii, 0.99) < 2);
+  CHECK_THROWS_AS(rbpa::min_alpha(delaunay, radii, 0), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::auto_alpha(delaunay, radii, 1.5), meshops::ContractViolation);
+}
+
 TEST_CASE("two bodies: all points are covered long before they are in one piece; a repeated point changes nothing") {
   Points3 points = jittered_cubes(500, 5);
   const std::size_t one = points.size();
