@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "cli/progress.h"
 #include "cli/void_files.h"
@@ -57,9 +58,39 @@ Point3 parse_box(const std::string& text) {
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (arguments.complex) throw WrongUsage("--complex: found --box as well, with which it is always the solid");
   if (arguments.balls) throw WrongUsage("--balls: found --box as well, expected one of them");
+  for (const auto& [is_given, option] :
+       {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
+        std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
+    if (is_given) throw WrongUsage(std::string(option) + ": found --box as well, with which it has no meaning yet");
   if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
     throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
                      " and --box, whose voids may have no end; expected json or csv");
+}
+
+bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
+
+void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& request) {
+  if (arguments.pockets) {
+    request.pockets = {*arguments.pockets, find_format(Use::voids, ending(*arguments.pockets)).value_or(Format::obj)};
+    if (!is_table_of_voids(request.pockets->format))
+      throw WrongUsage("--pockets: found the ending " + in_quotes(ending(*arguments.pockets)) +
+                       ", expected csv or json");
+  }
+  if (arguments.void_radii && (!request.voids || !is_table_of_voids(request.voids->format)))
+    throw WrongUsage("--void-radii: found " + (arguments.voids ? "--voids " + *arguments.voids : "no --voids") +
+                     ", expected --voids FILE.csv or FILE.json, which has them");
+  if (!request.voids && !request.pockets)
+    for (const auto& [given, option] :
+         {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})
+      if (*given)
+        throw WrongUsage(std::string(option) + ": found neither --voids nor --pockets, which are what it is about");
+  if (arguments.voids_above) {
+    const ParsedNumber number = parse_whole_number(*arguments.voids_above);
+    if (number.fault != NumberFault::none || !(number.value >= 0))
+      throw WrongUsage("--voids-above: found " + in_quotes(*arguments.voids_above) + ", expected a volume, at least 0");
+    request.voids_above = number.value;
+  }
+  if (arguments.top) request.top = parse_whole("--top", *arguments.top, {.least = 1});
 }
 
 }  // namespace
@@ -71,6 +102,7 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .targets = {},
                        .boundary = {},
                        .voids = {},
+                       .pockets = {},
                        .is_full = arguments.complex && parse_is_full(*arguments.complex),
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
@@ -88,7 +120,8 @@ SolidRequest parse(const SolidArguments& arguments) {
     request.box = parse_box(*arguments.box);
     check_box(arguments, request);
   }
-  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids});
+  parse_choice_of_voids(arguments, request);
+  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
   return request;

@@ -1,6 +1,7 @@
 // What: what the command line of `rbpa solid` asks for, from text to meaning.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -36,8 +37,10 @@ struct SolidRequest {
   SolidAlpha alpha;
   std::optional<Point3> box;  ///< sides of a box that repeats
   std::vector<Target> targets;
-  std::optional<Target> boundary, voids;
-  bool is_full = false;  ///< voids are those of the full complex
+  std::optional<Target> boundary, voids, pockets;
+  double voids_above = 0;
+  std::size_t top = std::numeric_limits<std::size_t>::max();  ///< of voids, and of pockets
+  bool is_full = false;                                       ///< voids are those of the full complex
   int width;
   RunOptions run;
 };

@@ -13,6 +13,7 @@
 #include "cli/solid_report.h"
 #include "cli/solid_request.h"
 #include "cli/void_files.h"
+#include "cli/void_lives.h"
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
@@ -41,12 +42,14 @@ class SolidRun : public Run {
  private:
   /// What somebody reads of it.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
+  bool has_lives() const { return arguments_.void_radii || request_.pockets; }
   bool has_boundary() const;
   void build();
   void select_within();
   void find_boundary();
   void count();
   void count_full_complex();
+  void find_lives();
   void write();
   void write_boundary(OutputFile& file, Format format) const;
   void write_picture(OutputFile& file) const;
@@ -61,7 +64,16 @@ class SolidRun : public Run {
   Solid triangulation_;    // of all points, and its radii, where they are needed
   std::vector<double> radii_;
   SolidFacts facts_;
+  std::optional<std::vector<VoidLife>> lives_;  // of the voids that are written
+  std::vector<Pocket> pockets_;
 };
+
+/// Those of so much volume, at most so many of the first, which are the largest.
+template <typename Item>
+std::span<const Item> largest(const std::vector<Item>& items, double above, std::size_t top) {
+  const auto last = std::find_if(items.begin(), items.end(), [&](const Item& item) { return !(item.volume > above); });
+  return {items.data(), std::min(static_cast<std::size_t>(last - items.begin()), top)};
+}
 
 bool SolidRun::has_boundary() const {
   const auto is_drawn = [](const Target& target) { return is_picture(target.format); };
@@ -133,6 +145,20 @@ void SolidRun::count_full_complex() {
   }
 }
 
+void SolidRun::find_lives() {
+  TriangleProgress progress(!options().quiet, "radii of voids", text_of_progress);
+  try {
+    const VoidLives all(file_.points, request_.is_full ? VoidWalls::full : VoidWalls::solid, options().threads,
+                        progress.watch());
+    if (arguments_.void_radii)
+      lives_ = all.of(facts_.alpha, request_.is_full ? void_boundary_ : boundary_.surface,
+                      largest(facts_.voids, request_.voids_above, request_.top));
+    if (request_.pockets) pockets_ = all.pockets(facts_.alpha);
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what());
+  }
+}
+
 /// Each fan of triangles has a vertex of its own, so that a reader finds a manifold.
 void SolidRun::write_boundary(OutputFile& file, Format format) const {
   const Surface& surface = boundary_.surface;
@@ -171,7 +197,11 @@ void SolidRun::write() {
   if (request_.voids)
     add(request_.voids->path, [&](OutputFile& file) {
       write_voids(file, request_.voids->format, file_.points, request_.is_full ? void_boundary_ : boundary_.surface,
-                  facts_.voids);
+                  largest(facts_.voids, request_.voids_above, request_.top), lives_);
+    });
+  if (request_.pockets)
+    add(request_.pockets->path, [&](OutputFile& file) {
+      write_pockets(file, request_.pockets->format, largest(pockets_, request_.voids_above, request_.top));
     });
 }
 
@@ -192,6 +222,7 @@ void SolidRun::run() {
   build();
   if (has_boundary()) find_boundary();
   if (is_counted()) count();
+  if (has_lives()) find_lives();
   facts_.count_seconds = lap();
   write();
   facts_.write_seconds = lap();
@@ -202,7 +233,7 @@ void SolidRun::run() {
   if (solid_.simplices.empty()) say_empty();
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
-  for (const auto& target : {request_.boundary, request_.voids})
+  for (const auto& target : {request_.boundary, request_.voids, request_.pockets})
     if (target) files.push_back(target->path);
   summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
             ": " + text_of_solid(facts_) + list_of(files));

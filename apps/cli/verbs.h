@@ -123,6 +123,8 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
   std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
   std::optional<std::string> box, boundary, voids, complex;
+  std::optional<std::string> pockets, voids_above, top;
+  bool void_radii = false;
   std::string width = "1200";
   bool balls = false, json = false;
   RunArguments run;

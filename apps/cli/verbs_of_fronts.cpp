@@ -193,6 +193,18 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
           "indices of its points and triangles; csv")
       ->type_name("FILE");
+  add_switch(
+      verb, "--void-radii", arguments.void_radii,
+      "With --voids as csv or json, also the radii at which each closes and is filled, and how many voids it was "
+      "parted from (needs all of the triangulation)");
+  verb.add_option(
+          "--pockets", arguments.pockets,
+          "What closes only above alpha, as csv or json: volume and radius then, and the triangle that closes it, "
+          "its mouth")
+      ->type_name("FILE");
+  verb.add_option("--voids-above", arguments.voids_above, "Of --voids and --pockets those of more volume")
+      ->type_name("VOLUME");
+  verb.add_option("--top", arguments.top, "Of --voids and --pockets the K largest")->type_name("K");
   verb.add_option("--complex", arguments.complex,
                   "What voids are outside of: solid, the tetrahedra; full, the full alpha complex, whose triangles "
                   "without a tetrahedron part voids too (default solid)")
@@ -208,6 +220,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
       "Examples:\n"
       "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
       "  rbpa solid foam.ply --alpha 0.2 --voids voids.obj --json > foam.json\n"
+      "  rbpa solid atoms.pdb --alpha 1.8 --complex full --voids voids.csv --void-radii --pockets pockets.csv --top "
+      "20\n"
       "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n"
       "  rbpa solid frame.xyz --alpha 2.5 --box 40,40,60 --voids channels.csv\n\n"
       "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a "

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -19,8 +20,24 @@ using Corners = std::array<std::uint32_t, 3>;
 /// As if the void were a body.
 Corners seen_from_around(const Corners& triangle) { return {triangle[0], triangle[2], triangle[1]}; }
 
-void write_csv(OutputFile& file, std::span<const SolidVoid> voids) {
-  file.write("number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z\n");
+void write_life_csv(OutputFile& file, const VoidLife& life) {
+  for (const double radius : {life.closes, life.filled}) {
+    file.write(",");
+    file.write_number(radius);
+  }
+  file.write(",");
+  file.write_number(std::uint64_t{life.depth});
+}
+
+void add_life(Json& json, const VoidLife& life) {
+  json["closes"] = life.closes;
+  json["filled"] = life.filled;
+  json["depth"] = life.depth;
+}
+
+void write_csv(OutputFile& file, std::span<const SolidVoid> voids, const std::optional<std::vector<VoidLife>>& lives) {
+  file.write("number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
+  file.write(!lives ? "\n" : ",closes,filled,depth\n");
   std::uint64_t number = 0;
   for (const SolidVoid& hollow : voids) {
     file.write_number(++number);
@@ -37,15 +54,20 @@ void write_csv(OutputFile& file, std::span<const SolidVoid> voids) {
         file.write(",");
         file.write_number(value);
       }
+    if (lives) write_life_csv(file, (*lives)[number - 1]);
     file.write("\n");
   }
 }
 
-void write_json(OutputFile& file, const Surface& boundary, std::span<const SolidVoid> voids) {
+void write_json(OutputFile& file, const Surface& boundary, std::span<const SolidVoid> voids,
+                const std::optional<std::vector<VoidLife>>& lives) {
+  std::size_t number = 0;
   std::string_view before = "[\n";
   for (const SolidVoid& hollow : voids) {
     stop_if_interrupted();
     Json one = json_of(hollow);
+    if (lives) add_life(one, (*lives)[number]);
+    ++number;
     one["triangles"] = Json::array();
     for (const std::uint32_t t : hollow.triangles) one["triangles"].push_back(seen_from_around(boundary.triangles[t]));
     file.write(before);
@@ -106,10 +128,38 @@ Json json_of(const SolidVoid& hollow) {
 }
 
 void write_voids(OutputFile& file, Format format, std::span<const Point3> points, const Surface& boundary,
-                 std::span<const SolidVoid> voids) {
-  if (format == Format::csv) return write_csv(file, voids);
-  if (format == Format::json) return write_json(file, boundary, voids);
+                 std::span<const SolidVoid> voids, const std::optional<std::vector<VoidLife>>& lives) {
+  if (format == Format::csv) return write_csv(file, voids, lives);
+  if (format == Format::json) return write_json(file, boundary, voids, lives);
   write_obj(file, points, boundary, voids);
+}
+
+void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pockets) {
+  const bool is_csv = format == Format::csv;
+  file.write(is_csv ? "number,volume,closes,filled,depth,mouth_a,mouth_b,mouth_c\n" : "[");
+  std::uint64_t number = 0;
+  for (const Pocket& pocket : pockets) {
+    stop_if_interrupted();
+    ++number;
+    if (is_csv) {
+      file.write_number(number);
+      file.write(",");
+      file.write_number(pocket.volume);
+      write_life_csv(file, pocket.life);
+      for (const std::uint32_t corner : pocket.mouth) {
+        file.write(",");
+        file.write_number(std::uint64_t{corner});
+      }
+      file.write("\n");
+    } else {
+      Json one = {{"volume", pocket.volume}};
+      add_life(one, pocket.life);
+      one["mouth"] = pocket.mouth;
+      file.write(number == 1 ? "\n" : ",\n");
+      file.write(one.dump());
+    }
+  }
+  if (!is_csv) file.write(number == 0 ? "]\n" : "\n]\n");
 }
 
 }  // namespace rbpa::app

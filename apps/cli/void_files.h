@@ -2,10 +2,13 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cli/arguments.h"
+#include "cli/void_lives.h"
 #include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/surface.h"
@@ -19,11 +22,14 @@ Target parse_voids(const std::string& path);
 /// Volume, area, islands, box and points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow);
 
-/// CSV: number,volume,area,islands,points and the box, a line for each void, the largest first. JSON: a list of the same, with the
+/// CSV: number,volume,area,islands,points and the box, a line for each void, the largest first; with lives, closes,filled,depth. JSON: a list of the same, with the
 /// input indices of its points and of the triangles around it. OBJ: a group void_1, void_2 … of each, with vertices of its own, where
 /// it touches itself one for each side of it. Triangles are seen from around the void, as if it were a body.
-/// Requires: voids of a solid with this boundary, and a format of void_formats.
+/// Requires: voids of a solid with this boundary, a life for each or none, and a format of void_formats.
 void write_voids(OutputFile& file, Format format, std::span<const Point3> points, const Surface& boundary,
-                 std::span<const SolidVoid> voids);
+                 std::span<const SolidVoid> voids, const std::optional<std::vector<VoidLife>>& lives = {});
+
+/// CSV: number,volume,closes,filled,depth,mouth_a,mouth_b,mouth_c, the largest first; JSON the same. Requires: csv or json.
+void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pockets);
 
 }  // namespace rbpa::app

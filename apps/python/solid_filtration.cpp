@@ -17,6 +17,7 @@
 #include "rbpa/solid_persistence.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/solid_representatives.h"
+#include "rbpa/void_tree.h"
 
 namespace rbpa::python {
 namespace {
@@ -105,11 +106,43 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
   return list;
 }
 
+/// Columns of a tree of voids.
+py::dict void_tree_of(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    SolidFiltration filtration;
+    VoidTree tree;
+  };
+  Made made = watched(input.size(), progress, [&](Watch& watch) {
+    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}), .tree = {}};
+    all.tree = void_tree(input, all.filtration, full ? VoidWalls::full : VoidWalls::solid, watch.until_stopped());
+    return all;
+  });
+  std::vector<double> closes, filled, volume;
+  std::vector<std::uint32_t> parent;
+  std::vector<Triangle> mouth;
+  for (const VoidNode& node : made.tree.nodes) {
+    closes.push_back(node.closes);
+    filled.push_back(node.filled);
+    volume.push_back(node.volume);
+    parent.push_back(node.parent);
+    mouth.push_back(made.filtration.triangles[node.mouth]);
+  }
+  py::dict result;
+  result["closes"] = line<double>(std::move(closes));
+  result["filled"] = line<double>(std::move(filled));
+  result["volume"] = line<double>(std::move(volume));
+  result["parent"] = line<std::int32_t>(std::move(parent));
+  result["mouth"] = rows<std::int32_t>(std::move(mouth));
+  return result;
+}
+
 }  // namespace
 
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
   module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("void_tree", &void_tree_of, arg("points").noconvert(), arg("full"), arg("threads"), arg("progress"));
   module.def("solid_representatives", &solid_representatives_of, arg("points").noconvert(), arg("dimension"),
              arg("min_persistence"), arg("top"), arg("threads"), arg("progress"));
 }

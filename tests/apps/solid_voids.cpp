@@ -177,6 +177,53 @@ TEST_SUITE("solid voids") {
     CHECK(folder.content("v.obj").empty());
   }
 
+  TEST_CASE("radii at which voids close and are filled, and pockets with their mouths") {
+    const Folder folder;
+    folder.file("c.xyz", hollow_cube());
+    for (const char* complex : {"solid", "full"}) {
+      CAPTURE(complex);
+      const std::string options = std::string("solid c.xyz --alpha 0.9 -q --complex ") + complex;
+      REQUIRE(folder.rbpa(options + " --voids v.json --void-radii --pockets p.json").code == 0);
+      REQUIRE(folder.rbpa(options + " --voids v.csv --void-radii --pockets p.csv").code == 0);
+      const json voids = json::parse(folder.content("v.json")), pockets = json::parse(folder.content("p.json"));
+      REQUIRE(voids.size() >= 3);
+      for (const json& hollow : voids) {
+        CHECK(hollow["closes"] <= 0.9);
+        CHECK(hollow["filled"] > 0.9);
+      }
+      for (const json& pocket : pockets) {
+        CHECK(pocket["closes"] > 0.9);
+        CHECK(pocket["closes"] < pocket["filled"]);
+        CHECK(pocket["mouth"].size() == 3);
+      }
+      CHECK(folder.content("v.csv").find(",high_z,closes,filled,depth\n") != std::string::npos);
+      const std::string table = folder.content("p.csv");
+      CHECK(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) == pockets.size() + 1);
+      // The largest, and those above a volume.
+      REQUIRE(folder.rbpa(options + " --voids v1.json --void-radii --top 1").code == 0);
+      CHECK(json::parse(folder.content("v1.json")) == json::array({voids[0]}));
+      const double second = voids[1]["volume"];
+      REQUIRE(folder.rbpa(options + " --voids v2.json --void-radii --voids-above " + voids[1]["volume"].dump()).code ==
+              0);
+      for (const json& hollow : json::parse(folder.content("v2.json"))) CHECK(hollow["volume"] > second);
+    }
+    REQUIRE(folder.rbpa("solid c.xyz --alpha inf -q --voids none.csv --void-radii").code == 0);
+    CHECK(folder.content("none.csv").ends_with(",filled,depth\n"));
+    const auto refuses = [&](const std::string& options, const std::string& message) {
+      CAPTURE(options);
+      const Outcome outcome = folder.rbpa("solid c.xyz --alpha 0.9 " + options);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected csv or json");
+    refuses("--void-radii", "--void-radii: found no --voids, expected");
+    refuses("--void-radii --voids v.obj", "--void-radii: found --voids v.obj, expected");
+    refuses("--top 3", "--top: found neither --voids nor --pockets");
+    refuses("--voids v.csv --voids-above -1", "--voids-above: found '-1'");
+    refuses("--box 4 --pockets p.csv", "--pockets: found --box as well");
+    refuses("--pockets p.csv --voids p.csv", "p.csv");
+  }
+
   TEST_CASE("another ending is refused, and the name of another output") {
     const Folder folder;
     folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");

@@ -134,3 +134,24 @@ def test_representatives_are_cycles_and_closed_surfaces():
         filtration.representatives(1, top=0)
     with pytest.raises(rbpa.InvalidInput, match="min_persistence"):
         filtration.representatives(1, min_persistence=-1)
+
+
+def test_the_tree_of_voids_has_those_of_every_radius():
+    points = numpy.random.default_rng(16).random((300, 3))
+    filtration = rbpa.solid_filtration(points)
+    tree = filtration.void_tree()
+    values = filtration.persistence(2)
+    assert sorted(zip(tree.closes, tree.filled)) == sorted(map(tuple, values))
+    assert (numpy.diff(tree.closes) >= 0).all() and not tree.closes.flags.writeable
+    children = numpy.flatnonzero(tree.parent >= 0)
+    assert (tree.parent[children] < children).all()
+    assert (tree.filled[children] <= tree.filled[tree.parent[children]]).all()
+    solid = filtration.void_tree("solid")
+    for alpha in (0.08, 0.1, 0.12, 0.15):
+        alive = (solid.closes <= alpha) & (alpha < solid.filled)
+        assert alive.sum() == rbpa.solid(points, alpha).betti[2]
+    at = numpy.argmax(solid.volume)
+    voids = rbpa.solid(points, solid.closes[at]).voids
+    assert min(abs(v.volume - solid.volume[at]) for v in voids) < 1e-9
+    with pytest.raises(rbpa.InvalidInput, match="walls: found 'half'"):
+        filtration.void_tree("half")

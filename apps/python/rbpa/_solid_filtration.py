@@ -67,6 +67,21 @@ class SolidRepresentative(NamedTuple):
     """Dimension 1: no shorter cycle is there at its birth and becomes a boundary exactly at its death."""
 
 
+class VoidTree(NamedTuple):
+    """All voids at every radius, one after the other by `closes`: what `SolidFiltration.void_tree` returns. Read-only arrays of one entry for each."""
+
+    closes: Floats
+    """The radius from which on it is a void; below, it is a pocket."""
+    filled: Floats
+    """The radius from which on nothing is left of it."""
+    volume: Floats
+    """When it closes."""
+    parent: Indices
+    """The void that it is parted from when it closes, by number; -1: the outside."""
+    mouth: Indices
+    """The points of the triangle that closes it: shape (k, 3)."""
+
+
 class SolidFiltration(Result):
     """The alpha complex in space at every radius: what `solid_filtration` returns. Arrays are read-only.
 
@@ -136,6 +151,19 @@ class SolidFiltration(Result):
         checked = _checked(dimension)
         self._require_unchanged()
         return [SolidRepresentative(*one) for one in _core.solid_representatives(self.points, checked, least, most, as_threads(None), None)]
+
+    def void_tree(self, walls: str = "full") -> VoidTree:
+        """All voids, each with the radius at which it closes and the one at which it is filled, and what it is parted from.
+
+        `walls` is "full", where triangles of the alpha complex part voids as well, or "solid", where only tetrahedra do. At a radius the voids are those with
+        closes <= radius < filled, and pockets those with radius < closes. Computed anew with each call.
+        """
+        if walls not in ("solid", "full"):
+            raise InvalidInput(f"walls: found {walls!r}, expected 'solid' or 'full'")
+        self._require_unchanged()
+        made = _core.void_tree(self.points, walls == "full", as_threads(None), None)
+        freeze(*made.values())
+        return VoidTree(*(made[name] for name in VoidTree._fields))
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
         """(components, tunnels, voids) at a radius, or at each of an array of radii: the Betti numbers b0, b1 and b2 of the full complex."""

@@ -92,10 +92,7 @@ class VoidSearch {
 };
 
 void check(std::span<const Point3> points, const SolidFiltration& filtration, std::span<const SolidPair> pairs) {
-  space::check_filtration("solid_representatives", filtration);
-  for (const auto& row : filtration.delaunay.simplices)
-    for (const std::uint32_t corner : row)
-      meshops::require(corner < points.size(), "solid_representatives: expected the points of the filtration");
+  space::check_filtration("solid_representatives", points, filtration);
   const std::array<std::size_t, 4> counts = {points.size(), filtration.edges.size(), filtration.triangles.size(),
                                              filtration.triangles_of.size()};
   for (const SolidPair& pair : pairs) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/simplices_at.h"
 
 namespace rbpa::space {
 
@@ -22,6 +23,12 @@ void check_filtration(const char* function, const SolidFiltration& filtration) {
               (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()));
   for (const auto& of : filtration.edges_of)
     for (const std::uint32_t edge : of) require(edge < edges);
+}
+
+void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration) {
+  check_filtration(function, filtration);
+  if (corner_bound<4>(filtration.delaunay.simplices) > points.size())
+    meshops::require(false, (std::string(function) + ": expected the points of the filtration").c_str());
 }
 
 }  // namespace rbpa::space

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "meshops/core/fresh_vector.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/space/persistence/components.h"
@@ -16,6 +18,8 @@ namespace rbpa::space {
 
 /// Throws ContractViolation, which begins with the function's name, where the arrays do not belong together.
 void check_filtration(const char* function, const SolidFiltration& filtration);
+/// Moreover where it is visibly not of these points.
+void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration);
 
 struct Pairing {
   Pairing(const SolidFiltration& filtration, Steps& step)

@@ -20,12 +20,18 @@ class Basins {
 
   std::uint32_t outside() const { return static_cast<std::uint32_t>(alpha_.size()); }
   std::uint32_t find(std::uint32_t t) { return sets_.find(t); }
-  /// Of two sets. Returns: the last tetrahedron of the one that ends.
-  std::uint32_t join(std::uint32_t a, std::uint32_t b) {
-    std::uint32_t ended = last_[a], stays = last_[b];
-    if (is_before(stays, ended)) std::swap(ended, stays);
+  /// The last of a set, or none: the outside.
+  std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? none : last_[set]; }
+  struct Joined {
+    std::uint32_t ended, stays;  ///< the last tetrahedra of both
+  };
+  /// Of two sets.
+  Joined join(std::uint32_t a, std::uint32_t b) {
+    const bool is_a_first = is_before(last_[a], last_[b]);
+    const Joined joined = {last(is_a_first ? a : b), last(is_a_first ? b : a)};
+    const std::uint32_t stays = last_[is_a_first ? b : a];
     last_[sets_.link(a, b)] = stays;
-    return ended;
+    return joined;
   }
 
  private:
@@ -40,15 +46,15 @@ class Basins {
 };
 
 /// Joins each tetrahedron by the last of its triangles, where that has the same radius.
-void flow(const SolidFiltration& filtration, Steps& step, Basins& basins, std::vector<bool>& makes_one) {
+void flow(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step, Basins& basins,
+          std::vector<bool>& makes_one) {
   const auto& neighbors = filtration.delaunay.neighbors;
   for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
     step();
     std::uint32_t last = none, across = none;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t triangle = filtration.triangles_of[t][k];
-      if (filtration.triangle_alpha[triangle] != filtration.tetrahedron_alpha[t] || (last != none && triangle < last))
-        continue;
+      if (triangle_alpha[triangle] != filtration.tetrahedron_alpha[t] || (last != none && triangle < last)) continue;
       last = triangle;
       across = neighbors[t][k] == none ? basins.outside() : neighbors[t][k];
     }
@@ -66,24 +72,26 @@ struct Passage {
 
 }  // namespace
 
-PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step) {
+PersistentVoids find_voids(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step) {
   const auto& neighbors = filtration.delaunay.neighbors;
   PersistentVoids result;
   result.makes_one.assign(filtration.triangles.size(), false);
   Basins basins(filtration.tetrahedron_alpha);
-  flow(filtration, step, basins, result.makes_one);
+  flow(filtration, triangle_alpha, step, basins, result.makes_one);
 
   std::vector<Passage> passages;
   std::vector<double> alpha;
+  result.basin.resize(neighbors.size());
   for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
     step();
+    result.basin[t] = basins.last(basins.find(t));
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t beyond = neighbors[t][k];
       if (beyond < t) continue;
       const std::uint32_t a = basins.find(t), b = basins.find(beyond == none ? basins.outside() : beyond);
       if (a == b) continue;
       passages.push_back({filtration.triangles_of[t][k], a, b});  // ascending
-      alpha.push_back(filtration.triangle_alpha[passages.back().triangle]);
+      alpha.push_back(triangle_alpha[passages.back().triangle]);
     }
   }
   const auto order = sorted_by_alpha(alpha, step);
@@ -93,7 +101,8 @@ PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step) {
     const std::uint32_t a = basins.find(passage.a), b = basins.find(passage.b);
     if (a == b) continue;
     result.makes_one[passage.triangle] = true;
-    result.all.push_back({passage.triangle, basins.join(a, b)});
+    const auto [ended, stays] = basins.join(a, b);
+    result.all.push_back({passage.triangle, ended, stays});
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "rbpa/base/steps.h"
@@ -17,13 +18,19 @@ namespace rbpa::space {
 
 struct PersistentVoid {
   std::uint32_t triangle, tetrahedron;
+  std::uint32_t parted_from;  ///< the last tetrahedron of what it was in before, or none: the outside
 };
 
 struct PersistentVoids {
-  std::vector<PersistentVoid> all;  ///< by triangle, backwards in the order of the filtration; some have no length
-  std::vector<bool> makes_one;      ///< of each triangle; the others end a tunnel
+  std::vector<PersistentVoid> all;   ///< by triangle, backwards in the order of the filtration; some have no length
+  std::vector<bool> makes_one;       ///< of each triangle; the others end a tunnel
+  std::vector<std::uint32_t> basin;  ///< of each tetrahedron, the last one of its basin, or none: the outside
 };
 
-PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step);
+/// With a radius for each triangle, at most that of each of its tetrahedra; by default its own.
+PersistentVoids find_voids(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step);
+inline PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step) {
+  return find_voids(filtration, filtration.triangle_alpha, step);
+}
 
 }  // namespace rbpa::space

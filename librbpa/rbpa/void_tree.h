@@ -1,0 +1,56 @@
+// What:   all voids of points in space at every radius, as a tree: each with the radius at which it closes, the one at which it is filled, and the void, or the
+//         outside, that it is parted from when it closes. What closes only above a radius is a pocket there, with the triangle that closes it for its mouth.
+// Law:    a void of the complex at alpha is one node with closes ≤ alpha < filled, and nodes other than these are none. A function of the set of points, but for the
+//         simplices where radii are equal.
+// Cost:   a sort of the tetrahedra, and union–find.
+// Source: Delfinado, Edelsbrunner (1995); Edelsbrunner, Facello, Liang, On the definition and the construction of pockets in macromolecules (1998);
+//         docs/persistence_in_space.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/solid_filtration.h"
+
+namespace rbpa {
+
+/// What closes a void.
+enum class VoidWalls {
+  solid,  ///< tetrahedra: voids() of solid()
+  full  ///< and triangles that are in none: voids of the full alpha complex, pairs of dimension 2 of solid_persistence()
+};
+
+struct VoidNode {
+  double closes = 0, filled = 0;  ///< a void for closes ≤ alpha < filled
+  double volume = 0;              ///< when it closes
+  std::uint32_t mouth =
+      0;  ///< the triangle that closes it, by number; of VoidWalls::solid the one that its tetrahedron brings
+  std::uint32_t last = 0;    ///< the tetrahedron that fills it at last
+  std::uint32_t parent = 0;  ///< the void that it is parted from, by number, or none: the outside
+};
+
+struct VoidTree {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::vector<VoidNode> nodes;  ///< by `closes`, parents before what is parted from them
+  /// Of each tetrahedron, the node that it is in just below its radius; none: the outside, or one that is filled as it closes.
+  std::vector<std::uint32_t> node_of;
+
+  /// The void that a tetrahedron is in at a radius below its own, or none. Cost: its depth.
+  std::uint32_t void_at(double alpha, std::uint32_t tetrahedron) const {
+    std::uint32_t node = node_of[tetrahedron];
+    while (node != none && nodes[node].closes > alpha) node = nodes[node].parent;
+    return node;
+  }
+};
+
+/// Requires: these points' filtration. Throws: ContractViolation where it visibly is not; Cancelled when `go_on`, which is called every few milliseconds,
+///           returns false. Empty: never called.
+RBPA_API VoidTree void_tree(std::span<const Point3> points, const SolidFiltration& filtration,
+                            VoidWalls walls = VoidWalls::full, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

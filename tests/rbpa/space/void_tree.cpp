@@ -1,0 +1,186 @@
+#include "rbpa/void_tree.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/error.h"
+#include "rbpa/full_topology.h"
+#include "rbpa/solid_boundary.h"
+#include "rbpa/solid_persistence.h"
+#include "rbpa/solid_radii.h"
+#include "rbpa/solid_representatives.h"
+#include "rbpa/voids.h"
+#include "support/solid_sets.h"
+
+using namespace rbpa_test;
+using rbpa::Point3;
+using rbpa::Solid;
+using rbpa::SolidFiltration;
+using rbpa::SolidPair;
+using rbpa::VoidTree;
+using rbpa::VoidWalls;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Sets of tetrahedra that are left out at a radius, joined through triangles that are not walls; the outside is one more, the last.
+meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls walls, double alpha) {
+  const auto outside = static_cast<std::uint32_t>(filtration.triangles_of.size());
+  meshops::DisjointSets sets(outside + 1);
+  for (std::uint32_t t = 0; t < outside; ++t) {
+    if (filtration.tetrahedron_alpha[t] <= alpha) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::uint32_t beyond = filtration.delaunay.neighbors[t][k];
+      if (walls == VoidWalls::full && filtration.triangle_alpha[filtration.triangles_of[t][k]] <= alpha) continue;
+      if (beyond == Solid::none)
+        sets.join(t, outside);
+      else if (filtration.tetrahedron_alpha[beyond] > alpha)
+        sets.join(t, beyond);
+    }
+  }
+  return sets;
+}
+
+}  // namespace
+
+TEST_CASE("at every radius the nodes that are open then are the voids, and each tetrahedron is in its own") {
+  std::size_t checked = 0, voids = 0;
+  for (const SolidSet& set : solid_sets(120)) {
+    if (!set.is_solid) continue;
+    CAPTURE(set.name);
+    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
+    if (tetrahedra == 0 || tetrahedra > 2500) continue;
+    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full}) {
+      const VoidTree tree = rbpa::void_tree(set.points, filtration, walls);
+      std::vector<double> alphas;
+      for (std::size_t i = 0; i < tree.nodes.size(); i += 1 + tree.nodes.size() / 12)
+        for (const double alpha : {tree.nodes[i].closes, std::nextafter(tree.nodes[i].filled, 0.0),
+                                   std::nextafter(tree.nodes[i].closes, 0.0)})
+          alphas.push_back(alpha);
+      for (const double alpha : alphas) {
+        if (!(alpha > 0) || std::isinf(alpha)) continue;
+        CAPTURE(alpha);
+        meshops::DisjointSets parts = open_parts(filtration, walls, alpha);
+        const auto outside = static_cast<std::uint32_t>(filtration.triangles_of.size());
+        std::map<std::uint32_t, std::uint32_t> node_of_part;
+        for (std::uint32_t t = 0; t < outside; ++t) {
+          if (filtration.tetrahedron_alpha[t] <= alpha) continue;
+          const std::uint32_t node = tree.void_at(alpha, t), part = parts.find(t);
+          REQUIRE((node == VoidTree::none) == (part == parts.find(outside)));
+          if (node == VoidTree::none) continue;
+          CHECK(tree.nodes[node].closes <= alpha);
+          CHECK(alpha < tree.nodes[node].filled);
+          REQUIRE(node_of_part.emplace(part, node).first->second == node);
+        }
+        std::set<std::uint32_t> nodes;
+        for (const auto& [part, node] : node_of_part) nodes.insert(node);
+        CHECK(nodes.size() == node_of_part.size());
+        const auto alive = std::count_if(tree.nodes.begin(), tree.nodes.end(), [&](const rbpa::VoidNode& node) {
+          return node.closes <= alpha && alpha < node.filled;
+        });
+        CHECK(static_cast<std::size_t>(alive) == nodes.size());
+        voids += nodes.size();
+        ++checked;
+      }
+    }
+  }
+  CHECK(checked > 600);
+  CHECK(voids > 3000);
+}
+
+TEST_CASE("closing, filling and volume are those of pairs and their representatives") {
+  for (const SolidSet& set : solid_sets(120)) {
+    if (!set.is_solid) continue;
+    CAPTURE(set.name);
+    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
+    if (tetrahedra == 0 || tetrahedra > 2500) continue;
+    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    const VoidTree tree = rbpa::void_tree(set.points, filtration);
+    std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
+    std::erase_if(pairs, [](const SolidPair& pair) { return pair.dimension != 2; });
+    const auto shapes = rbpa::solid_representatives(set.points, filtration, pairs);
+    REQUIRE(tree.nodes.size() == pairs.size());
+    std::map<std::uint32_t, std::size_t> of_last;
+    for (std::size_t i = 0; i < pairs.size(); ++i) of_last[pairs[i].ended_by] = i;
+    for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+      const rbpa::VoidNode& node = tree.nodes[n];
+      REQUIRE(of_last.contains(node.last));
+      const std::size_t i = of_last[node.last];
+      CHECK(node.closes == pairs[i].birth);
+      CHECK(node.filled == *pairs[i].death);
+      CHECK(node.mouth == pairs[i].born_by);
+      if (std::isfinite(shapes[i].volume)) CHECK(node.volume == doctest::Approx(shapes[i].volume).epsilon(1e-9));
+      if (node.parent != VoidTree::none) {
+        CHECK(node.parent < n);
+        CHECK(tree.nodes[node.parent].closes <= node.closes);
+        CHECK(node.closes < tree.nodes[node.parent].filled);
+        CHECK(node.filled <= tree.nodes[node.parent].filled);
+      }
+    }
+  }
+}
+
+TEST_CASE("voids of the solid at the radius at which one closes have its volume") {
+  std::size_t found = 0;
+  for (const SolidSet& set : solid_sets(150)) {
+    if (!set.is_solid) continue;
+    CAPTURE(set.name);
+    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
+    if (tetrahedra == 0 || tetrahedra > 2500) continue;
+    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    const VoidTree tree = rbpa::void_tree(set.points, filtration, VoidWalls::solid);
+    for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 20) {
+      const rbpa::VoidNode& node = tree.nodes[n];
+      if (std::isinf(node.closes) || !(node.volume > 1e-250 && node.volume < 1e250)) continue;
+      const Solid solid = rbpa::solid(set.points, node.closes);
+      const rbpa::Voids voids = rbpa::voids(set.points, solid, rbpa::solid_boundary(solid));
+      CHECK(std::any_of(voids.all.begin(), voids.all.end(), [&](const rbpa::SolidVoid& v) {
+        return std::abs(v.volume - node.volume) <= 1e-7 * node.volume;
+      }));
+      ++found;
+    }
+  }
+  CHECK(found > 60);
+}
+
+TEST_CASE("a bottle's inside is a pocket with its neck for a mouth until the neck closes") {
+  // A sphere of radius 1 with a hole of radius 0.4 around its top.
+  Points3 bottle;
+  for (int i = 0; i < 1500; ++i) {
+    const double z = (2 * i + 1) / 1500.0 - 1, r = std::sqrt(1 - z * z);
+    if (z < std::sqrt(1 - 0.16)) bottle.push_back({r * std::cos(2.399963 * i), r * std::sin(2.399963 * i), z});
+  }
+  const SolidFiltration filtration = rbpa::solid_filtration(bottle);
+  const VoidTree tree = rbpa::void_tree(bottle, filtration);
+  const rbpa::VoidNode& inside =
+      *std::max_element(tree.nodes.begin(), tree.nodes.end(),
+                        [](const rbpa::VoidNode& a, const rbpa::VoidNode& b) { return a.volume < b.volume; });
+  CHECK(inside.closes == doctest::Approx(0.4).epsilon(0.1));
+  CHECK(inside.filled == doctest::Approx(1).epsilon(0.05));
+  CHECK(inside.volume == doctest::Approx(4.1).epsilon(0.05));
+  for (const std::uint32_t corner : filtration.triangles[inside.mouth]) CHECK(bottle[corner].z > 0.8);
+  CHECK(inside.parent == VoidTree::none);
+}
+
+TEST_CASE("another filtration's points, and a run that is cancelled") {
+  const Points3 points = uniform_cube(2000, 5300);
+  const SolidFiltration filtration = rbpa::solid_filtration(points);
+  CHECK_THROWS_AS(rbpa::void_tree(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::void_tree(points, filtration, VoidWalls::full, [] { return false; }), rbpa::Cancelled);
+  const Points3 one = {{1, 2, 3}};
+  CHECK(rbpa::void_tree(one, rbpa::solid_filtration(one)).nodes.empty());
+}
