@@ -44,20 +44,22 @@ void find_volumes(std::span<const Point3> points, const SolidFiltration& filtrat
   meshops::DisjointSets sets(tree.nodes.size());
   std::vector<double> sum(tree.nodes.size(), 0);
   std::size_t left = order.size();
-  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-    VoidNode& node = tree.nodes[i];
-    for (; left > 0 && filtration.tetrahedron_alpha[order[left - 1]] > node.closes; --left) {
+  for (std::size_t last = tree.nodes.size(), first; last > 0; last = first) {  // those that close at one radius
+    const double alpha = tree.nodes[last - 1].closes;
+    for (; left > 0 && filtration.tetrahedron_alpha[order[left - 1]] > alpha; --left) {
       step();
       const std::uint32_t t = order[left - 1];
       if (node_of_basin[t] != none)
         sum[sets.find(node_of_basin[t])] += volume(points, filtration.delaunay.simplices[t]);
     }
-    const std::uint32_t set = sets.find(static_cast<std::uint32_t>(i));
-    node.volume = sum[set];
-    if (node.parent == none) continue;
-    const std::uint32_t other = sets.find(node.parent);
-    const double both = sum[set] + sum[other];
-    sum[sets.link(set, other)] = both;
+    for (first = last; first > 0 && tree.nodes[first - 1].closes == alpha; --first)
+      tree.nodes[first - 1].volume = sum[sets.find(static_cast<std::uint32_t>(first - 1))];
+    for (std::size_t i = first; i < last; ++i) {
+      if (tree.nodes[i].parent == none) continue;
+      const std::uint32_t set = sets.find(static_cast<std::uint32_t>(i)), other = sets.find(tree.nodes[i].parent);
+      const double both = sum[set] + sum[other];
+      sum[sets.link(set, other)] = both;
+    }
   }
 }
 
