@@ -7,6 +7,7 @@
 #include "cli/radii_run.h"
 #include "cli/representative_files.h"
 #include "cli/space_alpha.h"
+#include "cli/space_persistence.h"
 #include "cli/verbs.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
@@ -23,12 +24,6 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   if (!arguments.persistence && !arguments.representatives)
     throw WrongUsage("--complex: found no --persistence, which is what it is about");
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
-}
-
-bool is_in_space(const AlphaArguments& arguments) {
-  if (arguments.dimension != "2" && arguments.dimension != "3")
-    throw WrongUsage("--dimension: found " + in_quotes(arguments.dimension) + ", expected 2 or 3");
-  return arguments.dimension == "3";
 }
 
 /// Of the radii and their pairs.
@@ -53,7 +48,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 }  // namespace
 
 void run_alpha(const AlphaArguments& arguments) {
-  if (is_in_space(arguments)) return run_space_alpha(arguments);
+  if (is_in_space(arguments.dimension)) return run_space_alpha(arguments);
   if (arguments.ask_for_groups()) return run_group_alpha(arguments);
   const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);

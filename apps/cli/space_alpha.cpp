@@ -9,25 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "cli/alpha_choice.h"
 #include "cli/alpha_report.h"
-#include "cli/point_arguments.h"
-#include "cli/progress.h"
 #include "cli/representative_files.h"
-#include "cli/run.h"
-#include "cli/solid_request.h"
-#include "cli/stats.h"
+#include "cli/space_persistence.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
-#include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/base/error.h"
 #include "rbpa/pair_choice.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_radii.h"
 #include "rbpa/solid_representatives.h"
 
 namespace rbpa::app {
@@ -36,23 +26,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> names = {"components", "tunnels", "voids"};
 
-struct SpaceRadii {
-  std::size_t points = 0, distinct = 0;
-  double least = 0, automatic = 0;
-  std::vector<SolidPair> pairs;
-};
-
 /// Those of one dimension.
-std::size_t count(const SpaceRadii& report, int dimension) {
+std::size_t count(const SpacePersistence& report, int dimension) {
   return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
                                                 [&](const SolidPair& pair) { return pair.dimension == dimension; }));
 }
 
 Json number_or_inf(double radius) { return std::isinf(radius) ? Json("inf") : Json(radius); }
 
-void write_json(OutputFile& file, const SpaceRadii& report, bool with_pairs) {
-  Json json = {{"points", report.points},
-               {"distinct", report.distinct},
+void write_json(OutputFile& file, const SpacePersistence& report, bool with_pairs) {
+  Json json = {{"points", report.file.points.size()},
+               {"distinct", report.filtration.delaunay.distinct},
                {"min", number_or_inf(report.least)},
                {"auto", number_or_inf(report.automatic)}};
   for (int dimension = 0; dimension < 3; ++dimension)
@@ -66,7 +50,7 @@ void write_json(OutputFile& file, const SpaceRadii& report, bool with_pairs) {
   file.write(json.dump(1) + "\n");
 }
 
-void write_csv(OutputFile& file, const SpaceRadii& report) {
+void write_csv(OutputFile& file, const SpacePersistence& report) {
   file.write("dimension,birth,death\n");
   for (const SolidPair& pair : report.pairs) {
     file.write_number(static_cast<std::uint64_t>(pair.dimension));
@@ -79,10 +63,10 @@ void write_csv(OutputFile& file, const SpaceRadii& report) {
 }
 
 /// The tunnels and voids that last longest.
-void write_for_people(OutputFile& file, const SpaceRadii& report) {
+void write_for_people(OutputFile& file, const SpacePersistence& report) {
   constexpr std::size_t shown = 5;
-  file.write(text_of_points(report.points, report.points - report.distinct) + "\nmin " + text_of(report.least) +
-             ", auto " + text_of(report.automatic) + "\n");
+  file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
+             text_of(report.least) + ", auto " + text_of(report.automatic) + "\n");
   std::vector<SolidPair> longest = chosen(report.pairs, {.top = shown});
   std::stable_sort(longest.begin(), longest.end(), [](const SolidPair& a, const SolidPair& b) {
     return a.death.value_or(0) - a.birth > b.death.value_or(0) - b.birth;
@@ -98,7 +82,7 @@ void write_for_people(OutputFile& file, const SpaceRadii& report) {
   }
 }
 
-FiltrationPlot marked_plot(const SpaceRadii& report) {
+FiltrationPlot marked_plot(const SpacePersistence& report) {
   FiltrationPlot plot = plot_of(report.pairs);
   if (std::isfinite(report.least)) plot.least_covering = report.least;
   if (std::isfinite(report.automatic)) plot.least_connected = report.automatic;
@@ -110,7 +94,6 @@ void check(const AlphaArguments& arguments) {
     if (is_given) throw WrongUsage(option + ": found --dimension 3 as well, with which it has no meaning yet");
   };
   refuse(arguments.complex.has_value(), "--complex");
-  refuse(arguments.components != "1", "--components");
   refuse(arguments.group_by.has_value() || arguments.group_by_file, "--group-by");
 }
 
@@ -118,69 +101,31 @@ void check(const AlphaArguments& arguments) {
 
 void run_space_alpha(const AlphaArguments& arguments) {
   check(arguments);
-  const RunOptions options = parse_run(arguments.run);
-  const double cover = arguments.cover ? parse_cover(*arguments.cover) : 1;
-  SpacePointArguments points;
-  points.points = arguments.points;
-  points.format = arguments.format;
-  points.columns = arguments.columns;
-  points.where = arguments.where;
-  points.skip_invalid = arguments.skip_invalid;
-  const SpacePointSource source = parse_space_source(points);
+  const SpacePointSource source = parse_space_points(arguments);
   if (arguments.picture) require_plot(*arguments.picture);
   const std::optional<RepresentativeRequest> request = parse_representatives(arguments, true);
   const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
   require_different(outputs, arguments.points, "points");
 
-  Run run(source.path, outputs, options);
-  const SpacePoints file = run.read([&] { return read_space_points(source.path, source.format, source.choice); });
-  run.remark(file.remarks);
-  const double read_seconds = run.lap();
-  SpaceRadii report{.points = file.points.size(), .distinct = 0, .least = 0, .automatic = 0, .pairs = {}};
-  SolidFiltration filtration;
-  std::vector<SolidPair> pairs;
-  std::vector<SolidRepresentative> found;
-  try {
-    {
-      TriangleProgress progress(!options.quiet, "tetrahedra", text_of_progress);
-      filtration = solid_filtration(file.points, {.threads = options.threads, .progress = progress.watch()});
-    }
-    const ProgressLine line = options.line("persistence");
-    report.distinct = filtration.delaunay.distinct;
-    report.least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
-    report.automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
-    report.pairs = solid_persistence(filtration, until_interrupted());
-    if (request) {
-      pairs = chosen(report.pairs, request->choice);
-      found = solid_representatives(file.points, filtration, pairs, until_interrupted());
-    }
-  } catch (const InvalidInput& e) {
-    throw BadInput(run.input() + ": " + e.what());
-  }
-  const double build_seconds = run.lap();
-  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(report))); });
-  if (request)
+  SpacePersistence run(source, outputs, arguments);
+  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(run))); });
+  if (request) {
+    const ProgressLine line = run.options().line("representatives");
+    const std::vector<SolidPair> pairs = chosen(run.pairs, request->choice);
+    const auto found = solid_representatives(run.file.points, run.filtration, pairs, until_interrupted());
     run.add(request->target.path, [&](OutputFile& out) {
-      write_representatives(out, request->target.format, {file.points, filtration, pairs, found});
+      write_representatives(out, request->target.format, {run.file.points, run.filtration, pairs, found});
     });
+  }
   run.add("-", [&](OutputFile& out) {
     if (arguments.json)
-      write_json(out, report, arguments.persistence);
+      write_json(out, run, arguments.persistence);
     else if (arguments.csv)
-      write_csv(out, report);
+      write_csv(out, run);
     else
-      write_for_people(out, report);
+      write_for_people(out, run);
   });
-  if (arguments.stats)
-    run.add(*arguments.stats, [&](OutputFile& out) {
-      const Json seconds = {{"read", read_seconds}, {"build", build_seconds}, {"write", run.lap()}};
-      const Json stats = {{"points", report.points},
-                          {"distinct", report.distinct},
-                          {"threads", options.threads_or_all()},
-                          {"seconds", seconds},
-                          {"peak_bytes", peak_bytes()}};
-      out.write(stats.dump(2) + "\n");
-    });
+  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& out) { run.write_stats(out); });
   run.publish();
 }
 

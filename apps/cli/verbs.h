@@ -65,6 +65,7 @@ void run_group_alpha(const AlphaArguments& arguments);
 /// A page that shows the complex at every radius.
 struct ReportArguments : RadiiArguments {
   std::string output;  ///< an .html to write, or "-"
+  std::string dimension = "2";
 };
 void run_report(const ReportArguments& arguments);
 

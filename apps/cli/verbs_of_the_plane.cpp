@@ -152,12 +152,19 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
   verb.add_option("-o,--output", arguments.output, "Page to write, .html; - is standard output")
       ->type_name("OUT")
       ->required();
+  verb.add_option("--dimension", arguments.dimension,
+                  "2, or 3: of points in space, with tunnels and voids, and a boundary to turn around")
+      ->type_name("2|3")
+      ->capture_default_str();
   add_auto_options(verb, arguments);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "
-      "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand.\n\n"
-      "Example:\n  rbpa report points.xy -o report.html\n\n" +
+      "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand. In space the "
+      "boundary "
+      "can be turned, and a click on a pair shows its cycle, or the surface around its void; about 170 bytes a "
+      "point.\n\n"
+      "Examples:\n  rbpa report points.xy -o report.html\n  rbpa report atoms.pdb --dimension 3 -o report.html\n\n" +
       std::string(exit_codes));
   return &verb;
 }

@@ -1,8 +1,12 @@
 cmake_minimum_required(VERSION 3.22)
-# Writes OUTPUT, a source with the page of FOLDER in three parts: style.css and SCRIPTS are put into page.html, and what it
-# has around @TITLE@ and @DATA@ are the parts.
+# Writes OUTPUT, a source with the page of FOLDER in three parts: STYLES and SCRIPTS are put into page.html, and what it
+# has around @TITLE@ and @DATA@ are the parts, whose names begin with NAME.
 file(READ ${FOLDER}/page.html page)
-file(READ ${FOLDER}/style.css style)
+set(style "")
+foreach(name ${STYLES})
+  file(READ ${FOLDER}/${name} text)
+  string(APPEND style "${text}")
+endforeach()
 set(script "")
 foreach(name ${SCRIPTS})
   file(READ ${FOLDER}/${name} text)
@@ -27,7 +31,7 @@ string(REPLACE "@SCRIPT@" "${script}" page "${page}")
 string(REGEX REPLACE "@(TITLE|DATA)@" ")page\";\n@" page "${page}")
 string(FIND "${page}" "\n@" first)
 set(result "// Made of ${FOLDER} by embed.cmake.\n#include \"report/page_parts.h\"\n\nnamespace rbpa::app {\n\n")
-foreach(part page_before_title page_before_data page_after_data)
+foreach(part ${NAME}_before_title ${NAME}_before_data ${NAME}_after_data)
   string(FIND "${page}" ")page\";\n@" at)
   string(SUBSTRING "${page}" 0 ${at} text)
   string(APPEND result "const std::string_view ${part} = R\"page(${text})page\";\n")

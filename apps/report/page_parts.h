@@ -1,4 +1,4 @@
-// What: the page without its data, as it lies in page/: style and script are in it already (embed.cmake).
+// What: the pages without their data, as they lie in page/ and space_page/: style and script are in them already (embed.cmake).
 #pragma once
 
 #include <string_view>
@@ -6,5 +6,6 @@
 namespace rbpa::app {
 
 extern const std::string_view page_before_title, page_before_data, page_after_data;
+extern const std::string_view space_page_before_title, space_page_before_data, space_page_after_data;
 
 }  // namespace rbpa::app

@@ -8,6 +8,7 @@
 #include "io/failure.h"
 #include "io/text/markup.h"
 #include "report/blob.h"
+#include "report/facts_text.h"
 #include "report/page_parts.h"
 
 namespace rbpa::app {
@@ -35,7 +36,7 @@ Json as_json(const std::optional<Recommendation>& recommended) {
   return {{"choice", recommended->choice}, {"alpha", radius(recommended->alpha)}, {"why", recommended->why}};
 }
 
-/// What is no array. No text in it can end its element.
+/// What is no array.
 std::string facts(const Report& report) {
   const auto& pairs = report.arrays.pairs;
   const auto components =
@@ -55,9 +56,7 @@ std::string facts(const Report& report) {
                       {"unit", report.unit ? Json(*report.unit) : Json()},
                       {"plateaus", as_json(report.radii.plateaus)},
                       {"recommended", as_json(report.recommended)}};
-  std::string text = facts.dump(2);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
+  return facts_text(facts.dump(2));
 }
 
 void write_points(OutputFile& file, std::span<const Point> points) {

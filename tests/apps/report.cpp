@@ -322,4 +322,39 @@ TEST_SUITE("report") {
     CHECK(folder.rbpa("report p.html --format xy -o p.html").code == 2);
     CHECK(folder.names() == std::vector<std::string>{"p.html"});
   }
+
+  TEST_CASE("a page of points in space has its data, and asks for nothing") {
+    const Folder folder;
+    folder.file("octahedron.xyz", "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n");
+    const std::string page = page_of(folder, "octahedron.xyz --dimension 3");
+    const Json facts = Json::parse(element(page, "facts"));
+    CHECK(facts["points"] == 6);
+    CHECK(facts["tetrahedra"] == 4);
+    CHECK(facts["pairs"] == 14);  // six components, seven tunnels, and the void within
+    const std::vector<double> radii = doubles_of(bytes_of(page, "radii"));
+    CHECK(radii.size() == facts["steps"]);
+    CHECK(std::is_sorted(radii.begin(), radii.end()));
+    CHECK(std::count(radii.begin(), radii.end(), 1.0) == 1);
+    bool has_void = false;
+    for (const Json& one : facts["representatives"]) {
+      if (one["dimension"] != 2) continue;
+      has_void = true;
+      CHECK(one["cells"].size() == 24);
+      CHECK(one["volume"].get<double>() == doctest::Approx(4.0 / 3));
+    }
+    CHECK(has_void);
+    for (const char* request : {"src=", "href=\"http", "import(", "fetch("})
+      CHECK(page.substr(0, page.find("<script>")).find(request) == std::string::npos);
+    const auto refuses = [&](const std::string& options, int code, const std::string& message) {
+      CAPTURE(options);
+      const Outcome outcome = folder.rbpa("report " + options);
+      CHECK(outcome.code == code);
+      CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+    refuses("octahedron.xyz --dimension 4 -o x.html", 2, "--dimension: found '4', expected 2 or 3");
+    refuses("octahedron.xyz --dimension 3 --components 2 -o x.html", 2, "--components: found --dimension 3 as well");
+    refuses("octahedron.xyz --dimension 3 -o x.png", 2, "x.png: found the ending 'png', expected html");
+    refuses("flat.xyz --dimension 3 -o x.html", 3, "the points are in a plane");
+  }
 }

@@ -75,7 +75,7 @@ set(allowed
   "program: rbpa/base io io/bytes"
   "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/bytes io/cloud io/mesh
     io/polygon"
-  "report: rbpa io io/bytes io/text"
+  "report: rbpa rbpa/base io io/bytes io/text"
   "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
   "tasks: rbpa rbpa/base io io/bytes stream"
   "triangulation: meshops/core rbpa rbpa/base io io/bytes")

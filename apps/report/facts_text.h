@@ -1,0 +1,10 @@
+// What: JSON as it stands in a page: no text in it can end its element.
+#pragma once
+
+#include <string>
+
+namespace rbpa::app {
+
+std::string facts_text(std::string json);
+
+}  // namespace rbpa::app

@@ -1,0 +1,95 @@
+// What: births against deaths in three colours; pairs that can be chosen have a ring.
+"use strict";
+
+const diagramMargin = { left: 44, right: 14, top: 24, bottom: 24 };
+const dimensionNames = ["component", "tunnel", "void"];
+
+class SpaceDiagram {
+  constructor(canvas, data) {
+    this.canvas = canvas;
+    this.data = data;
+    const { radii, pairs } = data;
+    const deaths = pairs.map(({ death }) => death).filter(Number.isFinite);
+    const births = pairs.map(({ birth }) => birth).filter((birth) => birth > 0);
+    const low = Math.min(radii[0] ?? 1, ...births.slice(0, 1), ...deaths.slice(0, 1));
+    const high = Math.max(radii[radii.length - 1] ?? 1, low);
+    this.range = Float64Array.of(low, high);
+  }
+
+  draw(colours, alpha, chosen) {
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    const context = this.canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    context.font = "11px system-ui, sans-serif";
+    const { left, right, top, bottom } = diagramMargin;
+    this.births = LogAxis.of(this.range, Infinity, left, width - right);
+    this.deaths = LogAxis.of(this.range, Infinity, height - bottom, top);
+    this.shade(context, colours, alpha);
+    this.drawGrid(context, colours, width, height);
+    for (const pair of this.data.pairs) this.dot(context, pair, 2, colours[dimensionNames[pair.dimension] + "s"], true);
+    for (const pair of this.data.representatives) this.dot(context, pair, 4, colours[dimensionNames[pair.dimension] + "s"], false);
+    if (chosen !== null) this.dot(context, chosen, 7, colours.text, false);
+  }
+
+  place({ birth, death }) {
+    return { x: birth > 0 ? this.births.at(birth) : diagramMargin.left, y: Number.isFinite(death) ? this.deaths.at(death) : 8 };
+  }
+
+  dot(context, pair, size, colour, isFilled) {
+    const { x, y } = this.place(pair);
+    context.beginPath();
+    context.arc(x, y, size, 0, 2 * Math.PI);
+    context.fillStyle = context.strokeStyle = colour;
+    if (isFilled) context.fill();
+    else context.stroke();
+  }
+
+  shade(context, colours, alpha) {
+    if (!(alpha > 0)) return;
+    const { left } = diagramMargin;
+    const x = this.births.at(alpha), y = this.deaths.at(alpha);
+    context.fillStyle = colours.fill;
+    context.globalAlpha = 0.5;
+    context.fillRect(left, 0, x - left, y);
+    context.globalAlpha = 1;
+  }
+
+  drawGrid(context, colours, width, height) {
+    const { left, right, top, bottom } = diagramMargin;
+    const line = (x1, y1, x2, y2) => {
+      context.beginPath();
+      context.moveTo(x1, y1);
+      context.lineTo(x2, y2);
+      context.stroke();
+    };
+    context.lineWidth = 1;
+    context.strokeStyle = colours.grid;
+    context.fillStyle = colours.faint;
+    for (const power of this.births.ticks(5)) {
+      const x = this.births.at(10 ** power), y = this.deaths.at(10 ** power);
+      line(x, top, x, height - bottom);
+      line(left, y, width - right, y);
+      context.textAlign = "center";
+      context.fillText(powerOfTenText(power), x, height - 8);
+      context.textAlign = "right";
+      context.fillText(powerOfTenText(power), left - 4, y + 4);
+    }
+    line(left, height - bottom, width - right, top);
+    context.textAlign = "right";
+    context.fillText("never", left - 4, 12);
+  }
+
+  /** The representative whose ring is nearest, within some pixels; null: none. */
+  representativeNear(x, y) {
+    let best = null, least = 12;
+    for (const one of this.data.representatives) {
+      const at = this.place(one);
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (distance < least) [best, least] = [one, distance];
+    }
+    return best;
+  }
+}

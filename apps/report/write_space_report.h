@@ -1,0 +1,32 @@
+// What: the alpha complex of points in space as one page of HTML: its boundary to turn around, at every radius; the persistence diagram; cycles and surfaces of its
+//       longest pairs.
+// Law:  the bytes depend on SpaceReport alone. The page makes no request.
+// Source: docs/report.md has the format of the data in the page.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "io/bytes/output_file.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/solid_filtration.h"
+#include "rbpa/solid_persistence.h"
+#include "rbpa/solid_representatives.h"
+
+namespace rbpa::app {
+
+struct SpaceReport {
+  std::string source;  ///< where the points come from, as people call it
+  std::span<const Point3> points;
+  const SolidFiltration& filtration;
+  double least_covering, least_connected;  ///< "min" and "auto"
+  std::span<const SolidPair> pairs;        ///< all
+  std::span<const SolidPair> shown;        ///< those with representatives
+  std::span<const SolidRepresentative> representatives;
+};
+
+/// Throws Cancelled after a signal.
+void write_space_report(OutputFile& file, const SpaceReport& report);
+
+}  // namespace rbpa::app
