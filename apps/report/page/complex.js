@@ -69,14 +69,7 @@ class Complex {
 
   /** The last step whose radius is at most alpha; −1 where nothing is there yet. */
   stepAt(alpha) {
-    const { radii } = this.data;
-    let low = 0, high = radii.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (radii[middle] <= alpha) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
+    return lastAtMost(this.data.radii, alpha);
   }
 
   /** How many triangles are there at a step. */

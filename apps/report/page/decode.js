@@ -1,4 +1,4 @@
-// What: the data of the page, from base64 to typed arrays. docs/report.md has the format.
+// What: the data of the page, from base64 to typed arrays, and a search in them. docs/report.md has the format.
 "use strict";
 
 function bytesOf(base64) {
@@ -97,6 +97,17 @@ function pairsOf(bytes, facts) {
 /** A radius as JSON has it: "inf" is above all doubles, null is none. */
 function radiusOf(value) {
   return value === "inf" ? Infinity : value;
+}
+
+/** The place of the last of ascending radii that is at most alpha; −1 where none is. */
+function lastAtMost(radii, alpha) {
+  let low = 0, high = radii.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (radii[middle] <= alpha) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
 }
 
 /** `text(name)` is what the element of that name has. */

@@ -30,17 +30,6 @@ function decodeSpace(text) {
   };
 }
 
-/** The last step at or below a radius; −1 below all. */
-function stepAt(radii, alpha) {
-  let low = 0, high = radii.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (radii[middle] <= alpha) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
-}
-
 /** Corners of the triangles of a step: from `boundary` on those with a tetrahedron on one side, from `dangling` on those with none. Returns how many corners of each. */
 function fillCorners({ corners, steps }, step, boundary, dangling) {
   let bounds = 0, dangles = 0;

@@ -101,7 +101,7 @@ class SpacePage {
 
   /** The step at or below a radius. */
   goToAlpha(alpha) {
-    this.goTo(stepAt(this.data.radii, alpha));
+    this.goTo(lastAtMost(this.data.radii, alpha));
   }
 
   show(step, alpha) {
