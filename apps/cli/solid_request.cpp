@@ -17,11 +17,15 @@ namespace {
 SolidAlpha parse_alpha(const std::string& text) {
   if (text == "auto") return {.rule = AlphaRule::automatic};
   if (text == "min") return {.rule = AlphaRule::least};
+  if (text == "plateau") return {.rule = AlphaRule::plateau};
+  if (constexpr std::string_view ranked = "plateau:"; text.starts_with(ranked))
+    return {.rule = AlphaRule::plateau,
+            .rank = parse_whole("--alpha plateau", text.substr(ranked.size()), {.least = 1})};
   const ParsedNumber number = parse_whole_number(text);
   const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
   if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
     throw WrongUsage("--alpha: found " + in_quotes(text) +
-                     ", expected a radius: a number above 0, or inf; or a rule: auto or min");
+                     ", expected a radius: a number above 0, or inf; or a rule: auto, min, plateau or plateau:K");
   return {.radius = number.value};
 }
 
@@ -56,6 +60,8 @@ Point3 parse_box(const std::string& text) {
 
 /// What is known of a solid in space only.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
+  if (request.alpha.rule == AlphaRule::plateau)
+    throw WrongUsage("--alpha: found plateau and --box, expected a radius, auto or min");
   if (arguments.complex) throw WrongUsage("--complex: found --box as well, with which it is always the solid");
   if (arguments.balls) throw WrongUsage("--balls: found --box as well, expected one of them");
   for (const auto& [is_given, option] :
@@ -107,7 +113,7 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
   if (arguments.cover) {
-    if (request.alpha.rule == AlphaRule::given)
+    if (request.alpha.rule == AlphaRule::given || request.alpha.rule == AlphaRule::plateau)
       throw WrongUsage("--cover: found --alpha " + arguments.alpha +
                        ", expected --alpha auto or min, which are what it is about");
     request.alpha.cover = parse_cover(*arguments.cover);
@@ -134,7 +140,8 @@ std::string text_of_progress(const Progress& progress, double seconds) {
 }
 
 std::string text_of(const SolidAlpha& alpha, double radius) {
-  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of({.rule = alpha.rule}) + " = ") + text_of(radius);
+  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of({.rule = alpha.rule, .rank = alpha.rank}) + " = ") +
+         text_of(radius);
 }
 
 }  // namespace rbpa::app

@@ -24,9 +24,10 @@ namespace rbpa::app {
 struct SolidAlpha {
   AlphaRule rule = AlphaRule::given;
   double radius = std::numeric_limits<double>::infinity();
-  double cover = 1;  ///< share of the points, of a rule
+  double cover = 1;      ///< share of the points, of a rule
+  std::size_t rank = 1;  ///< of the plateau: the best is 1
 
-  /// By a rule, of all tetrahedra.
+  /// By a rule other than plateaus, of all tetrahedra.
   double choose(const Solid& delaunay, std::span<const double> radii) const {
     return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover) : auto_alpha(delaunay, radii, cover);
   }

@@ -26,6 +26,8 @@
 #include "rbpa/base/error.h"
 #include "rbpa/full_topology.h"
 #include "rbpa/solid.h"
+#include "rbpa/solid_filtration.h"
+#include "rbpa/solid_plateaus.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/split_fans.h"
 
@@ -46,6 +48,7 @@ class SolidRun : public Run {
   bool has_boundary() const;
   void build();
   void select_within();
+  double alpha_of_plateau() const;
   void find_boundary();
   void count();
   void count_full_complex();
@@ -94,7 +97,7 @@ void SolidRun::build() {
   facts_.points = file_.points.size();
   facts_.distinct = solid_.distinct;
   facts_.alpha = alpha.radius;
-  facts_.alpha_rule = name_of({.rule = alpha.rule});
+  facts_.alpha_rule = name_of({.rule = alpha.rule, .rank = alpha.rank});
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
   if (needs_all) select_within();
@@ -107,10 +110,31 @@ void SolidRun::select_within() {
   radii_ = circumradii(file_.points, solid_.simplices, options().threads);
   stop_if_interrupted();
   triangulation_ = std::move(solid_);
-  if (request_.alpha.rule != AlphaRule::given) facts_.alpha = request_.alpha.choose(triangulation_, radii_);
+  if (request_.alpha.rule == AlphaRule::plateau)
+    facts_.alpha = alpha_of_plateau();
+  else if (request_.alpha.rule != AlphaRule::given)
+    facts_.alpha = request_.alpha.choose(triangulation_, radii_);
   solid_ = within(triangulation_, radii_, facts_.alpha);
   stop_if_interrupted();
   facts_.choose_seconds = lap();
+}
+
+double SolidRun::alpha_of_plateau() const {
+  try {
+    const SolidFiltration filtration = solid_filtration(
+        file_.points, {.threads = options().threads, .progress = [](const Progress&) { return !interrupted(); }});
+    const std::vector<SolidPlateau> found = solid_plateaus(file_.points, filtration, until_interrupted());
+    const std::string name = name_of({.rule = AlphaRule::plateau, .rank = request_.alpha.rank});
+    if (found.empty()) return std::numeric_limits<double>::infinity();
+    if (request_.alpha.rank > found.size())
+      throw WrongUsage("--alpha " + name + ": found " + counted(found.size(), "plateau") +
+                       ", expected a rank that there is (rbpa alpha POINTS --dimension 3 shows them)");
+    if (!found.front().is_long)
+      summarize("--alpha " + name + ": no range of alpha stands out, and the longest one may be chance");
+    return found[request_.alpha.rank - 1].alpha;
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what());
+  }
 }
 
 void SolidRun::find_boundary() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -38,7 +39,21 @@ void write_json(OutputFile& file, const SpacePersistence& report, bool with_pair
   Json json = {{"points", report.file.points.size()},
                {"distinct", report.filtration.delaunay.distinct},
                {"min", number_or_inf(report.least)},
-               {"auto", number_or_inf(report.automatic)}};
+               {"auto", number_or_inf(report.automatic)},
+               {"plateaus", Json::array()}};
+  for (const SolidPlateau& plateau : report.plateaus)
+    json["plateaus"].push_back({{"alpha", plateau.alpha},
+                                {"from", plateau.from},
+                                {"to", plateau.to ? number_or_inf(*plateau.to) : Json()},
+                                {"ratio", plateau.ratio},
+                                {"kind", plateau.is_structured ? "structured" : "one piece"},
+                                {"long", plateau.is_long},
+                                {"effective_parts", plateau.effective_parts},
+                                {"void_share", plateau.void_share},
+                                {"tetrahedra", plateau.tetrahedra},
+                                {"components", plateau.components},
+                                {"covered", plateau.covered},
+                                {"volume", plateau.volume}});
   for (int dimension = 0; dimension < 3; ++dimension)
     json[names[static_cast<std::size_t>(dimension)]] = count(report, dimension);
   if (with_pairs) {
@@ -62,11 +77,29 @@ void write_csv(OutputFile& file, const SpacePersistence& report) {
   }
 }
 
-/// The tunnels and voids that last longest.
+/// "plateau 0.1142, from 0.06577 to 0.1984: 1 part, 100.0 % of the points covered, voids 0.0 % of the volume".
+std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t distinct) {
+  const auto percent = [](double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", std::floor(1000 * share) / 10);
+    return std::string(text);
+  };
+  return (rank == 1 ? "plateau " : "plateau:" + std::to_string(rank) + " ") + rounded(plateau.alpha, 4) + ", from " +
+         rounded(plateau.from, 4) + " to " + (plateau.to ? rounded(*plateau.to, 4) : "inf") + ": " +
+         counted(plateau.components, "part") + ", " +
+         percent(static_cast<double>(plateau.covered) / static_cast<double>(distinct)) +
+         " of the points covered, voids " + percent(plateau.void_share) + " of the volume" +
+         (plateau.is_long ? "\n" : "; it may be chance\n");
+}
+
+/// What there is to choose from, and the tunnels and voids that last longest.
 void write_for_people(OutputFile& file, const SpacePersistence& report) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
              text_of(report.least) + ", auto " + text_of(report.automatic) + "\n");
+  constexpr std::size_t plateaus_shown = 4;
+  for (std::size_t i = 0; i < std::min(report.plateaus.size(), plateaus_shown); ++i)
+    file.write(line_of(report.plateaus[i], i + 1, report.filtration.delaunay.distinct));
   std::vector<SolidPair> longest = chosen(report.pairs, {.top = shown});
   std::stable_sort(longest.begin(), longest.end(), [](const SolidPair& a, const SolidPair& b) {
     return a.death.value_or(0) - a.birth > b.death.value_or(0) - b.birth;

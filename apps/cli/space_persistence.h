@@ -11,6 +11,7 @@
 #include "io/cloud/read_space_points.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/solid_persistence.h"
+#include "rbpa/solid_plateaus.h"
 
 namespace rbpa::app {
 
@@ -32,6 +33,7 @@ struct SpacePersistence : Run {
   SolidFiltration filtration;
   std::vector<SolidPair> pairs;
   double least = 0, automatic = 0;  ///< "min" and "auto"
+  std::vector<SolidPlateau> plateaus;
 
  private:
   double read_seconds_ = 0, build_seconds_ = 0;

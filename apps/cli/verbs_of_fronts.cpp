@@ -171,8 +171,10 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   verb.add_option(
           "--alpha", arguments.alpha,
           "Largest circumradius, required, in units of the points; inf: the Delaunay triangulation; min: the least "
-          "that covers every point; auto: the least that has every point in one solid component")
-      ->type_name("R|inf|auto|min")
+          "that covers every point; auto: the least that has every point in one solid component; plateau, plateau:K: "
+          "where "
+          "parts and voids hardly change")
+      ->type_name("R|inf|auto|min|plateau")
       ->required();
   verb.add_option(
           "--cover", arguments.cover,

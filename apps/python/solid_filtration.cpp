@@ -15,6 +15,7 @@
 #include "python/watched.h"
 #include "rbpa/pair_choice.h"
 #include "rbpa/solid_persistence.h"
+#include "rbpa/solid_plateaus.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/solid_representatives.h"
 #include "rbpa/void_tree.h"
@@ -106,6 +107,21 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
   return list;
 }
 
+/// Of each plateau what rbpa.SolidPlateau is made of, the best first.
+py::list solid_plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const std::vector<SolidPlateau> found = watched(input.size(), progress, [&](Watch& watch) {
+    return solid_plateaus(input, solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
+                          watch.until_stopped());
+  });
+  py::list list;
+  for (const SolidPlateau& p : found)
+    list.append(py::make_tuple(p.from, p.to, p.alpha, p.ratio, p.tetrahedra, p.components, p.covered, p.volume,
+                               p.effective_parts, p.void_share, p.is_structured ? "structured" : "one piece",
+                               p.is_long));
+  return list;
+}
+
 /// Columns of a tree of voids.
 py::dict void_tree_of(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -142,6 +158,7 @@ py::dict void_tree_of(const Doubles& points, bool full, unsigned threads, const 
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
   module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
+  module.def("solid_plateaus", &solid_plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("void_tree", &void_tree_of, arg("points").noconvert(), arg("full"), arg("threads"), arg("progress"));
   module.def("solid_representatives", &solid_representatives_of, arg("points").noconvert(), arg("dimension"),
              arg("min_persistence"), arg("top"), arg("threads"), arg("progress"));

@@ -203,12 +203,20 @@ TEST_SUITE("solid") {
     const Folder folder;
     folder.file("c.xyz", hollow_cube());
     folder.file("bad.xyz", "0 0 0\n1 0 zero\n");
-    const std::string radius = "expected a radius: a number above 0, or inf; or a rule: auto or min";
+    const std::string radius =
+        "expected a radius: a number above 0, or inf; or a rule: auto, min, plateau or plateau:K";
     refuses(folder, "c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
     refuses(folder, "c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
     refuses(folder, "c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
     refuses(folder, "c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
-    refuses(folder, "c.xyz --alpha plateau -o t.npy", 2, "--alpha: found 'plateau', " + radius);
+    refuses(folder, "c.xyz --alpha convex -o t.npy", 2, "--alpha: found 'convex', " + radius);
+    refuses(folder, "c.xyz --alpha plateau:0 -o t.npy", 2,
+            "--alpha plateau: found '0', expected a whole number from 1");
+    refuses(folder, "c.xyz --alpha plateau:99 -o t.npy", 2,
+            "--alpha plateau:99: found 1 plateau, expected a rank that there is (rbpa alpha POINTS --dimension 3 shows "
+            "them)");
+    refuses(folder, "c.xyz --alpha plateau --box 9 -o t.npy", 2,
+            "--alpha: found plateau and --box, expected a radius, auto or min");
     refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
             "t.ply: found the ending 'ply', expected one of vtu, msh, mesh, npy, png, or --output-format");
     refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,

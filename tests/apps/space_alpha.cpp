@@ -54,6 +54,11 @@ TEST_SUITE("space alpha") {
     // As `rbpa solid` chooses.
     const Outcome solid = folder.rbpa("solid s.xyz --alpha auto --json -q");
     CHECK(json::parse(solid.out)["alpha"] == report["auto"]);
+    REQUIRE(!report["plateaus"].empty());
+    const json plateau = json::parse(folder.rbpa("solid s.xyz --alpha plateau --json -q").out);
+    CHECK(plateau["alpha"] == report["plateaus"][0]["alpha"]);
+    CHECK(plateau["tetrahedra"] == report["plateaus"][0]["tetrahedra"]);
+    CHECK(text.out.find("\nplateau ") != std::string::npos);
     const json share = json::parse(folder.rbpa("alpha s.xyz --dimension 3 --cover 0.9 --json -q").out);
     CHECK(share["auto"] < report["auto"]);
     CHECK(json::parse(folder.rbpa("solid s.xyz --alpha auto --cover 0.9 --json -q").out)["alpha"] == share["auto"]);

@@ -200,8 +200,8 @@ def test_wrong_calls_are_refused_in_a_sentence():
     for alpha in (0, -1, math.nan):
         with pytest.raises(rbpa.InvalidInput, match="alpha"):
             rbpa.solid(points, alpha)
-    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'plateau', expected a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"):
-        rbpa.solid(points, "plateau")
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'convex', expected a radius: a number > 0, or inf; or a rule: 'auto', 'min' or 'plateau'"):
+        rbpa.solid(points, "convex")
     with pytest.raises(rbpa.InvalidInput):
         rbpa.solid(points * math.inf)
     solid = rbpa.solid(points)

@@ -155,3 +155,13 @@ def test_the_tree_of_voids_has_those_of_every_radius():
     assert min(abs(v.volume - solid.volume[at]) for v in voids) < 1e-9
     with pytest.raises(rbpa.InvalidInput, match="walls: found 'half'"):
         filtration.void_tree("half")
+
+
+def test_plateaus_have_two_bodies_apart():
+    random = numpy.random.default_rng(17)
+    points = numpy.vstack([random.random((500, 3)), random.random((500, 3)) + [4, 0, 0]])
+    best = rbpa.solid_filtration(points).plateaus()[0]
+    assert best.components == 2 and best.kind == "structured" and best.is_long
+    solid = rbpa.solid(points, "plateau")
+    assert solid.alpha == best.alpha and len(solid.simplices) == best.tetrahedra
+    assert solid.volume == pytest.approx(best.volume)

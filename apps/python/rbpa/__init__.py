@@ -56,7 +56,7 @@ from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
-from rbpa._solid_filtration import SolidFiltration, SolidRepresentative, VoidTree, solid_filtration
+from rbpa._solid_filtration import SolidFiltration, SolidPlateau, SolidRepresentative, VoidTree, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -83,6 +83,7 @@ __all__ = [
     "Representative",
     "Solid",
     "SolidFiltration",
+    "SolidPlateau",
     "SolidRepresentative",
     "SolidVoid",
     "Surface",
@@ -110,7 +111,8 @@ __all__ = [
 # What users see is rbpa.AlphaShape, wherever it is written.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons, Representative),
-    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidRepresentative, SolidVoid),
+    *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidPlateau),
+    *(SolidRepresentative, SolidVoid),
     *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy, VoidTree),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
     *(periodic_solid, scale_space, solid_filtration, surface, union_of_balls),

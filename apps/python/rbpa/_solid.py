@@ -18,7 +18,7 @@ from rbpa._result import Result, freeze
 
 def solid(
     points: npt.ArrayLike,
-    alpha: Union[float, Literal["auto", "min"]] = math.inf,
+    alpha: Union[float, Literal["auto", "min", "plateau"]] = math.inf,
     *,
     cover: float = 1.0,
     threads: Optional[int] = None,
@@ -32,9 +32,10 @@ def solid(
     points : array_like of shape (n, 3)
         Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
         is in use; anything else is converted.
-    alpha : float, "auto" or "min"
+    alpha : float, "auto", "min" or "plateau"
         A radius in the units of the points, never its square. "min" is the least at which every point is in a tetrahedron, "auto"
-        the least at which one solid component has every point. Infinity where there is no tetrahedron.
+        the least at which one solid component has every point, "plateau" a radius around which parts and voids hardly change
+        (`solid_filtration(points).plateaus()`). Infinity where there is no tetrahedron.
     cover : float
         Share of the points that "auto" and "min" are about, such as 0.99, so that single ones do not decide them.
     threads, progress
@@ -59,16 +60,19 @@ def solid(
     (1.0, 6.0, (1, 0, 0), 12)
     """
     array = as_points(points, columns=3)
-    expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
-    if isinstance(alpha, str) and alpha not in ("auto", "min"):
+    expected = "a radius: a number > 0, or inf; or a rule: 'auto', 'min' or 'plateau'"
+    if isinstance(alpha, str) and alpha not in ("auto", "min", "plateau"):
         raise InvalidInput(f"alpha: found {alpha!r}, expected {expected}")
     share = as_share(cover, "cover")
-    if share < 1 and not isinstance(alpha, str):
+    if share < 1 and alpha not in ("auto", "min"):
         raise InvalidInput(f"cover: found {share!r} with alpha {alpha!r}, expected alpha 'auto' or 'min', which are what it is about")
     radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
     made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
     if not isinstance(alpha, str):
         return made
+    if alpha == "plateau":
+        found = _core.solid_plateaus(array, as_threads(threads), progress) if len(made.simplices) else []
+        return made.within(found[0][2] if found else math.inf)
     return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto", share))
 
 

@@ -67,6 +67,31 @@ class SolidRepresentative(NamedTuple):
     """Dimension 1: no shorter cycle is there at its birth and becomes a boundary exactly at its death."""
 
 
+class SolidPlateau(NamedTuple):
+    """A range of radii, start <= radius < end, over which parts and voids of the solid hardly change."""
+
+    start: float
+    end: Optional[float]
+    """None: it is the last, and has no end."""
+    alpha: float
+    """The radius to choose in it. What follows is of the solid at this radius."""
+    ratio: float
+    """end / start, its persistence; of the last, to half the diagonal of the points' box, at least 1."""
+    tetrahedra: int
+    components: int
+    """Pieces of the tetrahedra connected through points."""
+    covered: int
+    volume: float
+    effective_parts: float
+    """How many parts there are, each as heavy as it has points."""
+    void_share: float
+    """The volume of the voids / that of tetrahedra and voids."""
+    kind: str
+    """"structured", with several parts or voids of weight, or "one piece"."""
+    is_long: bool
+    """Its ratio is more than points without any structure reach by chance."""
+
+
 class VoidTree(NamedTuple):
     """All voids at every radius, one after the other by `closes`: what `SolidFiltration.void_tree` returns. Read-only arrays of one entry for each."""
 
@@ -151,6 +176,11 @@ class SolidFiltration(Result):
         checked = _checked(dimension)
         self._require_unchanged()
         return [SolidRepresentative(*one) for one in _core.solid_representatives(self.points, checked, least, most, as_threads(None), None)]
+
+    def plateaus(self) -> list[SolidPlateau]:
+        """Ranges of radii over which parts and voids of the solid hardly change, the best first, at most eight. Computed anew with each call."""
+        self._require_unchanged()
+        return [SolidPlateau(*found) for found in _core.solid_plateaus(self.points, as_threads(None), None)]
 
     def void_tree(self, walls: str = "full") -> VoidTree:
         """All voids, each with the radius at which it closes and the one at which it is filled, and what it is parted from.

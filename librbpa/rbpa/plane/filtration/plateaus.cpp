@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rbpa/base/steps.h"
+#include "rbpa/base/still_ranges.h"
 #include "rbpa/covering.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/shape_curve.h"
@@ -14,7 +15,6 @@
 namespace rbpa {
 namespace {
 
-constexpr long double tolerance = 1.1L;   // how much the change may grow within a plateau
 constexpr double least_ratio = 1.25;      // of a plateau that is worth a line
 constexpr std::size_t most_plateaus = 8;  // that are looked for
 constexpr double least_share = 0.5;       // of the points, covered where a plateau begins
@@ -37,86 +37,22 @@ double reach_of(std::span<const Point> points) {
   return static_cast<double>(std::sqrt(width * width + height * height) / 2);
 }
 
-/// Steps from `first` up to `last`, which is not in it.
-struct Range {
-  std::size_t first, last;
-};
-
-class StillRanges {
- public:
-  StillRanges(const Filtration& filtration, std::vector<ShapeState> curve, double reach)
-      : steps_(filtration.steps), curve_(std::move(curve)), reach_(reach), noise_(noise_ratio(filtration.distinct)) {}
-
-  /// The longest range in which the change stays within the tolerance; of equally long ones the first.
-  Range longest(const Range& within) const {
-    Range longest{within.first, within.first};
-    double greatest = 0;
-    std::size_t last = within.first;
-    for (std::size_t first = within.first; first < within.last; ++first) {
-      while (last < within.last && curve_[last].change <= tolerance * curve_[first].change) ++last;
-      const double ratio = ratio_of({first, last});
-      if (ratio > greatest) {
-        greatest = ratio;
-        longest = {first, last};
-      }
-    }
-    return longest;
-  }
-
-  double ratio_of(const Range& range) const {
-    const double from = steps_[range.first].alpha;
-    const double to = range.last == steps_.size() ? reach_ : std::min(reach_, steps_[range.last].alpha);
-    return std::max(1.0, to / from);
-  }
-
-  Plateau plateau_of(const Range& range) const {
-    Plateau plateau{.from = steps_[range.first].alpha, .ratio = ratio_of(range)};
-    if (range.last < steps_.size()) plateau.to = steps_[range.last].alpha;
-    plateau.alpha = plateau.from * std::min(std::sqrt(plateau.ratio), plateau_settles);
-    const auto after = std::upper_bound(steps_.begin(), steps_.end(), plateau.alpha,
-                                        [](double alpha, const FiltrationStep& step) { return alpha < step.alpha; });
-    const auto at = static_cast<std::size_t>(after - steps_.begin()) - 1;
-    plateau.step = steps_[at];
-    plateau.effective_parts = curve_[at].effective_parts;
-    plateau.hole_share = curve_[at].hole_share;
-    if (plateau.effective_parts >= one_part || plateau.hole_share >= small_holes)
-      plateau.kind = PlateauKind::structured;
-    plateau.is_long = plateau.ratio >= noise_;
-    return plateau;
-  }
-
- private:
-  const std::vector<FiltrationStep>& steps_;
-  std::vector<ShapeState> curve_;
-  double reach_;
-  double noise_;
-};
-
-/// Ranges that have no alpha in common, the longest first, each the longest of what the ones before have left.
-std::vector<Range> longest_ranges(const StillRanges& ranges, const Range& all) {
-  struct Left {
-    Range range, longest;
-    double ratio;
-  };
-  std::vector<Left> left;
-  const auto leave = [&](const Range& range) {
-    if (range.first == range.last) return;
-    const Range longest = ranges.longest(range);
-    left.push_back({range, longest, ranges.ratio_of(longest)});
-  };
-  std::vector<Range> found;
-  leave(all);
-  while (found.size() < most_plateaus && !left.empty()) {
-    const auto next =
-        std::max_element(left.begin(), left.end(), [](const Left& a, const Left& b) { return a.ratio < b.ratio; });
-    if (next->ratio < least_ratio && !found.empty()) break;
-    const auto [range, longest, ratio] = *next;
-    left.erase(next);
-    found.push_back(longest);
-    leave({range.first, longest.first});
-    leave({longest.last, range.last});
-  }
-  return found;
+/// What a range is as a plateau.
+Plateau plateau_of(const StepRange& range, const Filtration& filtration, const std::vector<ShapeState>& curve,
+                   double ratio) {
+  const std::vector<FiltrationStep>& steps = filtration.steps;
+  Plateau plateau{.from = steps[range.first].alpha, .ratio = ratio};
+  if (range.last < steps.size()) plateau.to = steps[range.last].alpha;
+  plateau.alpha = plateau.from * std::min(std::sqrt(plateau.ratio), plateau_settles);
+  const auto after = std::upper_bound(steps.begin(), steps.end(), plateau.alpha,
+                                      [](double alpha, const FiltrationStep& step) { return alpha < step.alpha; });
+  const auto at = static_cast<std::size_t>(after - steps.begin()) - 1;
+  plateau.step = steps[at];
+  plateau.effective_parts = curve[at].effective_parts;
+  plateau.hole_share = curve[at].hole_share;
+  if (plateau.effective_parts >= one_part || plateau.hole_share >= small_holes) plateau.kind = PlateauKind::structured;
+  plateau.is_long = plateau.ratio >= noise_ratio(filtration.distinct);
+  return plateau;
 }
 
 /// Parts that join into one piece later come first; then that piece, or what closes around it, such as the mouth of a
@@ -144,15 +80,22 @@ std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtra
                               const std::function<bool()>& go_on) {
   require_same(filtration, delaunay.triangulation(), "plateaus");
   Steps pulse(go_on);
-  std::vector<ShapeState> curve = shape_curve(delaunay, filtration, pulse);
+  const std::vector<ShapeState> curve = shape_curve(delaunay, filtration, pulse);
   if (curve.empty()) return {};
+  std::vector<double> alpha;
+  std::vector<long double> change;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    alpha.push_back(filtration.steps[i].alpha);
+    change.push_back(curve[i].change);
+  }
   const auto begin = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& step) {
     return is_share(step.covered, filtration.distinct, least_share);
   });
-  const Range all{static_cast<std::size_t>(begin - filtration.steps.begin()), filtration.steps.size()};
-  const StillRanges ranges(filtration, std::move(curve), reach_of(delaunay.points()));
+  const StepRange all{static_cast<std::size_t>(begin - filtration.steps.begin()), filtration.steps.size()};
+  const StillRanges ranges(alpha, std::move(change), reach_of(delaunay.points()));
   std::vector<Plateau> found;
-  for (const Range& range : longest_ranges(ranges, all)) found.push_back(ranges.plateau_of(range));
+  for (const StepRange& range : ranges.longest(all, most_plateaus, least_ratio))
+    found.push_back(plateau_of(range, filtration, curve, ranges.ratio_of(range)));
   rank(found, filtration.distinct);
   return found;
 }

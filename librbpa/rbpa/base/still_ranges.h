@@ -1,0 +1,84 @@
+// What: ranges of radii, long as a ratio of their ends, over which a measure of change hardly grows.
+// Law:  a function of the arguments alone; scaled radii have the same ranges.
+// Cost: linear in the radii, for each range that is looked for.
+// Source: docs/which_alpha.md.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace rbpa {
+
+/// Steps from `first` up to `last`, which is not in it.
+struct StepRange {
+  std::size_t first, last;
+};
+
+class StillRanges {
+ public:
+  /// Of each step its radius, ascending, and the change until there, which never falls. What is beyond `reach` is as long as if it ended there. Keeps the span.
+  StillRanges(std::span<const double> alpha, std::vector<long double> change, double reach)
+      : alpha_(alpha), change_(std::move(change)), reach_(reach) {}
+
+  /// Of the ends, at least 1.
+  double ratio_of(const StepRange& range) const {
+    const double to = range.last == alpha_.size() ? reach_ : std::min(reach_, alpha_[range.last]);
+    return std::max(1.0, to / alpha_[range.first]);
+  }
+
+  /// Ranges that have no step in common, the longest first, each the longest of what the ones before have left: at most `most`, and only the first one where its ratio
+  /// is below `least_ratio`.
+  std::vector<StepRange> longest(const StepRange& all, std::size_t most, double least_ratio) const {
+    struct Left {
+      StepRange range, longest;
+      double ratio;
+    };
+    std::vector<Left> left;
+    const auto leave = [&](const StepRange& range) {
+      if (range.first == range.last) return;
+      const StepRange its_longest = longest_in(range);
+      left.push_back({range, its_longest, ratio_of(its_longest)});
+    };
+    std::vector<StepRange> found;
+    leave(all);
+    while (found.size() < most && !left.empty()) {
+      const auto next =
+          std::max_element(left.begin(), left.end(), [](const Left& a, const Left& b) { return a.ratio < b.ratio; });
+      if (next->ratio < least_ratio && !found.empty()) break;
+      const auto [range, its_longest, ratio] = *next;
+      left.erase(next);
+      found.push_back(its_longest);
+      leave({range.first, its_longest.first});
+      leave({its_longest.last, range.last});
+    }
+    return found;
+  }
+
+ private:
+  static constexpr long double tolerance = 1.1L;  // how much the change may grow within a range
+
+  /// Of equally long ones the first.
+  StepRange longest_in(const StepRange& within) const {
+    StepRange longest{within.first, within.first};
+    double greatest = 0;
+    std::size_t last = within.first;
+    for (std::size_t first = within.first; first < within.last; ++first) {
+      while (last < within.last && change_[last] <= tolerance * change_[first]) ++last;
+      const double ratio = ratio_of({first, last});
+      if (ratio > greatest) {
+        greatest = ratio;
+        longest = {first, last};
+      }
+    }
+    return longest;
+  }
+
+  std::span<const double> alpha_;
+  std::vector<long double> change_;
+  double reach_;
+};
+
+}  // namespace rbpa
