@@ -60,7 +60,7 @@ struct State {
 /// Components of the tetrahedra so far, connected through points, by their numbers of points.
 class Parts {
  public:
-  explicit Parts(std::size_t points) : sets_(points), size_(points, 0) {}
+  explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}
 
   void add(const std::array<std::uint32_t, 4>& corners) {
     for (const std::uint32_t corner : corners)
