@@ -6,6 +6,7 @@ import pickle
 import numpy
 import pytest
 import rbpa
+from sets import DATA
 
 
 def pairs_of_gudhi(points):
@@ -36,6 +37,20 @@ def sets():
 
 @pytest.mark.parametrize("name, points", sets())
 def test_pairs_are_those_of_gudhi(name, points):
+    compare_with_gudhi(points)
+
+
+@pytest.mark.parametrize(
+    "name, most",
+    [pytest.param("mol3_2lyz.pdb", 1200), pytest.param("c3_pcl_tum_rabbit.xyz", 12000, marks=pytest.mark.nightly)],
+)
+def test_a_molecule_and_a_scan_have_the_pairs_of_gudhi(name, most):
+    points = rbpa.read_points(DATA / name, space=True).points
+    assert len(points) <= most
+    compare_with_gudhi(points)
+
+
+def compare_with_gudhi(points):
     distinct = numpy.unique(points, axis=0)
     filtration = rbpa.solid_filtration(distinct)
     for dimension, expected in enumerate(pairs_of_gudhi(distinct)):
