@@ -162,7 +162,7 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
       "One file with everything in it, for any browser, offline: a slider over alpha, counts, the persistence diagram, "
       "and the shape as GeoJSON and SVG. About 110 bytes a point; smooth with some hundred thousand. In space the "
       "boundary "
-      "can be turned, and a click on a pair shows its cycle, or the surface around its void; about 170 bytes a "
+      "can be turned, and a click on a pair shows its cycle, or the surface around its void; about 190 bytes a "
       "point.\n\n"
       "Examples:\n  rbpa report points.xy -o report.html\n  rbpa report atoms.pdb --dimension 3 -o report.html\n\n" +
       std::string(exit_codes));
