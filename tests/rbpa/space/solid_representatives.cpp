@@ -205,7 +205,7 @@ TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles the
       double enclosed = 0;  // by the faces, which are turned outwards
       for (std::size_t k = 0; k < found.faces.size(); ++k) {
         rbpa::Triangle corners = found.faces[k];
-        const Point3 &o = set.points[0], &a = set.points[corners[0]], &b = set.points[corners[1]],
+        const Point3 &o = set.points[found.faces[0][0]], &a = set.points[corners[0]], &b = set.points[corners[1]],
                      &c = set.points[corners[2]];
         const double u[3] = {a.x - o.x, a.y - o.y, a.z - o.z}, v[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
                      w[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
