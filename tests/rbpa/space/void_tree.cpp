@@ -143,7 +143,7 @@ TEST_CASE("voids of the solid at the radius at which one closes have its volume"
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
     const VoidTree tree = rbpa::void_tree(set.points, filtration, VoidWalls::solid);
-    for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 20) {
+    for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 60) {
       const rbpa::VoidNode& node = tree.nodes[n];
       if (std::isinf(node.closes) || !(node.volume > 1e-250 && node.volume < 1e250)) continue;
       const Solid solid = rbpa::solid(set.points, node.closes);
