@@ -38,10 +38,13 @@ Tunnels::Tunnels(const SolidFiltration& filtration, std::span<const std::uint32_
 
 std::vector<std::uint32_t> Tunnels::cycle(std::uint32_t edge) const {
   std::vector<std::uint32_t> edges;
+  const auto add = [&](std::span<const ColumnEntry> column) {
+    for (const ColumnEntry entry : column) edges.push_back(edge_of(entry));
+  };
   if (kept_[edge] != none)
-    for (const ColumnEntry entry : columns_[kept_[edge]]) edges.push_back(edge_of(entry));
+    add(columns_[kept_[edge]]);
   else
-    for (const ColumnEntry entry : boundary_of(owner_[edge]).span()) edges.push_back(edge_of(entry));
+    add(boundary_of(owner_[edge]).span());
   return edges;
 }
 
