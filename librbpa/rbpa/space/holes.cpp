@@ -16,6 +16,7 @@
 #include "rbpa/space/levels/neighborhood_subset.h"
 #include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/agreement.h"
+#include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa {
 namespace {
@@ -51,7 +52,7 @@ double length_of(const Hole& curve, std::span<const Point3> points) {
   std::vector<double> lengths;
   for (const RimEdge& e : curve.edges) {
     const Point3 &p = points[e.from], &q = points[e.to];
-    lengths.push_back(std::hypot(q.x - p.x, q.y - p.y, q.z - p.z));
+    lengths.push_back(space::distance(p, q));
   }
   std::sort(lengths.begin(), lengths.end());
   double sum = 0;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/plateau_rules.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/still_ranges.h"
 #include "rbpa/space/persistence/pairing.h"
@@ -19,23 +19,10 @@ namespace rbpa {
 namespace {
 
 using Wide = long double;  // for its exponents: volumes are products of coordinates
-constexpr std::size_t most_plateaus = 8;
-constexpr double least_ratio = 1.25;  // of a plateau that is worth a line
-constexpr double least_share = 0.5;   // of the points, covered where a plateau begins
-constexpr double one_part = 1.1;      // effective parts: one of 95 points of a hundred has 1.1
-constexpr double small_voids = 0.05;
-constexpr double most = 0.9;  // of the points
 constexpr double settles = 2;
 
 /// A ratio that noise does not reach: see docs/which_alpha.md for how it was measured.
 double noise_ratio(std::size_t distinct) { return 1.5 + 10 / std::sqrt(static_cast<double>(distinct)); }
-
-Wide volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
-  const auto& [a, b, c, d] = corners;
-  const auto u = space::from<Wide>(points[a], points[b]), v = space::from<Wide>(points[a], points[c]),
-             w = space::from<Wide>(points[a], points[d]);
-  return std::abs(dot(cross(u, v), w)) / 6;
-}
 
 /// Half the diagonal of the box of the points.
 double reach_of(std::span<const Point3> points) {
@@ -127,7 +114,7 @@ std::vector<State> states_of(std::span<const Point3> points, const SolidFiltrati
   std::vector<Wide> volumes(alpha.size());
   for (std::size_t t = 0; t < volumes.size(); ++t) {
     step();
-    volumes[t] = volume(points, filtration.delaunay.simplices[t]);
+    volumes[t] = space::volume<Wide>(points, filtration.delaunay.simplices[t]);
   }
   const std::vector<double> from = enclosed_from(filtration, tree);
   const std::vector<std::uint32_t> order = by_alpha_and_volume(alpha, volumes, step),
@@ -175,27 +162,9 @@ SolidPlateau plateau_of(const StepRange& range, const std::vector<State>& states
   plateau.volume = static_cast<double>(there.volume);
   plateau.effective_parts = there.effective_parts;
   plateau.void_share = there.void_share;
-  plateau.is_structured = there.effective_parts >= one_part || there.void_share >= small_voids;
+  plateau.is_structured = plateau_rules::is_structured(there.effective_parts, there.void_share);
   plateau.is_long = ratio >= noise_ratio(distinct);
   return plateau;
-}
-
-/// As of plateaus in the plane.
-void rank(std::vector<SolidPlateau>& plateaus, std::size_t distinct) {
-  double piece = std::numeric_limits<double>::infinity();
-  for (const SolidPlateau& p : plateaus)
-    if (p.is_long && !p.is_structured) piece = std::min(piece, p.from);
-  const auto tier = [&](const SolidPlateau& p) {
-    if (!p.is_long) return 2;
-    if (p.is_structured) return p.from < piece ? 0 : 1;
-    return p.from == piece ? 1 : 2;
-  };
-  const auto key = [&](const SolidPlateau& p) {
-    const double covered = static_cast<double>(p.covered) / static_cast<double>(distinct);
-    return std::tuple(tier(p), !p.is_long && covered < most, -(p.ratio - 1) * covered, p.from);
-  };
-  std::sort(plateaus.begin(), plateaus.end(),
-            [&](const SolidPlateau& a, const SolidPlateau& b) { return key(a) < key(b); });
 }
 
 }  // namespace
@@ -215,14 +184,16 @@ std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const S
   }
   const std::size_t distinct = filtration.delaunay.distinct;
   const auto begin = std::find_if(states.begin(), states.end(), [&](const State& state) {
-    return static_cast<double>(state.covered) / static_cast<double>(distinct) >= least_share;
+    return static_cast<double>(state.covered) / static_cast<double>(distinct) >= plateau_rules::least_share;
   });
   const StepRange all{static_cast<std::size_t>(begin - states.begin()), states.size()};
   const StillRanges ranges(alpha, std::move(change), reach_of(points));
   std::vector<SolidPlateau> found;
-  for (const StepRange& range : ranges.longest(all, most_plateaus, least_ratio))
+  for (const StepRange& range : ranges.longest(all, plateau_rules::most_plateaus, plateau_rules::least_ratio))
     found.push_back(plateau_of(range, states, ranges.ratio_of(range), distinct));
-  rank(found, distinct);
+  plateau_rules::rank(found, [&](const SolidPlateau& p) {
+    return plateau_rules::Weight{p.is_structured, static_cast<double>(p.covered) / static_cast<double>(distinct)};
+  });
   return found;
 }
 

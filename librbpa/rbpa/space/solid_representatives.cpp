@@ -73,11 +73,8 @@ class VoidSearch {
     }
   }
   void measure(SolidRepresentative& result) const {
-    for (const std::uint32_t t : result.tetrahedra) {
-      const auto& [a, b, c, d] = filtration_.delaunay.simplices[t];
-      const Vector u = edge(a, b), v = edge(a, c), w = edge(a, d);
-      result.volume += std::abs(dot(cross(u, v), w)) / 6;
-    }
+    for (const std::uint32_t t : result.tetrahedra)
+      result.volume += space::volume<double>(points_, filtration_.delaunay.simplices[t]);
     for (const std::uint32_t i : result.cells) {
       const auto& [a, b, c] = filtration_.triangles[i];
       const Vector normal = cross(edge(a, b), edge(a, c));
@@ -140,8 +137,7 @@ std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> p
       if (!pair.death) continue;
       const auto& [a, b] = filtration.edges[pair.ended_by];
       result.back().cells = {pair.ended_by};
-      result.back().length =
-          std::hypot(points[b].x - points[a].x, points[b].y - points[a].y, points[b].z - points[a].z);
+      result.back().length = space::distance(points[a], points[b]);
     }
   }
   return result;

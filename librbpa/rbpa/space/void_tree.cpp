@@ -1,13 +1,11 @@
 #include "rbpa/void_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
-#include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/space/persistence/pairing.h"
@@ -30,16 +28,8 @@ std::vector<double> radii_of_walls(const SolidFiltration& filtration, VoidWalls 
   return alpha;
 }
 
-double volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
-  const auto& [a, b, c, d] = corners;
-  const auto u = space::from<double>(points[a], points[b]), v = space::from<double>(points[a], points[c]),
-             w = space::from<double>(points[a], points[d]);
-  return std::abs(dot(cross(u, v), w)) / 6;
-}
-
 /// Backwards in alpha, each tetrahedron adds its volume to what its basin is in by then, and each void that closes has what it has by then.
-void find_volumes(std::span<const Point3> points, const SolidFiltration& filtration, Steps& step, VoidTree& tree,
-                  const std::vector<std::uint32_t>& node_of_basin) {
+void find_volumes(std::span<const Point3> points, const SolidFiltration& filtration, Steps& step, VoidTree& tree) {
   const auto order = space::sorted_by_alpha(filtration.tetrahedron_alpha, step);
   meshops::DisjointSets sets(tree.nodes.size());
   std::vector<double> sum(tree.nodes.size(), 0);
@@ -49,8 +39,8 @@ void find_volumes(std::span<const Point3> points, const SolidFiltration& filtrat
     for (; left > 0 && filtration.tetrahedron_alpha[order[left - 1]] > alpha; --left) {
       step();
       const std::uint32_t t = order[left - 1];
-      if (node_of_basin[t] != none)
-        sum[sets.find(node_of_basin[t])] += volume(points, filtration.delaunay.simplices[t]);
+      if (tree.node_of[t] != none)
+        sum[sets.find(tree.node_of[t])] += space::volume<double>(points, filtration.delaunay.simplices[t]);
     }
     for (first = last; first > 0 && tree.nodes[first - 1].closes == alpha; --first)
       tree.nodes[first - 1].volume = sum[sets.find(static_cast<std::uint32_t>(first - 1))];
@@ -99,7 +89,7 @@ VoidTree void_tree(std::span<const Point3> points, const SolidFiltration& filtra
                           .parent = node_of(v.parted_from)});
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) tree.node_of[t] = node_of(found.basin[t]);
-  find_volumes(points, filtration, step, tree, tree.node_of);
+  find_volumes(points, filtration, step, tree);
   return tree;
 }
 

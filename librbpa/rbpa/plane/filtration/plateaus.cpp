@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 #include <utility>
 
+#include "rbpa/base/plateau_rules.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/still_ranges.h"
 #include "rbpa/covering.h"
@@ -14,13 +13,6 @@
 
 namespace rbpa {
 namespace {
-
-constexpr double least_ratio = 1.25;      // of a plateau that is worth a line
-constexpr std::size_t most_plateaus = 8;  // that are looked for
-constexpr double least_share = 0.5;       // of the points, covered where a plateau begins
-constexpr double one_part = 1.1;          // effective parts: one of 95 points of a hundred has 1.1
-constexpr double small_holes = 0.05;
-constexpr double most = 0.9;  // of the points
 
 /// A ratio that noise does not reach: see docs/which_alpha.md for how it was measured.
 double noise_ratio(std::size_t distinct) { return 1.4 + 10 / std::sqrt(static_cast<double>(distinct)); }
@@ -50,28 +42,9 @@ Plateau plateau_of(const StepRange& range, const Filtration& filtration, const s
   plateau.step = steps[at];
   plateau.effective_parts = curve[at].effective_parts;
   plateau.hole_share = curve[at].hole_share;
-  if (plateau.effective_parts >= one_part || plateau.hole_share >= small_holes) plateau.kind = PlateauKind::structured;
+  if (plateau_rules::is_structured(plateau.effective_parts, plateau.hole_share)) plateau.kind = PlateauKind::structured;
   plateau.is_long = plateau.ratio >= noise_ratio(filtration.distinct);
   return plateau;
-}
-
-/// Parts that join into one piece later come first; then that piece, or what closes around it, such as the mouth of a
-/// crescent; the rest is what all points become in the end, or chance: then who leaves many points out is last.
-void rank(std::vector<Plateau>& plateaus, std::size_t distinct) {
-  double piece = std::numeric_limits<double>::infinity();
-  for (const Plateau& p : plateaus)
-    if (p.is_long && p.kind == PlateauKind::one_piece) piece = std::min(piece, p.from);
-  const auto tier = [&](const Plateau& p) {
-    if (!p.is_long) return 2;
-    if (p.kind == PlateauKind::structured) return p.from < piece ? 0 : 1;
-    return p.from == piece ? 1 : 2;
-  };
-  const auto key = [&](const Plateau& p) {
-    const bool leaves_out = !p.is_long && !is_share(p.step.covered, distinct, most);
-    const double covered = static_cast<double>(p.step.covered) / static_cast<double>(distinct);
-    return std::tuple(tier(p), leaves_out, -(p.ratio - 1) * covered, p.from);
-  };
-  std::sort(plateaus.begin(), plateaus.end(), [&](const Plateau& a, const Plateau& b) { return key(a) < key(b); });
 }
 
 }  // namespace
@@ -89,14 +62,17 @@ std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtra
     change.push_back(curve[i].change);
   }
   const auto begin = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const FiltrationStep& step) {
-    return is_share(step.covered, filtration.distinct, least_share);
+    return is_share(step.covered, filtration.distinct, plateau_rules::least_share);
   });
   const StepRange all{static_cast<std::size_t>(begin - filtration.steps.begin()), filtration.steps.size()};
   const StillRanges ranges(alpha, std::move(change), reach_of(delaunay.points()));
   std::vector<Plateau> found;
-  for (const StepRange& range : ranges.longest(all, most_plateaus, least_ratio))
+  for (const StepRange& range : ranges.longest(all, plateau_rules::most_plateaus, plateau_rules::least_ratio))
     found.push_back(plateau_of(range, filtration, curve, ranges.ratio_of(range)));
-  rank(found, filtration.distinct);
+  plateau_rules::rank(found, [&](const Plateau& p) {
+    return plateau_rules::Weight{p.kind == PlateauKind::structured,
+                                 static_cast<double>(p.step.covered) / static_cast<double>(filtration.distinct)};
+  });
   return found;
 }
 

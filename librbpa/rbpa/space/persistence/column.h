@@ -19,10 +19,6 @@ inline std::uint32_t edge_of(ColumnEntry entry) { return static_cast<std::uint32
 
 class Column {
  public:
-  void clear() {
-    entries_.clear();
-    is_heap_ = false;
-  }
   void assign(std::span<const ColumnEntry> ascending) {
     entries_.assign(ascending.begin(), ascending.end());
     is_heap_ = false;

@@ -1,7 +1,6 @@
 #include "rbpa/space/persistence/cycles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <queue>
@@ -10,12 +9,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "rbpa/space/predicate/vector3.h"
+
 namespace rbpa::space {
 namespace {
 
 constexpr std::uint32_t none = Solid::none;
-
-double distance(const Point3& a, const Point3& b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
 
 /// Those that come an odd number of times, ascending.
 std::vector<std::uint32_t> sum(std::vector<std::uint32_t> edges) {

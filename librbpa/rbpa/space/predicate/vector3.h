@@ -1,5 +1,10 @@
-// What: differences of points in space, in double, long double or integers, and their products.
+// What: differences of points in space, in double, long double or integers, and their products; distances and volumes, rounded.
 #pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "rbpa/base/point3.h"
 
@@ -21,6 +26,17 @@ Real dot(const Vector3<Real>& u, const Vector3<Real>& v) {
 template <typename Real>
 Vector3<Real> cross(const Vector3<Real>& u, const Vector3<Real>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+inline double distance(const Point3& a, const Point3& b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
+
+/// Of a tetrahedron, whatever its orientation.
+template <typename Real>
+Real volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
+  const Point3& a = points[corners[0]];
+  const Vector3<Real> u = from<Real>(a, points[corners[1]]), v = from<Real>(a, points[corners[2]]),
+                      w = from<Real>(a, points[corners[3]]);
+  return std::abs(dot(cross(u, v), w)) / 6;
 }
 
 }  // namespace rbpa::space

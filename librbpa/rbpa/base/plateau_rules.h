@@ -1,0 +1,46 @@
+// What: what plateaus of the plane and of space have in common: what is worth one, what has structure, and which comes first.
+// Source: docs/which_alpha.md.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace rbpa::plateau_rules {
+
+inline constexpr double least_ratio = 1.25;      // of a plateau that is worth a line
+inline constexpr std::size_t most_plateaus = 8;  // that are looked for
+inline constexpr double least_share = 0.5;       // of the points, covered where a plateau begins
+
+/// Several parts of weight, or holes of weight.
+inline bool is_structured(double effective_parts, double hole_share) {
+  constexpr double one_part = 1.1;  // effective parts: one of 95 points of a hundred has 1.1
+  constexpr double small_holes = 0.05;
+  return effective_parts >= one_part || hole_share >= small_holes;
+}
+
+struct Weight {
+  bool is_structured;
+  double covered;  ///< share of the points
+};
+
+/// Parts that join into one piece later come first; then that piece, or what closes around it, such as the mouth of a
+/// crescent; the rest is what all points become in the end, or chance: then who leaves many points out is last.
+/// Calls weight_of(plateau); plateaus have `from`, `ratio` and `is_long`.
+template <typename Plateau, typename WeightOf>
+void rank(std::vector<Plateau>& plateaus, const WeightOf& weight_of) {
+  constexpr double most = 0.9;  // of the points
+  double piece = std::numeric_limits<double>::infinity();
+  for (const Plateau& p : plateaus)
+    if (p.is_long && !weight_of(p).is_structured) piece = std::min(piece, p.from);
+  const auto key = [&](const Plateau& p) {
+    const Weight weight = weight_of(p);
+    const int tier = !p.is_long ? 2 : weight.is_structured ? (p.from < piece ? 0 : 1) : (p.from == piece ? 1 : 2);
+    return std::tuple(tier, !p.is_long && weight.covered < most, -(p.ratio - 1) * weight.covered, p.from);
+  };
+  std::sort(plateaus.begin(), plateaus.end(), [&](const Plateau& a, const Plateau& b) { return key(a) < key(b); });
+}
+
+}  // namespace rbpa::plateau_rules
