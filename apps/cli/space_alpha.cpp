@@ -35,13 +35,14 @@ std::size_t count(const SpacePersistence& report, int dimension) {
 
 Json number_or_inf(double radius) { return std::isinf(radius) ? Json("inf") : Json(radius); }
 
-void write_json(OutputFile& file, const SpacePersistence& report, bool with_pairs) {
+void write_json(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus,
+                bool with_pairs) {
   Json json = {{"points", report.file.points.size()},
                {"distinct", report.filtration.delaunay.distinct},
                {"min", number_or_inf(report.least)},
                {"auto", number_or_inf(report.automatic)},
                {"plateaus", Json::array()}};
-  for (const SolidPlateau& plateau : report.plateaus)
+  for (const SolidPlateau& plateau : plateaus)
     json["plateaus"].push_back({{"alpha", plateau.alpha},
                                 {"from", plateau.from},
                                 {"to", plateau.to ? number_or_inf(*plateau.to) : Json()},
@@ -93,13 +94,13 @@ std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t d
 }
 
 /// What there is to choose from, and the tunnels and voids that last longest.
-void write_for_people(OutputFile& file, const SpacePersistence& report) {
+void write_for_people(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
              text_of(report.least) + ", auto " + text_of(report.automatic) + "\n");
   constexpr std::size_t plateaus_shown = 4;
-  for (std::size_t i = 0; i < std::min(report.plateaus.size(), plateaus_shown); ++i)
-    file.write(line_of(report.plateaus[i], i + 1, report.filtration.delaunay.distinct));
+  for (std::size_t i = 0; i < std::min(plateaus.size(), plateaus_shown); ++i)
+    file.write(line_of(plateaus[i], i + 1, report.filtration.delaunay.distinct));
   std::vector<SolidPair> longest = chosen(report.pairs, {.top = shown});
   std::stable_sort(longest.begin(), longest.end(), [](const SolidPair& a, const SolidPair& b) {
     return a.death.value_or(0) - a.birth > b.death.value_or(0) - b.birth;
@@ -141,6 +142,7 @@ void run_space_alpha(const AlphaArguments& arguments) {
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
+  const std::vector<SolidPlateau> plateaus = arguments.csv ? std::vector<SolidPlateau>() : run.find_plateaus();
   if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(run))); });
   if (request) {
     const ProgressLine line = run.options().line("representatives");
@@ -152,11 +154,11 @@ void run_space_alpha(const AlphaArguments& arguments) {
   }
   run.add("-", [&](OutputFile& out) {
     if (arguments.json)
-      write_json(out, run, arguments.persistence);
+      write_json(out, run, plateaus, arguments.persistence);
     else if (arguments.csv)
       write_csv(out, run);
     else
-      write_for_people(out, run);
+      write_for_people(out, run, plateaus);
   });
   if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& out) { run.write_stats(out); });
   run.publish();

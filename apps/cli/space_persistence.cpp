@@ -53,9 +53,15 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
   const ProgressLine line = options().line("persistence");
   least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
   automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
-  plateaus = solid_plateaus(file.points, filtration, until_interrupted());
   pairs = solid_persistence(filtration, until_interrupted());
   build_seconds_ = lap();
+}
+
+std::vector<SolidPlateau> SpacePersistence::find_plateaus() {
+  const ProgressLine line = options().line("plateaus");
+  std::vector<SolidPlateau> plateaus = solid_plateaus(file.points, filtration, until_interrupted());
+  build_seconds_ += lap();
+  return plateaus;
 }
 
 void SpacePersistence::write_stats(OutputFile& out) {

@@ -26,6 +26,8 @@ struct SpacePersistence : Run {
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
+  /// Counts as building.
+  std::vector<SolidPlateau> find_plateaus();
   /// The stats.
   void write_stats(OutputFile& file);
 
@@ -33,7 +35,6 @@ struct SpacePersistence : Run {
   SolidFiltration filtration;
   std::vector<SolidPair> pairs;
   double least = 0, automatic = 0;  ///< "min" and "auto"
-  std::vector<SolidPlateau> plateaus;
 
  private:
   double read_seconds_ = 0, build_seconds_ = 0;

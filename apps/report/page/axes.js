@@ -1,4 +1,4 @@
-// What: a logarithmic axis for radii, and its ticks.
+// What: a logarithmic axis for radii, and its ticks; a canvas to draw them on.
 "use strict";
 
 class LogAxis {
@@ -52,4 +52,26 @@ function powerOfTenText(power) {
   const whole = Math.floor(power);
   const digits = Number((10 ** (power - whole)).toPrecision(3));
   return whole >= -3 && whole <= 5 ? short(Number((digits * 10 ** whole).toPrecision(3))) : `${digits}e${whole}`;
+}
+
+/** Fits a canvas to its place. Returns its context in CSS pixels, and their number. */
+function prepared(canvas, background) {
+  const ratio = Math.min(2, devicePixelRatio || 1);
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  const context = canvas.getContext("2d");
+  context.scale(ratio, ratio);
+  context.fillStyle = background;
+  context.fillRect(0, 0, width, height);
+  context.font = "11px system-ui, sans-serif";
+  return { context, width, height };
+}
+
+function drawLine(context, colour, x1, y1, x2, y2) {
+  context.strokeStyle = colour;
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
 }

@@ -4,28 +4,6 @@
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
 
-/** Fits a canvas to its place. Returns its context in CSS pixels, and their number. */
-function prepared(canvas, background) {
-  const ratio = Math.min(2, devicePixelRatio || 1);
-  const width = canvas.clientWidth, height = canvas.clientHeight;
-  canvas.width = Math.round(width * ratio);
-  canvas.height = Math.round(height * ratio);
-  const context = canvas.getContext("2d");
-  context.scale(ratio, ratio);
-  context.fillStyle = background;
-  context.fillRect(0, 0, width, height);
-  context.font = "11px system-ui, sans-serif";
-  return { context, width, height };
-}
-
-function drawLine(context, colour, x1, y1, x2, y2) {
-  context.strokeStyle = colour;
-  context.beginPath();
-  context.moveTo(x1, y1);
-  context.lineTo(x2, y2);
-  context.stroke();
-}
-
 function drawRadiusTicks(context, axis, top, bottom, colours) {
   context.lineWidth = 1;
   context.textAlign = "center";

@@ -17,13 +17,7 @@ class SpaceDiagram {
   }
 
   draw(colours, alpha, chosen) {
-    const ratio = Math.min(2, devicePixelRatio || 1);
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
-    const context = this.canvas.getContext("2d");
-    context.scale(ratio, ratio);
-    context.font = "11px system-ui, sans-serif";
+    const { context, width, height } = prepared(this.canvas, colours.panel);
     const { left, right, top, bottom } = diagramMargin;
     this.births = LogAxis.of(this.range, Infinity, left, width - right);
     this.deaths = LogAxis.of(this.range, Infinity, height - bottom, top);
@@ -59,25 +53,18 @@ class SpaceDiagram {
 
   drawGrid(context, colours, width, height) {
     const { left, right, top, bottom } = diagramMargin;
-    const line = (x1, y1, x2, y2) => {
-      context.beginPath();
-      context.moveTo(x1, y1);
-      context.lineTo(x2, y2);
-      context.stroke();
-    };
     context.lineWidth = 1;
-    context.strokeStyle = colours.grid;
     context.fillStyle = colours.faint;
     for (const power of this.births.ticks(5)) {
       const x = this.births.at(10 ** power), y = this.deaths.at(10 ** power);
-      line(x, top, x, height - bottom);
-      line(left, y, width - right, y);
+      drawLine(context, colours.grid, x, top, x, height - bottom);
+      drawLine(context, colours.grid, left, y, width - right, y);
       context.textAlign = "center";
       context.fillText(powerOfTenText(power), x, height - 8);
       context.textAlign = "right";
       context.fillText(powerOfTenText(power), left - 4, y + 4);
     }
-    line(left, height - bottom, width - right, top);
+    drawLine(context, colours.grid, left, height - bottom, width - right, top);
     context.textAlign = "right";
     context.fillText("never", left - 4, 12);
   }
