@@ -26,7 +26,6 @@
 #include "rbpa/base/error.h"
 #include "rbpa/full_topology.h"
 #include "rbpa/solid.h"
-#include "rbpa/solid_filtration.h"
 #include "rbpa/solid_plateaus.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/split_fans.h"
@@ -85,7 +84,7 @@ bool SolidRun::has_boundary() const {
 
 void SolidRun::build() {
   const SolidAlpha& alpha = request_.alpha;
-  const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || request_.is_full;
+  const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || request_.is_full || has_lives();
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
     solid_ =
@@ -120,21 +119,15 @@ void SolidRun::select_within() {
 }
 
 double SolidRun::alpha_of_plateau() const {
-  try {
-    const SolidFiltration filtration = solid_filtration(
-        file_.points, {.threads = options().threads, .progress = [](const Progress&) { return !interrupted(); }});
-    const std::vector<SolidPlateau> found = solid_plateaus(file_.points, filtration, until_interrupted());
-    const std::string name = name_of({.rule = AlphaRule::plateau, .rank = request_.alpha.rank});
-    if (found.empty()) return std::numeric_limits<double>::infinity();
-    if (request_.alpha.rank > found.size())
-      throw WrongUsage("--alpha " + name + ": found " + counted(found.size(), "plateau") +
-                       ", expected a rank that there is (rbpa alpha POINTS --dimension 3 shows them)");
-    if (!found.front().is_long)
-      summarize("--alpha " + name + ": no range of alpha stands out, and the longest one may be chance");
-    return found[request_.alpha.rank - 1].alpha;
-  } catch (const InvalidInput& e) {
-    throw BadInput(input() + ": " + e.what());
-  }
+  const std::vector<SolidPlateau> found = solid_plateaus(file_.points, triangulation_, radii_, until_interrupted());
+  const std::string name = name_of({.rule = AlphaRule::plateau, .rank = request_.alpha.rank});
+  if (found.empty()) return std::numeric_limits<double>::infinity();
+  if (request_.alpha.rank > found.size())
+    throw WrongUsage("--alpha " + name + ": found " + counted(found.size(), "plateau") +
+                     ", expected a rank that there is (rbpa alpha POINTS --dimension 3 shows them)");
+  if (!found.front().is_long)
+    summarize("--alpha " + name + ": no range of alpha stands out, and the longest one may be chance");
+  return found[request_.alpha.rank - 1].alpha;
 }
 
 void SolidRun::find_boundary() {
@@ -170,17 +163,13 @@ void SolidRun::count_full_complex() {
 }
 
 void SolidRun::find_lives() {
-  TriangleProgress progress(!options().quiet, "radii of voids", text_of_progress);
-  try {
-    const VoidLives all(file_.points, request_.is_full ? VoidWalls::full : VoidWalls::solid, options().threads,
-                        progress.watch());
-    if (arguments_.void_radii)
-      lives_ = all.of(facts_.alpha, request_.is_full ? void_boundary_ : boundary_.surface,
-                      largest(facts_.voids, request_.voids_above, request_.top));
-    if (request_.pockets) pockets_ = all.pockets(facts_.alpha);
-  } catch (const InvalidInput& e) {
-    throw BadInput(input() + ": " + e.what());
-  }
+  const ProgressLine line = options().line("radii of voids");
+  const VoidLives all(file_.points, triangulation_, radii_, request_.is_full ? VoidWalls::full : VoidWalls::solid,
+                      options().threads);
+  if (arguments_.void_radii)
+    lives_ = all.of(facts_.alpha, request_.is_full ? void_boundary_ : boundary_.surface,
+                    largest(facts_.voids, request_.voids_above, request_.top));
+  if (request_.pockets) pockets_ = all.pockets(facts_.alpha);
 }
 
 /// Each fan of triangles has a vertex of its own, so that a reader finds a manifold.

@@ -59,7 +59,8 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
 
 std::vector<SolidPlateau> SpacePersistence::find_plateaus() {
   const ProgressLine line = options().line("plateaus");
-  std::vector<SolidPlateau> plateaus = solid_plateaus(file.points, filtration, until_interrupted());
+  std::vector<SolidPlateau> plateaus =
+      solid_plateaus(file.points, filtration.delaunay, filtration.tetrahedron_alpha, until_interrupted());
   build_seconds_ += lap();
   return plateaus;
 }

@@ -1,16 +1,14 @@
 // What: at which radii voids of a solid close and are filled; and pockets, which close only above its radius.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/point3.h"
-#include "rbpa/base/progress.h"
-#include "rbpa/solid_filtration.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/solid.h"
 #include "rbpa/surface.h"
 #include "rbpa/void_tree.h"
 #include "rbpa/voids.h"
@@ -24,17 +22,17 @@ struct VoidLife {
 
 struct Pocket {
   VoidLife life = {};
-  double volume = 0;                        ///< when it closes
-  std::array<std::uint32_t, 3> mouth = {};  ///< points of the triangle that closes it
+  double volume = 0;    ///< when it closes
+  Triangle mouth = {};  ///< points of the triangle that closes it
 };
 
 class VoidLives {
  public:
-  /// Triangulates all points. Keeps a reference to them. Throws InvalidInput; Cancelled after a signal.
-  VoidLives(std::span<const Point3> points, VoidWalls walls, unsigned threads,
-            const std::function<bool(const Progress&)>& progress);
+  /// Keeps references to the triangulation of all points, and its radii. Throws Cancelled after a signal.
+  VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, VoidWalls walls,
+            unsigned threads);
 
-  /// Of voids at this radius, whose triangles are those of `boundary`. Requires: voids of these points, with these walls.
+  /// Of voids at this radius, with these walls, whose triangles are those of `boundary`.
   std::vector<VoidLife> of(double alpha, const Surface& boundary, std::span<const SolidVoid> voids) const;
   /// The largest first.
   std::vector<Pocket> pockets(double alpha) const;
@@ -42,7 +40,8 @@ class VoidLives {
  private:
   VoidLife life(std::uint32_t node) const;
 
-  SolidFiltration filtration_;
+  const Solid& delaunay_;
+  std::span<const double> radii_;
   VoidTree tree_;
 };
 

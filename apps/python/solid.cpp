@@ -13,6 +13,7 @@
 
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/solid_again.h"
 #include "python/watched.h"
 #include "rbpa/dangling_faces.h"
 #include "rbpa/full_topology.h"
@@ -37,16 +38,6 @@ py::dict solid_of(const Doubles& points, double alpha, unsigned threads, const p
   result["isolated"] = line<std::int32_t>(std::move(made.isolated));
   return result;
 }
-
-Solid solid_again(const Indices& simplices, const Indices& neighbors) {
-  Solid again;
-  const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };
-  again.simplices = rows_of(quadruples_of(simplices, "simplices"));
-  again.neighbors = rows_of(quadruples_of(neighbors, "neighbors"));
-  return again;
-}
-
-std::span<const double> line_of(const Doubles& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
 
 Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threads) {
   const auto input = points3_of(points, "points");

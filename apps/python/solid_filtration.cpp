@@ -12,6 +12,7 @@
 
 #include "python/arrays.h"
 #include "python/module.h"
+#include "python/solid_again.h"
 #include "python/watched.h"
 #include "rbpa/pair_choice.h"
 #include "rbpa/solid_persistence.h"
@@ -61,6 +62,7 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   result["triangles"] = rows<std::int32_t>(std::move(filtration.triangles));
   result["triangle_alpha"] = line<double>(std::move(filtration.triangle_alpha));
   result["simplices"] = rows<std::int32_t>(std::move(filtration.delaunay.simplices));
+  result["neighbors"] = rows<std::int32_t>(std::move(filtration.delaunay.neighbors));
   result["simplex_alpha"] = line<double>(std::move(filtration.tetrahedron_alpha));
   result["edges_of"] = rows<std::int32_t>(std::move(filtration.edges_of));
   result["triangles_of"] = rows<std::int32_t>(std::move(filtration.triangles_of));
@@ -108,11 +110,13 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
 }
 
 /// Of each plateau what rbpa.SolidPlateau is made of, the best first.
-py::list solid_plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
+py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
+                           const Doubles& radii, std::size_t distinct) {
   const auto input = points3_of(points, "points");
-  const std::vector<SolidPlateau> found = watched(input.size(), progress, [&](Watch& watch) {
-    return solid_plateaus(input, solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
-                          watch.until_stopped());
+  const std::vector<SolidPlateau> found = watched(input.size(), py::none(), [&](Watch& watch) {
+    Solid delaunay = solid_again(simplices, neighbors);
+    delaunay.distinct = distinct;
+    return solid_plateaus(input, delaunay, line_of(radii), watch.until_stopped());
   });
   py::list list;
   for (const SolidPlateau& p : found)
@@ -123,26 +127,22 @@ py::list solid_plateaus_of(const Doubles& points, unsigned threads, const py::ob
 }
 
 /// Columns of a tree of voids.
-py::dict void_tree_of(const Doubles& points, bool full, unsigned threads, const py::object& progress) {
+py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Indices& neighbors, const Doubles& radii,
+                      bool full, unsigned threads) {
   const auto input = points3_of(points, "points");
-  struct Made {
-    SolidFiltration filtration;
-    VoidTree tree;
-  };
-  Made made = watched(input.size(), progress, [&](Watch& watch) {
-    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}), .tree = {}};
-    all.tree = void_tree(input, all.filtration, full ? VoidWalls::full : VoidWalls::solid, watch.until_stopped());
-    return all;
+  const VoidTree tree = watched(input.size(), py::none(), [&](Watch& watch) {
+    return void_tree(input, solid_again(simplices, neighbors), line_of(radii),
+                     full ? VoidWalls::full : VoidWalls::solid, threads, watch.until_stopped());
   });
   std::vector<double> closes, filled, volume;
   std::vector<std::uint32_t> parent;
   std::vector<Triangle> mouth;
-  for (const VoidNode& node : made.tree.nodes) {
+  for (const VoidNode& node : tree.nodes) {
     closes.push_back(node.closes);
     filled.push_back(node.filled);
     volume.push_back(node.volume);
     parent.push_back(node.parent);
-    mouth.push_back(made.filtration.triangles[node.mouth]);
+    mouth.push_back(node.mouth);
   }
   py::dict result;
   result["closes"] = line<double>(std::move(closes));
@@ -158,8 +158,10 @@ py::dict void_tree_of(const Doubles& points, bool full, unsigned threads, const 
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
   module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
-  module.def("solid_plateaus", &solid_plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
-  module.def("void_tree", &void_tree_of, arg("points").noconvert(), arg("full"), arg("threads"), arg("progress"));
+  module.def("solid_plateaus", &solid_plateaus_of, arg("points").noconvert(), arg("simplices").noconvert(),
+             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("distinct"));
+  module.def("void_tree", &void_tree_of, arg("points").noconvert(), arg("simplices").noconvert(),
+             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("full"), arg("threads"));
   module.def("solid_representatives", &solid_representatives_of, arg("points").noconvert(), arg("dimension"),
              arg("min_persistence"), arg("top"), arg("threads"), arg("progress"));
 }

@@ -14,7 +14,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/solid_filtration.h"
+#include "rbpa/solid.h"
 
 namespace rbpa {
 
@@ -41,9 +41,11 @@ struct SolidPlateau {
 /// long structured ones above it; then all others. Within each group by (ratio − 1) · share of points covered, descending.
 /// Each begins where at least half of the points are covered, and within it the change grows by at most a tenth, which is the product P · H · E^(1/12), as in
 /// rbpa/plateaus.h: P  Σ nᵢ², the greatest so far; H  all steps of 1 − void_share so far, each as a factor ≥ 1; E  the volume of tetrahedra and voids.
-/// Returns: none when there is no tetrahedron. Requires: these points' filtration.
-/// Throws:  ContractViolation where it visibly is not; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const SolidFiltration& filtration,
+/// Returns: none when there is no tetrahedron.
+/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii.
+/// Throws:  ContractViolation where they visibly are not; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
+                                                  std::span<const double> radii,
                                                   const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -46,7 +46,7 @@ set(allowed
   "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
   "rbpa/space/normals: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"
   "rbpa/space/periodic: rbpa rbpa/base rbpa/base/exact rbpa/space"
-  "rbpa/space/persistence: meshops/core rbpa rbpa/base rbpa/space/predicate"
+  "rbpa/space/persistence: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/predicate"
   "rbpa/space/pivot: rbpa/space/predicate"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/refining: meshops/stellar rbpa rbpa/space/predicate"

@@ -71,7 +71,7 @@ def solid(
     if not isinstance(alpha, str):
         return made
     if alpha == "plateau":
-        found = _core.solid_plateaus(array, as_threads(threads), progress) if len(made.simplices) else []
+        found = _core.solid_plateaus(array, made.simplices, made.neighbors, made.radii, len(array) - len(made.duplicates))
         return made.within(found[0][2] if found else math.inf)
     return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto", share))
 

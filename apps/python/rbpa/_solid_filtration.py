@@ -118,6 +118,8 @@ class SolidFiltration(Result):
     edges, triangles, simplices : int32 arrays of shape (e, 2), (t, 3), (m, 4)
         Edges, triangles and tetrahedra of the Delaunay triangulation, in an order in which neighbours are near each other. Corners of edges and
         triangles ascend.
+    neighbors : int32 array of shape (m, 4)
+        Of each tetrahedron those across from its corners, -1 for none.
     edges_of, triangles_of : int32 arrays of shape (t, 3), (m, 4)
         Of each triangle its edges, and of each tetrahedron its triangles, each across from the corner of that column: the boundary matrices.
     edge_alpha, triangle_alpha, simplex_alpha : float64 arrays
@@ -135,6 +137,7 @@ class SolidFiltration(Result):
     triangle_alpha: Floats
     simplices: Indices
     simplex_alpha: Floats
+    neighbors: Indices
     edges_of: Indices
     triangles_of: Indices
     distinct: int
@@ -180,7 +183,8 @@ class SolidFiltration(Result):
     def plateaus(self) -> list[SolidPlateau]:
         """Ranges of radii over which parts and voids of the solid hardly change, the best first, at most eight. Computed anew with each call."""
         self._require_unchanged()
-        return [SolidPlateau(*found) for found in _core.solid_plateaus(self.points, as_threads(None), None)]
+        found = _core.solid_plateaus(self.points, self.simplices, self.neighbors, self.simplex_alpha, self.distinct)
+        return [SolidPlateau(*one) for one in found]
 
     def void_tree(self, walls: str = "full") -> VoidTree:
         """All voids, each with the radius at which it closes and the one at which it is filled, and what it is parted from.
@@ -191,7 +195,7 @@ class SolidFiltration(Result):
         if walls not in ("solid", "full"):
             raise InvalidInput(f"walls: found {walls!r}, expected 'solid' or 'full'")
         self._require_unchanged()
-        made = _core.void_tree(self.points, walls == "full", as_threads(None), None)
+        made = _core.void_tree(self.points, self.simplices, self.neighbors, self.simplex_alpha, walls == "full", as_threads(None))
         freeze(*made.values())
         return VoidTree(*(made[name] for name in VoidTree._fields))
 

@@ -45,8 +45,7 @@ Triangle corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
     corner = complex.input_index[static_cast<std::size_t>(complex.mesh.to_vertex_handle(h).idx())];
     h = complex.mesh.next_halfedge_handle(h);
   }
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
+  return from_least(corners);
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ class OpenFaces {
       for (std::uint32_t k = 0; k < 4; ++k) {
         if (solid_.neighbors[t][k] != Solid::none) continue;
         const Row& corners = solid_.simplices[t];
-        Triangle triangle = space::outer_face(corners, k);
-        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        const Triangle triangle = from_least(space::outer_face(corners, k));
         rows.push_back({triangle[0], triangle[1], triangle[2], 4 * t + k});
         bound = std::max(bound, triangle[0]);
       }

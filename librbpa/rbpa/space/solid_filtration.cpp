@@ -14,13 +14,13 @@
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/insertion/spatial_order.h"
 #include "rbpa/space/persistence/number_faces.h"
+#include "rbpa/space/persistence/triangle_radii.h"
 #include "rbpa/space/predicate/least_sphere.h"
 #include "rbpa/space/predicate/spread.h"
 
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_a_time = 1u << 12;
 
@@ -30,40 +30,12 @@ std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const 
   return space::order_on_curve(points, space::scaled(points, spread, copy), ask);
 }
 
-/// That of its own least sphere if no corner across is inside, else that of the first tetrahedron at it.
-double alpha_of_triangle(std::span<const Point3> points, const SolidFiltration& filtration, std::uint32_t t,
-                         std::size_t k) {
-  const auto& [simplices, neighbors, duplicates, isolated, distinct] = filtration.delaunay;
-  const Triangle& triangle = filtration.triangles[filtration.triangles_of[t][k]];
-  const space::LeastSphere sphere(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
-  double least = filtration.tetrahedron_alpha[t];
-  bool is_alone = !sphere.has_inside(points[simplices[t][k]]);
-  if (const std::uint32_t beyond = neighbors[t][k]; beyond != none) {
-    least = std::min(least, filtration.tetrahedron_alpha[beyond]);
-    const auto back = static_cast<std::size_t>(std::find(neighbors[beyond].begin(), neighbors[beyond].end(), t) -
-                                               neighbors[beyond].begin());
-    is_alone = is_alone && !sphere.has_inside(points[simplices[beyond][back]]);
-  }
-  return is_alone ? sphere.radius_rounded_up() : least;
-}
-
 /// Which corner of a triangle is inside the least sphere of the others, as at most one is; 3 where none is.
 std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k)
     if (space::in_least_sphere(points[triangle[(k + 1) % 3]], points[triangle[(k + 2) % 3]], points[triangle[k]]))
       return static_cast<std::uint8_t>(k);
   return 3;
-}
-
-void find_alpha_of_triangles(std::span<const Point3> points, Threads& threads, SolidFiltration& filtration) {
-  filtration.triangle_alpha.resize(filtration.triangles.size());
-  const auto& neighbors = filtration.delaunay.neighbors;
-  for_each_part(threads, neighbors.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
-      for (std::size_t k = 0; k < 4; ++k)
-        if (neighbors[t][k] == none || t < neighbors[t][k])
-          filtration.triangle_alpha[filtration.triangles_of[t][k]] = alpha_of_triangle(points, filtration, t, k);
-  });
 }
 
 /// That of its own least sphere if no corner around is inside, else that of the first triangle at it.
@@ -138,10 +110,15 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
     return !options.progress || options.progress({delaunay.distinct, delaunay.distinct});
   };
   Steps step(go_on);
-  space::number_faces(sorted.size(), step, filtration);
+  space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
+  space::NumberedEdges edges = space::number_edges(sorted.size(), triangles.corners, step);
   filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads);
   Threads threads = threads_for(points.size(), options.threads);
-  find_alpha_of_triangles(sorted, threads, filtration);
+  filtration.triangle_alpha = space::triangle_radii(sorted, delaunay, filtration.tetrahedron_alpha, triangles, threads);
+  filtration.triangles = std::move(triangles.corners);
+  filtration.triangles_of = std::move(triangles.of);
+  filtration.edges = std::move(edges.ends);
+  filtration.edges_of = std::move(edges.of);
   find_alpha_of_edges(sorted, threads, step, filtration);
   rename_corners(index, filtration);
   return filtration;

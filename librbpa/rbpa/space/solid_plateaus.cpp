@@ -10,7 +10,7 @@
 #include "rbpa/base/plateau_rules.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/still_ranges.h"
-#include "rbpa/space/persistence/pairing.h"
+#include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/persistence/sorted_by_alpha.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/void_tree.h"
@@ -81,44 +81,27 @@ class Parts {
   std::vector<std::uint32_t> size_;  // of each set, at its least point
 };
 
-/// By alpha; of equal ones by volume, so that a sum of volumes in this order depends on coordinates only.
-std::vector<std::uint32_t> by_alpha_and_volume(const std::vector<double>& alpha, const std::vector<Wide>& volumes,
-                                               Steps& step) {
-  const auto sorted = space::sorted_by_alpha(alpha, step);
-  std::vector<std::uint32_t> order(sorted.begin(), sorted.end());
-  for (std::size_t first = 0, last; first < order.size(); first = last) {
-    for (last = first + 1; last < order.size() && alpha[order[last]] == alpha[order[first]]; ++last) continue;
-    if (last - first > 1)
-      std::sort(&order[first], &order[0] + last, [&](std::uint32_t a, std::uint32_t b) {
-        step();
-        return volumes[a] < volumes[b];
-      });
-  }
-  return order;
-}
-
 /// Of each tetrahedron, the radius from which on it is in the complex or in a void of it.
-std::vector<double> enclosed_from(const SolidFiltration& filtration, const VoidTree& tree) {
+std::vector<double> enclosed_from(std::span<const double> radii, const VoidTree& tree) {
   std::vector<double> outermost(tree.nodes.size());  // the closing of the first void that each is parted from
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     outermost[n] = tree.nodes[n].parent == VoidTree::none ? tree.nodes[n].closes : outermost[tree.nodes[n].parent];
-  std::vector<double> from = filtration.tetrahedron_alpha;
+  std::vector<double> from(radii.begin(), radii.end());
   for (std::size_t t = 0; t < from.size(); ++t)
     if (tree.node_of[t] != VoidTree::none) from[t] = outermost[tree.node_of[t]];
   return from;
 }
 
-std::vector<State> states_of(std::span<const Point3> points, const SolidFiltration& filtration, const VoidTree& tree,
-                             Steps& step) {
-  const std::vector<double>& alpha = filtration.tetrahedron_alpha;
+std::vector<State> states_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha,
+                             const VoidTree& tree, Steps& step) {
   std::vector<Wide> volumes(alpha.size());
   for (std::size_t t = 0; t < volumes.size(); ++t) {
     step();
-    volumes[t] = space::volume<Wide>(points, filtration.delaunay.simplices[t]);
+    volumes[t] = space::volume<Wide>(points, delaunay.simplices[t]);
   }
-  const std::vector<double> from = enclosed_from(filtration, tree);
-  const std::vector<std::uint32_t> order = by_alpha_and_volume(alpha, volumes, step),
-                                   by_enclosing = by_alpha_and_volume(from, volumes, step);
+  const std::vector<double> from = enclosed_from(alpha, tree);
+  const auto order = space::sorted_by_alpha<Wide>(alpha, volumes, step),
+             by_enclosing = space::sorted_by_alpha<Wide>(from, volumes, step);
   // The volume of a flat tetrahedron may round to 0.
   const auto positive = [](Wide v) { return std::max(v, std::numeric_limits<Wide>::min()); };
   Wide whole = 0;
@@ -132,7 +115,7 @@ std::vector<State> states_of(std::span<const Point3> points, const SolidFiltrati
     for (; i < order.size() && alpha[order[i]] == now; ++i) {
       step(2);
       solid += volumes[order[i]];
-      parts.add(filtration.delaunay.simplices[order[i]]);
+      parts.add(delaunay.simplices[order[i]]);
     }
     for (; next < by_enclosing.size() && from[by_enclosing[next]] <= now; ++next)
       enclosed += volumes[by_enclosing[next]];
@@ -169,20 +152,20 @@ SolidPlateau plateau_of(const StepRange& range, const std::vector<State>& states
 
 }  // namespace
 
-std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const SolidFiltration& filtration,
-                                         const std::function<bool()>& go_on) {
-  space::check_filtration("solid_plateaus", points, filtration);
-  if (filtration.tetrahedron_alpha.empty()) return {};
+std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
+                                         std::span<const double> radii, const std::function<bool()>& go_on) {
+  space::check_triangulation("solid_plateaus", points, delaunay, radii);
+  if (radii.empty()) return {};
   Steps step(go_on);
   const std::vector<State> states =
-      states_of(points, filtration, void_tree(points, filtration, VoidWalls::solid, go_on), step);
+      states_of(points, delaunay, radii, void_tree(points, delaunay, radii, VoidWalls::solid, 1, go_on), step);
   std::vector<double> alpha;
   std::vector<long double> change;
   for (const State& state : states) {
     alpha.push_back(state.alpha);
     change.push_back(state.change);
   }
-  const std::size_t distinct = filtration.delaunay.distinct;
+  const std::size_t distinct = delaunay.distinct;
   const auto begin = std::find_if(states.begin(), states.end(), [&](const State& state) {
     return static_cast<double>(state.covered) / static_cast<double>(distinct) >= plateau_rules::least_share;
   });

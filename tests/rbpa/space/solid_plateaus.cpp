@@ -14,6 +14,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/solid.h"
 #include "rbpa/solid_boundary.h"
+#include "rbpa/solid_radii.h"
 #include "rbpa/voids.h"
 #include "support/solid_sets.h"
 
@@ -27,7 +28,8 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 std::vector<SolidPlateau> plateaus_of(const Points3& points) {
-  return rbpa::solid_plateaus(points, rbpa::solid_filtration(points));
+  const Solid delaunay = rbpa::solid(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  return rbpa::solid_plateaus(points, delaunay, rbpa::circumradii(points, delaunay.simplices));
 }
 
 Points3 box(std::size_t count, std::uint64_t seed, double x, double size) {
@@ -156,9 +158,10 @@ TEST_CASE("sets of every kind have plateaus in order, and a run is cancelled") {
     }
   }
   const Points3 points = uniform_cube(2000, 5402);
-  const rbpa::SolidFiltration filtration = rbpa::solid_filtration(points);
-  CHECK_THROWS_AS(rbpa::solid_plateaus(points, filtration, [] { return false; }), rbpa::Cancelled);
-  CHECK_THROWS_AS(rbpa::solid_plateaus(Points3(points.begin(), points.end() - 1), filtration),
+  const Solid delaunay = rbpa::solid(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  CHECK_THROWS_AS(rbpa::solid_plateaus(points, delaunay, radii, [] { return false; }), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::solid_plateaus(Points3(points.begin(), points.end() - 1), delaunay, radii),
                   meshops::ContractViolation);
   const Points3 one = {{1, 2, 3}};
   CHECK(plateaus_of(one).empty());

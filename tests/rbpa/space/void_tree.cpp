@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -35,6 +36,10 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, VoidWalls walls = VoidWalls::full) {
+  return rbpa::void_tree(points, filtration.delaunay, filtration.tetrahedron_alpha, walls);
+}
 
 /// Sets of tetrahedra that are left out at a radius, joined through triangles that are not walls; the outside is one more, the last.
 meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls walls, double alpha) {
@@ -65,7 +70,12 @@ TEST_CASE("at every radius the nodes that are open then are the voids, and each 
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
     for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full}) {
-      const VoidTree tree = rbpa::void_tree(set.points, filtration, walls);
+      const VoidTree tree = tree_of(set.points, filtration, walls);
+      for (std::size_t t = 0; t < tree.node_of.size(); ++t)
+        if (const std::uint32_t node = tree.node_of[t]; node != VoidTree::none) {
+          CHECK(tree.nodes[node].closes < filtration.tetrahedron_alpha[t]);
+          CHECK(filtration.tetrahedron_alpha[t] <= tree.nodes[node].filled);
+        }
       std::vector<double> alphas;
       for (std::size_t i = 0; i < tree.nodes.size(); i += 1 + tree.nodes.size() / 12)
         for (const double alpha : {tree.nodes[i].closes, std::nextafter(tree.nodes[i].filled, 0.0),
@@ -109,7 +119,7 @@ TEST_CASE("closing, filling and volume are those of pairs and their representati
     const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    const VoidTree tree = rbpa::void_tree(set.points, filtration);
+    const VoidTree tree = tree_of(set.points, filtration);
     std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
     std::erase_if(pairs, [](const SolidPair& pair) { return pair.dimension != 2; });
     const auto shapes = rbpa::solid_representatives(set.points, filtration, pairs);
@@ -122,7 +132,7 @@ TEST_CASE("closing, filling and volume are those of pairs and their representati
       const std::size_t i = of_last[node.last];
       CHECK(node.closes == pairs[i].birth);
       CHECK(node.filled == *pairs[i].death);
-      CHECK(node.mouth == pairs[i].born_by);
+      CHECK(node.mouth == filtration.triangles[pairs[i].born_by]);
       if (std::isfinite(shapes[i].volume)) CHECK(node.volume == doctest::Approx(shapes[i].volume).epsilon(1e-9));
       if (node.parent != VoidTree::none) {
         CHECK(node.parent < n);
@@ -142,7 +152,7 @@ TEST_CASE("voids of the solid at the radius at which one closes have its volume"
     const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    const VoidTree tree = rbpa::void_tree(set.points, filtration, VoidWalls::solid);
+    const VoidTree tree = tree_of(set.points, filtration, VoidWalls::solid);
     for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 60) {
       const rbpa::VoidNode& node = tree.nodes[n];
       if (std::isinf(node.closes) || !(node.volume > 1e-250 && node.volume < 1e250)) continue;
@@ -157,6 +167,73 @@ TEST_CASE("voids of the solid at the radius at which one closes have its volume"
   CHECK(found > 60);
 }
 
+TEST_CASE("each void at a radius has its node, in a triangulation of any order") {
+  std::size_t found = 0;
+  for (const SolidSet& set : solid_sets(150)) {
+    if (!set.is_solid) continue;
+    CAPTURE(set.name);
+    const Solid delaunay = rbpa::solid(set.points, infinity, {.neighbors = true});
+    if (delaunay.simplices.empty() || delaunay.simplices.size() > 2500) continue;
+    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+    for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full}) {
+      const VoidTree tree = rbpa::void_tree(set.points, delaunay, radii, walls);
+      for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 8) {
+        const double alpha = tree.nodes[n].closes;
+        if (!(alpha > 0) || std::isinf(alpha)) continue;
+        CAPTURE(alpha);
+        const Solid solid = rbpa::within(delaunay, radii, alpha);
+        const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
+        rbpa::FullVoids voids{.boundary = boundary.surface, .all = {}};
+        if (walls == VoidWalls::full)
+          voids = rbpa::full_voids(set.points, rbpa::void_space(set.points, delaunay, radii, alpha));
+        else
+          voids.all = rbpa::voids(set.points, solid, boundary).all;
+        std::vector<std::uint32_t> nodes = rbpa::nodes_of(tree, delaunay, radii, alpha, voids.boundary, voids.all);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          REQUIRE(nodes[i] < tree.nodes.size());
+          const rbpa::VoidNode& node = tree.nodes[nodes[i]];
+          if (node.closes == alpha && node.volume > 1e-250 && node.volume < 1e250)
+            CHECK(voids.all[i].volume == doctest::Approx(node.volume).epsilon(1e-7));
+        }
+        std::sort(nodes.begin(), nodes.end());
+        CHECK(std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end());
+        CHECK(static_cast<std::ptrdiff_t>(nodes.size()) ==
+              std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                            [&](const rbpa::VoidNode& node) { return node.closes <= alpha && alpha < node.filled; }));
+        found += nodes.size();
+      }
+    }
+  }
+  CHECK(found > 1000);
+  const Points3 points = uniform_cube(300, 5301);
+  const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  const VoidTree tree = rbpa::void_tree(points, delaunay, radii, VoidWalls::solid);
+  const double alpha = tree.nodes.front().closes;
+  const Solid solid = rbpa::within(delaunay, radii, alpha);
+  const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
+  const rbpa::Voids voids = rbpa::voids(points, solid, boundary);
+  CHECK(voids.all.size() == 1);
+  CHECK_THROWS_AS(rbpa::nodes_of(tree, delaunay, radii, 9, boundary.surface, voids.all), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::nodes_of(tree, solid, radii, alpha, boundary.surface, voids.all), meshops::ContractViolation);
+}
+
+TEST_CASE("a tree of voids does not depend on the order of the points, to the last bit of its volumes") {
+  Points3 points = uniform_cube(1200, 5302);
+  std::vector<std::vector<std::tuple<double, double, double>>> found;
+  for (int i = 0; i < 3; ++i) {
+    const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+    found.emplace_back();
+    for (const rbpa::VoidNode& node : rbpa::void_tree(points, delaunay, radii).nodes)
+      found.back().emplace_back(node.closes, node.filled, node.volume);
+    std::shuffle(points.begin(), points.end(), std::mt19937(static_cast<unsigned>(i)));
+  }
+  CHECK(found[0].size() > 500);
+  CHECK(found[1] == found[0]);
+  CHECK(found[2] == found[0]);
+}
+
 TEST_CASE("a bottle's inside is a pocket with its neck for a mouth until the neck closes") {
   // A sphere of radius 1 with a hole of radius 0.4 around its top.
   Points3 bottle;
@@ -165,22 +242,30 @@ TEST_CASE("a bottle's inside is a pocket with its neck for a mouth until the nec
     if (z < std::sqrt(1 - 0.16)) bottle.push_back({r * std::cos(2.399963 * i), r * std::sin(2.399963 * i), z});
   }
   const SolidFiltration filtration = rbpa::solid_filtration(bottle);
-  const VoidTree tree = rbpa::void_tree(bottle, filtration);
+  const VoidTree tree = tree_of(bottle, filtration);
   const rbpa::VoidNode& inside =
       *std::max_element(tree.nodes.begin(), tree.nodes.end(),
                         [](const rbpa::VoidNode& a, const rbpa::VoidNode& b) { return a.volume < b.volume; });
   CHECK(inside.closes == doctest::Approx(0.4).epsilon(0.1));
   CHECK(inside.filled == doctest::Approx(1).epsilon(0.05));
   CHECK(inside.volume == doctest::Approx(4.1).epsilon(0.05));
-  for (const std::uint32_t corner : filtration.triangles[inside.mouth]) CHECK(bottle[corner].z > 0.8);
+  for (const std::uint32_t corner : inside.mouth) CHECK(bottle[corner].z > 0.8);
   CHECK(inside.parent == VoidTree::none);
 }
 
 TEST_CASE("another filtration's points, and a run that is cancelled") {
   const Points3 points = uniform_cube(2000, 5300);
   const SolidFiltration filtration = rbpa::solid_filtration(points);
-  CHECK_THROWS_AS(rbpa::void_tree(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::void_tree(points, filtration, VoidWalls::full, [] { return false; }), rbpa::Cancelled);
+  CHECK_THROWS_AS(tree_of(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);
+  const auto& [delaunay, radii, triangles, triangle_alpha, edges, edge_alpha, triangles_of, edges_of] = filtration;
+  const auto stop = [] { return false; };
+  CHECK_THROWS_AS(rbpa::void_tree(points, delaunay, radii, VoidWalls::full, 1, stop), rbpa::Cancelled);
+  Solid broken = delaunay;
+  for (auto& row : broken.neighbors)
+    for (std::uint32_t& n : row) n = n == 7 ? 8 : n;
+  CHECK_THROWS_AS(rbpa::void_tree(points, broken, radii), meshops::ContractViolation);
+  broken.neighbors.pop_back();
+  CHECK_THROWS_AS(rbpa::void_tree(points, broken, radii), meshops::ContractViolation);
   const Points3 one = {{1, 2, 3}};
-  CHECK(rbpa::void_tree(one, rbpa::solid_filtration(one)).nodes.empty());
+  CHECK(tree_of(one, rbpa::solid_filtration(one)).nodes.empty());
 }

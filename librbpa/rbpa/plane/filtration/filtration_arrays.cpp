@@ -46,7 +46,7 @@ Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<con
 std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& number, const Numbers& place) {
   for (auto& corners : triangles) {
     for (std::uint32_t& corner : corners) corner = place[number[corner]];
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    corners = from_least(corners);
   }
   return triangles;
 }

@@ -3,15 +3,23 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
+#include "rbpa/base/simplices_at.h"
 
 namespace rbpa::space {
 
-Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
-                            std::span<const double> radii, double alpha, unsigned threads) {
+void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
+                         std::span<const double> radii) {
   meshops::require(radii.size() == delaunay.simplices.size(),
                    (function + ": expected a radius for each tetrahedron").c_str());
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    (function + ": the triangulation has no neighbors").c_str());
+  meshops::require(corner_bound<4>(delaunay.simplices) <= points.size(),
+                   (function + ": expected the points of the triangulation").c_str());
+}
+
+Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
+                            std::span<const double> radii, double alpha, unsigned threads) {
+  check_triangulation(function, points, delaunay, radii);
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   if (delaunay.simplices.empty() && delaunay.distinct > 1)
     throw InvalidInput("the points are in a plane, expected some that have a tetrahedron");

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
-#include <span>
-#include <vector>
+
+#include "meshops/core/contract.h"
 
 namespace rbpa::space {
 namespace {
@@ -52,10 +51,12 @@ class EdgeTable {
 
 }  // namespace
 
-void number_faces(std::size_t points, Steps& step, SolidFiltration& filtration) {
-  const auto& [simplices, neighbors, duplicates, isolated, distinct] = filtration.delaunay;
-  filtration.triangles_of.resize(simplices.size());
-  filtration.triangles.reserve(2 * simplices.size() + simplices.size() / 16);
+NumberedTriangles number_triangles(const Solid& delaunay, Steps& step) {
+  constexpr const char* not_shared = "a triangulation: expected neighbors that share a face";
+  const auto& [simplices, neighbors, duplicates, isolated, distinct] = delaunay;
+  NumberedTriangles triangles;
+  triangles.of.resize(simplices.size());
+  triangles.corners.reserve(2 * simplices.size() + simplices.size() / 16);
   for (std::uint32_t t = 0; t < simplices.size(); ++t) {
     step();
     for (std::size_t k = 0; k < 4; ++k) {
@@ -63,23 +64,31 @@ void number_faces(std::size_t points, Steps& step, SolidFiltration& filtration) 
       if (beyond < t) {
         const auto& others = neighbors[beyond];
         const auto back = static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
-        filtration.triangles_of[t][k] = filtration.triangles_of[beyond][back];
+        meshops::require(back < 4, not_shared);
+        triangles.of[t][k] = triangles.of[beyond][back];
         continue;
       }
-      filtration.triangles_of[t][k] = static_cast<std::uint32_t>(filtration.triangles.size());
-      Triangle triangle = {simplices[t][(k + 1) % 4], simplices[t][(k + 2) % 4], simplices[t][(k + 3) % 4]};
-      std::sort(triangle.begin(), triangle.end());
-      filtration.triangles.push_back(triangle);
+      meshops::require(beyond == none || beyond < simplices.size(), not_shared);
+      triangles.of[t][k] = static_cast<std::uint32_t>(triangles.corners.size());
+      Triangle corners = {simplices[t][(k + 1) % 4], simplices[t][(k + 2) % 4], simplices[t][(k + 3) % 4]};
+      std::sort(corners.begin(), corners.end());
+      triangles.corners.push_back(corners);
     }
   }
-  EdgeTable table(points, filtration.triangles);
-  filtration.edges.reserve(filtration.triangles.size() * 5 / 8);
-  filtration.edges_of.reserve(filtration.triangles.size());
-  for (const auto& [a, b, c] : filtration.triangles) {
+  return triangles;
+}
+
+NumberedEdges number_edges(std::size_t points, std::span<const Triangle> triangles, Steps& step) {
+  EdgeTable table(points, triangles);
+  NumberedEdges edges;
+  edges.ends.reserve(triangles.size() * 5 / 8);
+  edges.of.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
     step();
-    filtration.edges_of.push_back({table.number(b, c, filtration.edges), table.number(a, c, filtration.edges),
-                                   table.number(a, b, filtration.edges)});
+    edges.of.push_back(
+        {table.number(b, c, edges.ends), table.number(a, c, edges.ends), table.number(a, b, edges.ends)});
   }
+  return edges;
 }
 
 }  // namespace rbpa::space

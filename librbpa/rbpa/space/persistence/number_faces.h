@@ -8,14 +8,32 @@
 // Cost: linear; twenty bytes a triangle for the tables.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "rbpa/base/steps.h"
-#include "rbpa/solid_filtration.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/solid.h"
 
 namespace rbpa::space {
 
-/// From `delaunay`, fills in triangles, edges, triangles_of and edges_of. Requires: neighbors; corners below `points`.
-void number_faces(std::size_t points, Steps& step, SolidFiltration& filtration);
+struct NumberedTriangles {
+  std::vector<Triangle> corners;                 ///< ascending
+  std::vector<std::array<std::uint32_t, 4>> of;  ///< of each tetrahedron, across from each corner
+};
+
+/// Throws: ContractViolation where neighbors, as many as tetrahedra, are not mutual.
+NumberedTriangles number_triangles(const Solid& delaunay, Steps& step);
+
+struct NumberedEdges {
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< ascending
+  std::vector<std::array<std::uint32_t, 3>> of;    ///< of each triangle, across from each corner
+};
+
+/// Requires: ascending corners below `points`.
+NumberedEdges number_edges(std::size_t points, std::span<const Triangle> triangles, Steps& step);
 
 }  // namespace rbpa::space

@@ -25,7 +25,8 @@ struct Pairing {
   Pairing(const SolidFiltration& filtration, Steps& step)
       : edges(sorted_by_alpha(filtration.edge_alpha, step)),
         components(find_components(filtration, edges, step)),
-        voids(find_voids(filtration, step)),
+        voids(find_voids(filtration.delaunay, filtration.tetrahedron_alpha, filtration.triangles_of,
+                         filtration.triangle_alpha, step)),
         tunnels(filtration, edges, components.joins, voids.makes_one, step) {}
 
   meshops::FreshVector<std::uint32_t> edges;  ///< by alpha

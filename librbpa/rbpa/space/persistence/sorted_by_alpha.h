@@ -1,4 +1,4 @@
-// What: simplices of one dimension in the order of a filtration: by alpha, then by number.
+// What: simplices of one dimension in the order of a filtration: by alpha, then by number, or by volume.
 // How:  radii are at least 0, and so in the order of their bits: three passes sort by those that differ first, and where they are equal a
 //       comparison does the rest.
 // Cost: linear where few radii are nearly equal and not equal; else a sort.
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -56,6 +57,22 @@ inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const doubl
     last = first + 1;
     while (last < order.size() && keyed[last].key == keyed[first].key) ++last;
     if (last - first > 1) std::sort(&order[first], &order[0] + last, is_before);
+  }
+  return order;
+}
+
+/// Their numbers: by alpha, and of equal ones by volume, so that sums of volumes in this order do not depend on the numbers.
+template <typename Real>
+meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, std::span<const Real> volumes,
+                                                    Steps& step) {
+  auto order = sorted_by_alpha(alpha, step);
+  for (std::size_t first = 0, last; first < order.size(); first = last) {
+    for (last = first + 1; last < order.size() && alpha[order[last]] == alpha[order[first]]; ++last) continue;
+    if (last - first > 1)
+      std::sort(&order[first], &order[0] + last, [&](std::uint32_t a, std::uint32_t b) {
+        step();
+        return volumes[a] < volumes[b];
+      });
   }
   return order;
 }

@@ -46,15 +46,16 @@ class Basins {
 };
 
 /// Joins each tetrahedron by the last of its triangles, where that has the same radius.
-void flow(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step, Basins& basins,
-          std::vector<bool>& makes_one) {
-  const auto& neighbors = filtration.delaunay.neighbors;
+void flow(const Solid& delaunay, std::span<const double> radii,
+          std::span<const std::array<std::uint32_t, 4>> triangles_of, std::span<const double> triangle_radii,
+          Steps& step, Basins& basins, std::vector<bool>& makes_one) {
+  const auto& neighbors = delaunay.neighbors;
   for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
     step();
     std::uint32_t last = none, across = none;
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint32_t triangle = filtration.triangles_of[t][k];
-      if (triangle_alpha[triangle] != filtration.tetrahedron_alpha[t] || (last != none && triangle < last)) continue;
+      const std::uint32_t triangle = triangles_of[t][k];
+      if (triangle_radii[triangle] != radii[t] || (last != none && triangle < last)) continue;
       last = triangle;
       across = neighbors[t][k] == none ? basins.outside() : neighbors[t][k];
     }
@@ -72,12 +73,14 @@ struct Passage {
 
 }  // namespace
 
-PersistentVoids find_voids(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step) {
-  const auto& neighbors = filtration.delaunay.neighbors;
+PersistentVoids find_voids(const Solid& delaunay, std::span<const double> radii,
+                           std::span<const std::array<std::uint32_t, 4>> triangles_of,
+                           std::span<const double> triangle_radii, Steps& step) {
+  const auto& neighbors = delaunay.neighbors;
   PersistentVoids result;
-  result.makes_one.assign(filtration.triangles.size(), false);
-  Basins basins(filtration.tetrahedron_alpha);
-  flow(filtration, triangle_alpha, step, basins, result.makes_one);
+  result.makes_one.assign(triangle_radii.size(), false);
+  Basins basins(radii);
+  flow(delaunay, radii, triangles_of, triangle_radii, step, basins, result.makes_one);
 
   std::vector<Passage> passages;
   std::vector<double> alpha;
@@ -90,8 +93,8 @@ PersistentVoids find_voids(const SolidFiltration& filtration, std::span<const do
       if (beyond < t) continue;
       const std::uint32_t a = basins.find(t), b = basins.find(beyond == none ? basins.outside() : beyond);
       if (a == b) continue;
-      passages.push_back({filtration.triangles_of[t][k], a, b});  // ascending
-      alpha.push_back(triangle_alpha[passages.back().triangle]);
+      passages.push_back({triangles_of[t][k], a, b});  // ascending
+      alpha.push_back(triangle_radii[passages.back().triangle]);
     }
   }
   const auto order = sorted_by_alpha(alpha, step);

@@ -7,12 +7,13 @@
 // Source: Delfinado, Edelsbrunner (1995); Borůvka (1926); Dey, Giesen, Goswami, Shape segmentation and matching with flow discretization (2003): basins.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/steps.h"
-#include "rbpa/solid_filtration.h"
+#include "rbpa/solid.h"
 
 namespace rbpa::space {
 
@@ -27,10 +28,9 @@ struct PersistentVoids {
   std::vector<std::uint32_t> basin;  ///< of each tetrahedron, the last one of its basin, or none: the outside
 };
 
-/// With a radius for each triangle, at most that of each of its tetrahedra; by default its own.
-PersistentVoids find_voids(const SolidFiltration& filtration, std::span<const double> triangle_alpha, Steps& step);
-inline PersistentVoids find_voids(const SolidFiltration& filtration, Steps& step) {
-  return find_voids(filtration, filtration.triangle_alpha, step);
-}
+/// With a radius for each tetrahedron, the numbers of its triangles, and a radius for each of those, at most that of each of its tetrahedra.
+PersistentVoids find_voids(const Solid& delaunay, std::span<const double> radii,
+                           std::span<const std::array<std::uint32_t, 4>> triangles_of,
+                           std::span<const double> triangle_radii, Steps& step);
 
 }  // namespace rbpa::space

@@ -1,6 +1,7 @@
 // What: differences of points in space, in double, long double or integers, and their products; distances and volumes, rounded.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -30,12 +31,12 @@ Vector3<Real> cross(const Vector3<Real>& u, const Vector3<Real>& v) {
 
 inline double distance(const Point3& a, const Point3& b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
 
-/// Of a tetrahedron, whatever its orientation.
+/// Of a tetrahedron, the same in any order of its corners.
 template <typename Real>
 Real volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
-  const Point3& a = points[corners[0]];
-  const Vector3<Real> u = from<Real>(a, points[corners[1]]), v = from<Real>(a, points[corners[2]]),
-                      w = from<Real>(a, points[corners[3]]);
+  std::array<Point3, 4> p = {points[corners[0]], points[corners[1]], points[corners[2]], points[corners[3]]};
+  std::sort(p.begin(), p.end());
+  const Vector3<Real> u = from<Real>(p[0], p[1]), v = from<Real>(p[0], p[2]), w = from<Real>(p[0], p[3]);
   return std::abs(dot(cross(u, v), w)) / 6;
 }
 

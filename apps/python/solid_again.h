@@ -1,0 +1,26 @@
+// What: a solid, and the radii of its tetrahedra, from the arrays that Python has of it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "python/arrays.h"
+#include "rbpa/solid.h"
+
+namespace rbpa::python {
+
+/// Its tetrahedra and neighbours, nothing else.
+inline Solid solid_again(const Indices& simplices, const Indices& neighbors) {
+  Solid again;
+  const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };
+  again.simplices = rows_of(quadruples_of(simplices, "simplices"));
+  again.neighbors = rows_of(quadruples_of(neighbors, "neighbors"));
+  return again;
+}
+
+inline std::span<const double> line_of(const Doubles& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+}  // namespace rbpa::python
