@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "rbpa/base/steps.h"
 #include "rbpa/space/persistence/pairing.h"
@@ -31,8 +33,12 @@ void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& 
 std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const std::function<bool()>& go_on) {
   space::check_filtration("solid_persistence", filtration);
   Steps step(go_on);
-  const space::Pairing pairing(filtration, step);
+  space::Pairing pairing(filtration, step);
+  const std::vector<std::uint32_t> end_of = std::move(pairing.tunnels).all_ended_by();
   std::vector<SolidPair> pairs;
+  // Memory that is grown into would be there twice.
+  const auto tunnels = std::count_if(end_of.begin(), end_of.end(), [](std::uint32_t t) { return t != Solid::none; });
+  pairs.reserve(pairing.components.all.size() + 1 + static_cast<std::size_t>(tunnels) + pairing.voids.all.size());
   const auto add = [&](int dimension, double birth, double death, std::uint32_t born_by, std::uint32_t ended_by) {
     if (birth != death) pairs.push_back({dimension, birth, death, born_by, ended_by});
   };
@@ -43,7 +49,7 @@ std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, cons
 
   const std::size_t first_tunnel = pairs.size();
   for (const std::uint32_t edge : pairing.edges)
-    if (const std::uint32_t triangle = pairing.tunnels.ended_by(edge); triangle != Solid::none)
+    if (const std::uint32_t triangle = end_of[edge]; triangle != Solid::none)
       add(1, filtration.edge_alpha[edge], filtration.triangle_alpha[triangle], edge, triangle);
   sort_equal_births(pairs, first_tunnel, step);
 

@@ -35,13 +35,12 @@ double reach_of(std::span<const Point3> points) {
   return static_cast<double>(std::sqrt(dot(diagonal, diagonal)) / 2);
 }
 
-/// The complex from one radius to the next.
-struct State {
-  double alpha;
-  Wide change;
-  std::size_t tetrahedra, components, covered;
-  Wide volume;
-  double effective_parts, void_share;
+/// The complex from each radius to the next.
+struct Growth {
+  std::vector<double> alpha;
+  std::vector<Wide> change;
+  std::vector<double> volume, void_share;
+  std::size_t begin = 0;  // the first radius at which enough points are covered
 };
 
 /// Components of the tetrahedra so far, connected through points, by their numbers of points.
@@ -49,6 +48,12 @@ class Parts {
  public:
   explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}
 
+  /// All points in one: what is added changes nothing any more.
+  bool is_whole(std::size_t distinct) const { return components == 1 && points == distinct; }
+  double effective() const {
+    const auto of_all = static_cast<double>(points);
+    return of_all * of_all / static_cast<double>(squares);
+  }
   void add(const std::array<std::uint32_t, 4>& corners) {
     for (const std::uint32_t corner : corners)
       if (size_[sets_.find(corner)] == 0) {
@@ -92,8 +97,8 @@ std::vector<double> enclosed_from(std::span<const double> radii, const VoidTree&
   return from;
 }
 
-std::vector<State> states_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha,
-                             const VoidTree& tree, Steps& step) {
+Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha,
+                 const VoidTree& tree, Steps& step) {
   std::vector<Wide> volumes(alpha.size());
   for (std::size_t t = 0; t < volumes.size(); ++t) {
     step();
@@ -109,13 +114,13 @@ std::vector<State> states_of(std::span<const Point3> points, const Solid& delaun
   Parts parts(points.size());
   std::uint64_t most_squares = 0;
   Wide solid = 0, enclosed = 0, turns = 1, filled_before = 1;
-  std::vector<State> states;
+  Growth growth;
   for (std::size_t i = 0, next = 0; i < order.size();) {
     const double now = alpha[order[i]];
     for (; i < order.size() && alpha[order[i]] == now; ++i) {
       step(2);
       solid += volumes[order[i]];
-      parts.add(delaunay.simplices[order[i]]);
+      if (!parts.is_whole(delaunay.distinct)) parts.add(delaunay.simplices[order[i]]);
     }
     for (; next < by_enclosing.size() && from[by_enclosing[next]] <= now; ++next)
       enclosed += volumes[by_enclosing[next]];
@@ -123,31 +128,43 @@ std::vector<State> states_of(std::span<const Point3> points, const Solid& delaun
     const Wide filled = std::min(Wide(1), positive(solid) / positive(enclosed));
     turns *= std::max(filled / filled_before, filled_before / filled);
     filled_before = filled;
-    const auto of_parts = static_cast<double>(parts.points);
-    states.push_back(
-        {now, static_cast<Wide>(most_squares) * turns * std::pow(positive(enclosed) / positive(whole), Wide(1) / 12), i,
-         parts.components, parts.points, solid, of_parts * of_parts / static_cast<double>(parts.squares),
-         static_cast<double>(1 - filled)});
+    const Wide twelfth_root = std::sqrt(std::sqrt(std::cbrt(positive(enclosed) / positive(whole))));
+    if (static_cast<double>(parts.points) / static_cast<double>(delaunay.distinct) < plateau_rules::least_share)
+      growth.begin = growth.alpha.size() + 1;
+    growth.alpha.push_back(now);
+    growth.change.push_back(static_cast<Wide>(most_squares) * turns * twelfth_root);
+    growth.volume.push_back(static_cast<double>(solid));
+    growth.void_share.push_back(static_cast<double>(1 - filled));
   }
-  return states;
+  return growth;
 }
 
-SolidPlateau plateau_of(const StepRange& range, const std::vector<State>& states, double ratio, std::size_t distinct) {
-  SolidPlateau plateau{.from = states[range.first].alpha, .ratio = ratio};
-  if (range.last < states.size()) plateau.to = states[range.last].alpha;
+/// In the range, without what is counted there.
+SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double ratio, std::size_t distinct) {
+  SolidPlateau plateau{.from = growth.alpha[range.first], .ratio = ratio};
+  if (range.last < growth.alpha.size()) plateau.to = growth.alpha[range.last];
   plateau.alpha = plateau.from * std::min(std::sqrt(ratio), settles);
-  const auto after = std::upper_bound(states.begin(), states.end(), plateau.alpha,
-                                      [](double alpha, const State& state) { return alpha < state.alpha; });
-  const State& there = *(after - 1);
-  plateau.tetrahedra = there.tetrahedra;
-  plateau.components = there.components;
-  plateau.covered = there.covered;
-  plateau.volume = static_cast<double>(there.volume);
-  plateau.effective_parts = there.effective_parts;
-  plateau.void_share = there.void_share;
-  plateau.is_structured = plateau_rules::is_structured(there.effective_parts, there.void_share);
+  const auto after = std::upper_bound(growth.alpha.begin(), growth.alpha.end(), plateau.alpha);
+  const auto there = static_cast<std::size_t>(after - growth.alpha.begin()) - 1;
+  plateau.volume = growth.volume[there];
+  plateau.void_share = growth.void_share[there];
   plateau.is_long = ratio >= noise_ratio(distinct);
   return plateau;
+}
+
+void count(std::size_t points, const Solid& delaunay, std::span<const double> radii, Steps& step,
+           SolidPlateau& plateau) {
+  Parts parts(points);
+  for (std::size_t t = 0; t < radii.size(); ++t) {
+    if (radii[t] > plateau.alpha) continue;
+    step();
+    ++plateau.tetrahedra;
+    if (!parts.is_whole(delaunay.distinct)) parts.add(delaunay.simplices[t]);
+  }
+  plateau.components = parts.components;
+  plateau.covered = parts.points;
+  plateau.effective_parts = parts.effective();
+  plateau.is_structured = plateau_rules::is_structured(plateau.effective_parts, plateau.void_share);
 }
 
 }  // namespace
@@ -157,23 +174,16 @@ std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const S
   space::check_triangulation("solid_plateaus", points, delaunay, radii);
   if (radii.empty()) return {};
   Steps step(go_on);
-  const std::vector<State> states =
-      states_of(points, delaunay, radii, void_tree(points, delaunay, radii, VoidWalls::solid, 1, go_on), step);
-  std::vector<double> alpha;
-  std::vector<long double> change;
-  for (const State& state : states) {
-    alpha.push_back(state.alpha);
-    change.push_back(state.change);
-  }
   const std::size_t distinct = delaunay.distinct;
-  const auto begin = std::find_if(states.begin(), states.end(), [&](const State& state) {
-    return static_cast<double>(state.covered) / static_cast<double>(distinct) >= plateau_rules::least_share;
-  });
-  const StepRange all{static_cast<std::size_t>(begin - states.begin()), states.size()};
-  const StillRanges ranges(alpha, std::move(change), reach_of(points));
+  Growth growth =
+      growth_of(points, delaunay, radii, void_tree(points, delaunay, radii, VoidWalls::solid, 1, go_on), step);
+  const StillRanges ranges(growth.alpha, std::move(growth.change), reach_of(points));
   std::vector<SolidPlateau> found;
-  for (const StepRange& range : ranges.longest(all, plateau_rules::most_plateaus, plateau_rules::least_ratio))
-    found.push_back(plateau_of(range, states, ranges.ratio_of(range), distinct));
+  for (const StepRange& range :
+       ranges.longest({growth.begin, growth.alpha.size()}, plateau_rules::most_plateaus, plateau_rules::least_ratio)) {
+    found.push_back(plateau_of(range, growth, ranges.ratio_of(range), distinct));
+    count(points.size(), delaunay, radii, step, found.back());
+  }
   plateau_rules::rank(found, [&](const SolidPlateau& p) {
     return plateau_rules::Weight{p.is_structured, static_cast<double>(p.covered) / static_cast<double>(distinct)};
   });

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "rbpa/base/steps.h"
@@ -26,6 +27,11 @@ class Tunnels {
 
   /// The triangle that ends the tunnel that an edge makes; Solid::none where it makes none.
   std::uint32_t ended_by(std::uint32_t edge) const { return owner_[edge]; }
+  /// That of each edge; then nothing else is left, and its memory is free.
+  std::vector<std::uint32_t> all_ended_by() && {
+    Tunnels taken = std::move(*this);
+    return std::move(taken.owner_);
+  }
   /// Whether an edge comes before another.
   bool is_before(std::uint32_t edge, std::uint32_t other) const { return rank_[edge] < rank_[other]; }
   /// Edges of a cycle that the triangle at the end of this tunnel makes a boundary, without those that end components.
