@@ -21,7 +21,7 @@ set(allowed
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/divide: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/arrays rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
-  "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/arrays rbpa/plane/predicate"
+  "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/arrays rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/groups: rbpa rbpa/base rbpa/base/parallel rbpa/plane/filtration rbpa/plane/shape"
   "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort

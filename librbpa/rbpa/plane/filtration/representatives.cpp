@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <tuple>
-#include <unordered_map>
+#include <utility>
 
 #include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
+#include "rbpa/plane/shape/polygons_of_linked.h"
 
 namespace rbpa {
 namespace {
@@ -43,51 +46,87 @@ std::vector<Placed> placed_pairs(FilteredCells& cells, Steps& pulse) {
 /// Holes of a complex at any radius.
 class HoleSearch {
  public:
-  /// Keeps references. Of the edges, only those that come before both of their triangles are blocked by themselves.
+  /// Keeps references.
   HoleSearch(const Delaunay& delaunay, const Filtration& filtration, const FilteredCells& cells)
-      : delaunay_(delaunay), alpha_(filtration.triangle_alpha) {
-    for (const FilteredCells::Edge& edge : cells.edges)
-      if (edge.sides[1] != cells.outside() && edge.alpha < std::min(alpha_[edge.sides[0]], alpha_[edge.sides[1]]))
-        free_.emplace(key(edge.sides[0], edge.sides[1]), edge.alpha);
+      : points_(delaunay.points()),
+        all_(delaunay.triangulation()),
+        alpha_(filtration.triangle_alpha),
+        closes_(alpha_.size(), {never, never, never}),
+        number_(alpha_.size(), none),
+        place_(points_.size(), none) {
+    for (const FilteredCells::Edge& edge : cells.edges) {
+      const auto [a, b] = edge.sides;
+      if (b == cells.outside() || !(edge.alpha < std::min(alpha_[a], alpha_[b]))) continue;
+      closes_[a][side_towards(b, a)] = edge.alpha;
+      closes_[b][side_towards(a, b)] = edge.alpha;
+    }
   }
 
   /// That with this triangle. Requires: a bounded one.
-  Polygon hole_at(double alpha, std::uint32_t triangle, Steps& pulse) const {
-    const Triangulation& all = delaunay_.triangulation();
-    std::unordered_map<std::uint32_t, std::uint32_t> number = {{triangle, 0}};
-    std::vector<std::uint32_t> reached = {triangle};
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      pulse(2);
-      for (const std::uint32_t beyond : all.neighbors[reached[i]])
-        if (beyond != Triangulation::none && alpha_[beyond] > alpha && !is_closed(reached[i], beyond, alpha) &&
-            number.emplace(beyond, static_cast<std::uint32_t>(reached.size())).second)
-          reached.push_back(beyond);
-    }
+  Polygon hole_at(double alpha, std::uint32_t triangle, Steps& pulse) {
+    reach(alpha, triangle, pulse);
+    // Points are numbered anew, so that the cost is the hole's.
+    std::vector<Point> points;
+    std::vector<std::uint32_t> index;
     std::vector<Triangle> triangles, neighbors;
-    for (const std::uint32_t t : reached) {
-      triangles.push_back(all.triangles[t]);
-      neighbors.push_back(all.neighbors[t]);
-      for (std::uint32_t& beyond : neighbors.back()) {
-        const auto found = number.find(beyond);
-        beyond = found == number.end() ? Triangulation::none : found->second;
+    for (const std::uint32_t t : reached_) {
+      triangles.push_back(all_.triangles[t]);
+      for (std::uint32_t& corner : triangles.back()) {
+        if (place_[corner] == none) {
+          place_[corner] = static_cast<std::uint32_t>(index.size());
+          index.push_back(corner);
+          points.push_back(points_[corner]);
+        }
+        corner = place_[corner];
       }
+      neighbors.push_back(all_.neighbors[t]);
+      for (std::uint32_t& beyond : neighbors.back())
+        beyond = beyond == Triangulation::none || number_[beyond] == none ? Triangulation::none : number_[beyond];
     }
+    for (const std::uint32_t t : reached_) number_[t] = none;
+    for (const std::uint32_t point : index) place_[point] = none;
     // Triangles that hang together through edges: one polygon.
-    return polygons(delaunay_.points(), TriangleArrays{triangles, neighbors}).front();
+    Polygon polygon = std::move(polygons_of_linked(points, TriangleArrays{triangles, neighbors}, {}).front());
+    const auto rename = [&](Ring& ring) {
+      for (std::uint32_t& point : ring.points) point = index[point];
+    };
+    rename(polygon.shell);
+    for (Ring& ring : polygon.holes) rename(ring);
+    return polygon;
   }
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
-  }
-  bool is_closed(std::uint32_t a, std::uint32_t b, double alpha) const {
-    const auto found = free_.find(key(a, b));
-    return found != free_.end() && found->second <= alpha;
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  std::size_t side_towards(std::uint32_t neighbor, std::uint32_t triangle) const {
+    const Triangle& neighbors = all_.neighbors[triangle];
+    return static_cast<std::size_t>(std::find(neighbors.begin(), neighbors.end(), neighbor) - neighbors.begin());
   }
 
-  const Delaunay& delaunay_;
+  /// All triangles from this one on, each with its number.
+  void reach(double alpha, std::uint32_t triangle, Steps& pulse) {
+    reached_ = {triangle};
+    number_[triangle] = 0;
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+      pulse(2);
+      const std::uint32_t t = reached_[i];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t beyond = all_.neighbors[t][k];
+        if (beyond == Triangulation::none || alpha_[beyond] <= alpha || closes_[t][k] <= alpha ||
+            number_[beyond] != none)
+          continue;
+        number_[beyond] = static_cast<std::uint32_t>(reached_.size());
+        reached_.push_back(beyond);
+      }
+    }
+  }
+
+  std::span<const Point> points_;
+  const Triangulation& all_;
   const std::vector<double>& alpha_;
-  std::unordered_map<std::uint64_t, double> free_;  // by the triangles beside it
+  std::vector<std::array<double, 3>> closes_;  // of each side: the edge, where it comes before both of its triangles
+  std::vector<std::uint32_t> reached_, number_, place_;
 };
 
 }  // namespace
@@ -98,9 +137,10 @@ std::vector<Representative> representatives(const Delaunay& delaunay, const Filt
   Steps pulse(go_on);
   const DistinctPoints distinct = distinct_points(delaunay);
   FilteredCells cells = filtered_cells(delaunay, distinct, filtration, kind, pulse);
+  HoleSearch holes(delaunay, filtration, cells);  // while edges near each other follow each other
   const std::vector<Placed> pairs = chosen(placed_pairs(cells, pulse), choice);
-  const HoleSearch holes(delaunay, filtration, cells);
   std::vector<Representative> result;
+  result.reserve(pairs.size());
   for (const Placed& pair : pairs) {
     pulse(64);
     Representative& one = result.emplace_back(Representative{.pair = pair});
