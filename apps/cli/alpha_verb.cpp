@@ -1,3 +1,4 @@
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
+#include "rbpa/hrbpa_arrays.h"
 #include "rbpa/persistence.h"
 #include "rbpa/representatives.h"
 
@@ -33,6 +35,21 @@ FiltrationPlot marked_plot(const Radii& radii, const std::vector<PersistencePair
   plot.least_connected = radii.least_connected;
   if (!radii.plateaus.empty()) plot.plateau = radii.plateaus.front();
   return plot;
+}
+
+std::vector<Representative> find_representatives(RadiiRun& run, ComplexKind kind,
+                                                 const RepresentativeRequest& request) {
+  const Filtration& filtration = run.radii.filtration;
+  if (!request.levels && !request.leaf_capacity)
+    return representatives(run.delaunay(), filtration, kind, request.choice, until_interrupted());
+  std::vector<double> levels = request.levels.value_or(std::vector<double>());
+  if (request.leaf_capacity)
+    for (const ArrayLevel& level : hrbpa_arrays(run.file.points, std::numeric_limits<double>::infinity(),
+                                                {.leaf_capacity = *request.leaf_capacity,
+                                                .progress = [](const Progress&) { return !interrupted(); }})
+                                       .levels)
+      levels.push_back(level.alpha);
+  return level_representatives(run.delaunay(), filtration, levels, kind, request.choice, until_interrupted());
 }
 
 void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arguments) {
@@ -68,7 +85,7 @@ void run_alpha(const AlphaArguments& arguments) {
   std::vector<Representative> found;
   if (request_of_pairs) {
     const ProgressLine line = options.line("representatives");
-    found = representatives(run.delaunay(), run.radii.filtration, kind, request_of_pairs->choice, until_interrupted());
+    found = find_representatives(run, kind, *request_of_pairs);
   }
   run.stats.build_seconds = run.lap();
 

@@ -75,6 +75,24 @@ double parse_area(const std::string& option, const std::string& text) {
   return number.value;
 }
 
+std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else) {
+  std::vector<double> radii;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const ParsedNumber number = parse_whole_number(part);
+    if (number.fault != NumberFault::none || !(number.value > 0))
+      throw WrongUsage(option + ": found " + in_quotes(part) +
+                       ", expected a radius: a number above 0, several with commas between them, or " + or_else);
+    if (!radii.empty() && number.value <= radii.back())
+      throw WrongUsage(option + ": found " + in_quotes(part) + " behind " + text_of(radii.back()) +
+                       ", expected ascending radii");
+    radii.push_back(number.value);
+    begin = end + 1;
+  }
+  return radii;
+}
+
 int parse_width(const std::string& text) {
   return static_cast<int>(parse_whole("--width", text, {.least = least_width, .greatest = greatest_width}, "pixels"));
 }

@@ -15,6 +15,8 @@ namespace rbpa::app {
 /// A bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);
 
+/// Radii above 0, ascending, with commas between them. `or_else` is what the option has otherwise. Throws WrongUsage.
+std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else);
 /// Pixels that a picture can be wide.
 int parse_width(const std::string& text);
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "io/interrupt.h"
 #include "io/mesh/vtu.h"
 #include "io/polygon/shape_files.h"
+#include "rbpa/hrbpa_arrays.h"
 
 namespace rbpa::app {
 namespace {
@@ -65,7 +67,7 @@ Json polygon_feature(std::span<const Point> points, std::size_t number, const Pe
            {{"pair", number},
             {"dimension", 1},
             {"birth", pair.birth},
-            {"death", *pair.death},
+            {"death", or_null(pair.death)},
             {"when", when},
             {"area", polygon.area},
             {"points", indices}}},
@@ -219,7 +221,8 @@ void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space) {
   if (!arguments.representatives) {
     for (const auto& [given, option] :
-         {std::pair(&arguments.top, "--top"), std::pair(&arguments.min_persistence, "--min-persistence")})
+         {std::pair(&arguments.top, "--top"), std::pair(&arguments.min_persistence, "--min-persistence"),
+          std::pair(&arguments.levels, "--levels")})
       if (*given) throw WrongUsage(std::string(option) + ": found no --representatives, which are what it is about");
     return std::nullopt;
   }
@@ -228,7 +231,17 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
   if (!format || (!in_space && *format != Format::geojson))
     throw WrongUsage("--representatives: found the ending " + in_quotes(ending(path)) + ", expected " +
                      (in_space ? "one of " + std::string(cycle_formats) : "geojson"));
-  RepresentativeRequest request{.target = {path, *format}, .choice = {}};
+  RepresentativeRequest request{.target = {path, *format}, .choice = {}, .levels = {}, .leaf_capacity = {}};
+  if (arguments.levels && in_space)
+    throw WrongUsage("--levels: found --dimension 3 as well, with which it has no meaning yet");
+  if (constexpr std::string_view with_capacity = "hrbpa:";
+      arguments.levels && arguments.levels->starts_with(with_capacity))
+    request.leaf_capacity =
+        parse_whole("--levels hrbpa:K", arguments.levels->substr(with_capacity.size()), {.least = 1}, "points");
+  else if (arguments.levels == "hrbpa")
+    request.leaf_capacity = usual_leaf_capacity;
+  else if (arguments.levels)
+    request.levels = parse_ascending("--levels", *arguments.levels, "hrbpa, or hrbpa:K");
   if (arguments.min_persistence) request.choice.min_persistence = parse_min_persistence(*arguments.min_persistence);
   if (arguments.top)
     request.choice.top = parse_whole("--top", *arguments.top, {.least = 1});

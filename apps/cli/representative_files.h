@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "cli/arguments.h"
 #include "cli/verbs.h"
@@ -22,12 +23,15 @@ namespace rbpa::app {
 struct RepresentativeRequest {
   Target target;
   PairChoice choice;
+  /// Only what is at these radii, or at those of hrbpa with this capacity of leaves.
+  std::optional<std::vector<double>> levels;
+  std::optional<std::size_t> leaf_capacity;
 };
 
 /// Nothing where none are requested. Throws WrongUsage that names the option.
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space);
 
-/// GeoJSON: of each hole two Features, Polygons with "pair", from 1, "dimension", "birth", "death", "when", which is "birth" or "death", "area" and
+/// GeoJSON: of each hole two Features, Polygons with "pair", from 1, "dimension", "birth", "death", null where it is left, "when", which is "birth" or "death", "area" and
 /// "points", the indices of those on its rings; of each component that ends one, a LineString with the same but "when" and "area".
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs,
                            std::span<const Representative> representatives);

@@ -14,25 +14,6 @@
 namespace rbpa::app {
 namespace {
 
-std::vector<double> parse_radii(const std::string& text) {
-  if (text == "auto") return {};
-  std::vector<double> radii;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const ParsedNumber number = parse_whole_number(part);
-    if (number.fault != NumberFault::none || !(number.value > 0))
-      throw WrongUsage("--radius: found " + in_quotes(part) +
-                       ", expected a radius: a number above 0, several with commas between them, or auto");
-    if (!radii.empty() && number.value <= radii.back())
-      throw WrongUsage("--radius: found " + in_quotes(part) + " behind " + text_of(radii.back()) +
-                       ", expected ascending radii");
-    radii.push_back(number.value);
-    begin = end + 1;
-  }
-  return radii;
-}
-
 std::optional<NormalSource> parse_normals(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
   if (*text == "file") return NormalSource::file;
@@ -124,7 +105,8 @@ std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
 SurfaceRequest parse(const SurfaceArguments& arguments) {
   const Viewpoint viewpoint = parse_viewpoint(arguments.viewpoint);
   SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint"),
-                         .radii = parse_radii(arguments.radius),
+                         .radii = arguments.radius == "auto" ? std::vector<double>()
+                                                             : parse_ascending("--radius", arguments.radius, "auto"),
                          .most_radius = parse_max_radius(arguments),
                          .neighbors = parse_neighbors(arguments.neighbors),
                          .viewpoints = viewpoint.place,

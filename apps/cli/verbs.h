@@ -47,6 +47,7 @@ struct RadiiArguments : PointArguments {
 struct RepresentativeArguments {
   std::optional<std::string> representatives;  ///< the file
   std::optional<std::string> min_persistence, top;
+  std::optional<std::string> levels;  ///< radii with commas between them, or hrbpa
 };
 
 /// The radii at which the complex of a set of points changes, and which of them to choose, on standard output.

@@ -77,6 +77,10 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       ->type_name("K");
   verb.add_option("--min-persistence", arguments.min_persistence, "Of these those with death - birth at least P")
       ->type_name("P");
+  verb.add_option("--levels", arguments.levels,
+                  "Of these what is at some radii alone, with commas between them, at the first and the last; hrbpa, "
+                  "hrbpa:K: at the levels of rbpa mesh --method hrbpa [--leaf-capacity K]")
+      ->type_name("RADII");
   add_run_options(verb, arguments.run, "No progress");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which moreover there "
@@ -86,6 +90,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       "Examples:\n  rbpa alpha points.xy\n  rbpa alpha points.xy --csv > radii.csv\n"
       "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n"
       "  rbpa alpha points.xy --representatives holes.geojson --top 10\n"
+      "  rbpa alpha points.xy --representatives holes.geojson --levels hrbpa:64\n"
       "  rbpa alpha atoms.pdb --dimension 3 --representatives cycles.obj --min-persistence 1\n"
       "  rbpa alpha fixes.csv --columns x,y --group-by animal --csv\n\n" +
       std::string(exit_codes));

@@ -12,6 +12,7 @@
 #include "python/watched.h"
 #include "rbpa/covering.h"
 #include "rbpa/delaunay.h"
+#include "rbpa/hrbpa_arrays.h"
 #include "rbpa/persistence.h"
 #include "rbpa/plateaus.h"
 #include "rbpa/representatives.h"
@@ -68,14 +69,24 @@ py::list rings_of(Polygon polygon) {
 }
 
 /// Of each pair what rbpa.Representative is made of.
+/// At radii, or those of hrbpa() with a capacity of leaves, if either is given.
 py::list representatives_of(const Doubles& points, bool full, double min_persistence, std::optional<std::size_t> top,
+                            std::optional<std::vector<double>> levels, std::optional<std::size_t> leaf_capacity,
                             unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   std::vector<Representative> found = watched(input.size(), progress, [&](Watch& watch) {
     const Delaunay delaunay = delaunay_of(input, threads, watch);
-    return representatives(delaunay, filtration(delaunay, watch.until_stopped()),
-                           full ? ComplexKind::full : ComplexKind::solid, pair_choice(min_persistence, top),
-                           watch.until_stopped());
+    const Filtration steps = filtration(delaunay, watch.until_stopped());
+    const ComplexKind kind = full ? ComplexKind::full : ComplexKind::solid;
+    const PairChoice choice = pair_choice(min_persistence, top);
+    if (!levels && !leaf_capacity) return representatives(delaunay, steps, kind, choice, watch.until_stopped());
+    if (leaf_capacity) {
+      levels.emplace();
+      for (const ArrayLevel& level :
+           hrbpa_arrays(input, infinity, {.leaf_capacity = *leaf_capacity, .threads = threads}).levels)
+        levels->push_back(level.alpha);
+    }
+    return level_representatives(delaunay, steps, *levels, kind, choice, watch.until_stopped());
   });
   py::list list;
   for (Representative& one : found) {
@@ -140,7 +151,7 @@ void bind_filtration(py::module_& module) {
              arg("progress"));
   module.def("plateaus", &plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("representatives", &representatives_of, arg("points").noconvert(), arg("full"), arg("min_persistence"),
-             arg("top"), arg("threads"), arg("progress"));
+             arg("top"), arg("levels"), arg("leaf_capacity"), arg("threads"), arg("progress"));
   module.def("filtration", &filtration_steps, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("persistence", &persistence_intervals, arg("points").noconvert(), arg("full"), arg("threads"),
              arg("progress"));

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "rbpa/base/api.h"
@@ -25,7 +26,8 @@ struct Representative {
   PersistencePair pair = {};
   /// Dimension 0: input indices of the points at whose edge it meets an older component; absent where it never ends.
   std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
-  /// Dimension 1: the hole at `birth`, and at the last radius below `death`, which is a triangle, or several of one circle. Rings inside are around what is in it.
+  /// Dimension 1: the hole at `birth`, and at the last radius at which it is there: a triangle then, or several of one circle, but for those of levels.
+  /// Rings inside are around what is in it.
   Polygon at_birth = {}, before_death = {};
 };
 
@@ -37,5 +39,14 @@ RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, c
                                                      ComplexKind kind = ComplexKind::solid,
                                                      const PairChoice& choice = {},
                                                      const std::function<bool()>& go_on = {});
+
+/// The same of the complexes of some radii alone, as hrbpa() has them. A pair is born at the first of them at which something is there, and ends at the first at which
+/// it is no more, if there is one; what is at none of them is left out. A hole is a polygon at the first and at the last of them at which it is there.
+/// Requires: radii above 0, ascending, none twice. Throws: moreover ContractViolation on others.
+RBPA_API std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
+                                                           std::span<const double> levels,
+                                                           ComplexKind kind = ComplexKind::solid,
+                                                           const PairChoice& choice = {},
+                                                           const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

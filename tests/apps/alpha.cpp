@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -188,6 +189,26 @@ TEST_SUITE("alpha") {
         folder.rbpa("alpha " + points + "--representatives all.geojson --min-persistence 0 --complex full -q").code ==
         0);
     CHECK(Json::parse(folder.content("all.geojson"))["features"].size() > 1000);
+    const double birth = made["features"].back()["properties"]["birth"];
+    const auto births_at = [&](const std::string& levels) {
+      REQUIRE(folder.rbpa("alpha " + points + "--representatives l.geojson --min-persistence 0 -q --levels " + levels)
+                  .code == 0);
+      std::set<double> births;
+      const Json written = Json::parse(folder.content("l.geojson"));
+      for (const Json& feature : written["features"]) births.insert(feature["properties"]["birth"].get<double>());
+      return births;
+    };
+    CHECK(births_at(Json(birth / 4).dump() + "," + Json(birth).dump()) == std::set<double>{birth / 4, birth});
+    CHECK(births_at("hrbpa:16").size() > 3);
+    CHECK(births_at("hrbpa").size() < births_at("hrbpa:16").size());
+    const auto refuses = [&](const std::string& arguments, const std::string& why) {
+      const Outcome refused = folder.rbpa("alpha " + points + arguments);
+      CHECK(refused.code == 2);
+      CHECK(refused.err.find(why) != std::string::npos);
+    };
+    refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' behind 2, expected ascending radii");
+    refuses("--representatives r.geojson --levels all", "--levels: found 'all', expected a radius");
+    refuses("--levels 1", "--levels: found no --representatives");
     const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
     CHECK(wrong.code == 2);
     CHECK(wrong.err.find("--representatives: found the ending 'obj', expected geojson") != std::string::npos);

@@ -112,6 +112,7 @@ TEST_SUITE("space alpha") {
     refuses("s.xyz --dimension 3 -o plot.png", 2, "plot.png: found the ending 'png', expected svg");
     refuses("s.xyz --dimension 3 --representatives r.geojson", 2,
             "--representatives: found the ending 'geojson', expected one of obj, json, vtu");
+    refuses("s.xyz --dimension 3 --representatives r.obj --levels hrbpa", 2, "--levels: found --dimension 3");
     refuses("s.xyz --dimension 3 --top 3", 2, "--top: found no --representatives");
     refuses("s.xyz --dimension 3 --representatives r.obj --top 0", 2, "--top: found '0'");
     refuses("s.xyz --dimension 3 --representatives r.obj --min-persistence -1", 2, "--min-persistence: found '-1'");

@@ -122,3 +122,21 @@ def test_representatives_are_holes_of_the_shape_at_their_birth():
     assert len(f.representatives(complex="full", min_persistence=0.05)) < len(f.representatives(complex="full"))
     with pytest.raises(rbpa.InvalidInput, match="complex"):
         f.representatives(complex="half")
+
+
+def test_levels_have_what_is_there_at_some_of_them():
+    points = uniform(400, 5)
+    f = rbpa.filtration(points)
+    radii = [0.03, 0.04, 0.06]
+    found = f.representatives(levels=radii)
+    for radius in radii:
+        there = [one for one in found if one.dimension == 1 and one.birth <= radius < one.death]
+        assert len(there) == f.betti(radius)[1] > 0
+    assert {one.birth for one in found} <= set(radii)
+    assert {one.death for one in found} <= {*radii, math.inf}
+    assert any(one.dimension == 1 and one.death == math.inf for one in found)
+    doubling = sorted({one.birth for one in f.representatives(levels=4)})
+    assert len(doubling) > 1 and all(b / a in (2, 4, 8) for a, b in zip(doubling, doubling[1:-1]))
+    for wrong in ([0.1, 0.1], [0, 1], "rbpa", [math.nan], 0):
+        with pytest.raises(rbpa.InvalidInput, match="levels: found"):
+            f.representatives(levels=wrong)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -195,17 +195,35 @@ class Filtration(Result):
         self._require_unchanged()
         return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
 
-    def representatives(self, *, complex: str = "solid", min_persistence: float = 0.0, top: Optional[int] = None) -> list[Representative]:
+    def representatives(
+        self,
+        *,
+        complex: str = "solid",
+        min_persistence: float = 0.0,
+        top: Optional[int] = None,
+        levels: Union[npt.ArrayLike, int, None] = None,
+    ) -> list[Representative]:
         """Where the pairs of `persistence` are, in its order: of those with death - birth at least `min_persistence`, and of each dimension
         at most the `top` that last longest.
 
         Of all sets of triangles that enclose a hole at its birth, the rings are around the one of least area. Computed anew with each call.
+
+        With `levels`, ascending radii, or an integer for those of the hierarchical algorithm with leaves of so many points, only what is at some of them: births
+        and deaths are levels then, and a hole is as it is at the first and at the last level that has it. What is left at the last level has a death of infinity.
         """
         if complex not in ("solid", "full"):
             raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
         least, most = as_pair_choice(min_persistence, top)
+        radii = capacity = None
+        if isinstance(levels, int):
+            capacity = as_count(levels, "levels", 1)
+        elif levels is not None:
+            expected = "ascending radii above 0, or a number of points"
+            radii = as_numbers(levels, "levels", expected).ravel()
+            if not ((radii > 0).all() and (np.diff(radii) > 0).all()):
+                raise _core.InvalidInput(f"levels: found {levels!r}, expected {expected}")
         self._require_unchanged()
-        found = _core.representatives(self.points, complex == "full", least, most, as_threads(None), None)
+        found = _core.representatives(self.points, complex == "full", least, most, radii, capacity, as_threads(None), None)
         return [Representative(*one) for one in found]
 
     def plot(self, ax: Any = None) -> Any:

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "meshops/core/contract.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
@@ -20,7 +22,15 @@ namespace {
 struct Placed : PersistencePair {
   std::array<std::uint32_t, 2> edge;  // numbers of distinct points
   std::uint32_t triangle;
+  double last;  // the last radius at which it is there, if it ends
 };
+
+void sort(std::vector<Placed>& pairs, Steps& pulse) {
+  const auto key = [](const Placed& p) {
+    return std::tuple(p.dimension, p.birth, !p.death, p.death.value_or(0.0), p.edge, p.triangle);
+  };
+  sort(pairs, pulse, [&](const Placed& a, const Placed& b) { return key(a) < key(b); });
+}
 
 std::vector<Placed> placed_pairs(FilteredCells& cells, Steps& pulse) {
   sort(cells.edges, pulse, [](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
@@ -29,18 +39,29 @@ std::vector<Placed> placed_pairs(FilteredCells& cells, Steps& pulse) {
   std::vector<Placed> pairs;
   pair_components(cells, pulse, [&](const Arrival& birth, const FilteredCells::Edge* ending) {
     if (ending != nullptr)
-      pairs.push_back({{0, birth.alpha, ending->alpha}, ending->ends, 0});
+      pairs.push_back({{0, birth.alpha, ending->alpha}, ending->ends, 0, 0});
     else
-      pairs.push_back({{0, birth.alpha, std::nullopt}, {}, 0});
+      pairs.push_back({{0, birth.alpha, std::nullopt}, {}, 0, 0});
   });
   pair_holes(cells, pulse, [&](double birth, const Arrival& death) {
-    pairs.push_back({{1, birth, death.alpha}, {}, death.cell});
+    pairs.push_back({{1, birth, death.alpha}, {}, death.cell, std::nextafter(death.alpha, 0.0)});
   });
-  const auto key = [](const Placed& p) {
-    return std::tuple(p.dimension, p.birth, !p.death, p.death.value_or(0.0), p.edge, p.triangle);
-  };
-  sort(pairs, pulse, [&](const Placed& a, const Placed& b) { return key(a) < key(b); });
   return pairs;
+}
+
+/// As the complexes of these radii have them.
+std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const double> levels) {
+  std::vector<Placed> result;
+  for (Placed pair : pairs) {
+    const auto first = std::lower_bound(levels.begin(), levels.end(), pair.birth);
+    const auto end = pair.death ? std::lower_bound(first, levels.end(), *pair.death) : levels.end();
+    if (first == end) continue;
+    pair.birth = *first;
+    pair.last = *(end - 1);
+    pair.death = end == levels.end() ? std::nullopt : std::optional(*end);
+    result.push_back(pair);
+  }
+  return result;
 }
 
 /// Holes of a complex at any radius.
@@ -129,16 +150,17 @@ class HoleSearch {
   std::vector<std::uint32_t> reached_, number_, place_;
 };
 
-}  // namespace
-
-std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration, ComplexKind kind,
-                                            const PairChoice& choice, const std::function<bool()>& go_on) {
-  require_same(filtration, delaunay.triangulation(), "representatives");
+std::vector<Representative> representatives_of(const Delaunay& delaunay, const Filtration& filtration,
+                                               std::optional<std::span<const double>> levels, ComplexKind kind,
+                                               const PairChoice& choice, const std::function<bool()>& go_on) {
   Steps pulse(go_on);
   const DistinctPoints distinct = distinct_points(delaunay);
   FilteredCells cells = filtered_cells(delaunay, distinct, filtration, kind, pulse);
   HoleSearch holes(delaunay, filtration, cells);  // while edges near each other follow each other
-  const std::vector<Placed> pairs = chosen(placed_pairs(cells, pulse), choice);
+  std::vector<Placed> pairs = placed_pairs(cells, pulse);
+  if (levels) pairs = at_levels(pairs, *levels);
+  sort(pairs, pulse);
+  pairs = chosen(pairs, choice);
   std::vector<Representative> result;
   result.reserve(pairs.size());
   for (const Placed& pair : pairs) {
@@ -146,13 +168,31 @@ std::vector<Representative> representatives(const Delaunay& delaunay, const Filt
     Representative& one = result.emplace_back(Representative{.pair = pair});
     if (pair.dimension == 1) {
       one.at_birth = holes.hole_at(pair.birth, pair.triangle, pulse);
-      one.before_death = holes.hole_at(std::nextafter(*pair.death, 0.0), pair.triangle, pulse);
+      one.before_death = holes.hole_at(pair.last, pair.triangle, pulse);
     } else if (pair.death) {
       one.joined_at = {distinct.index[pair.edge[0]], distinct.index[pair.edge[1]]};
       std::sort(one.joined_at->begin(), one.joined_at->end());
     }
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration, ComplexKind kind,
+                                            const PairChoice& choice, const std::function<bool()>& go_on) {
+  require_same(filtration, delaunay.triangulation(), "representatives");
+  return representatives_of(delaunay, filtration, std::nullopt, kind, choice, go_on);
+}
+
+std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
+                                                  std::span<const double> levels, ComplexKind kind,
+                                                  const PairChoice& choice, const std::function<bool()>& go_on) {
+  require_same(filtration, delaunay.triangulation(), "level_representatives");
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    meshops::require(levels[i] > (i == 0 ? 0 : levels[i - 1]),
+                     "level_representatives: expected radii above 0, ascending, none twice");
+  return representatives_of(delaunay, filtration, levels, kind, choice, go_on);
 }
 
 }  // namespace rbpa

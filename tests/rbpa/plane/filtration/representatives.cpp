@@ -13,6 +13,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/hrbpa_arrays.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 
@@ -144,6 +145,64 @@ TEST_CASE("the pairs that last longest are chosen, of each dimension") {
   CHECK(found.size() ==
         static_cast<std::size_t>(std::count_if(
             all.begin(), all.end(), [&](const PersistencePair& pair) { return persistence(pair) >= least; })));
+}
+
+TEST_CASE("levels have the holes that are there, first and last") {
+  std::size_t holes = 0, left = 0, several = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Points points = trial % 2 == 0 ? uniform(60, 1710 + static_cast<std::uint64_t>(trial))
+                                         : random_grid(7, 36, false, static_cast<std::uint64_t>(trial));
+    const auto delaunay = delaunay_arrays(points);
+    if (delaunay.triangles.empty()) continue;
+    const auto filtration = rbpa::filtration(delaunay, points);
+    const rbpa::Delaunay checked(delaunay, points);
+    std::vector<double> levels;
+    if (trial % 3 == 0)
+      for (const rbpa::ArrayLevel& level : rbpa::hrbpa_arrays(points, infinity, {.leaf_capacity = 4}).levels)
+        levels.push_back(level.alpha);
+    else  // close to each other, and not up to the end
+      for (std::size_t i = 0; i < filtration.steps.size() / 2; i += 3) levels.push_back(filtration.steps[i].alpha);
+    for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full}) {
+      const auto all = rbpa::level_representatives(checked, filtration, levels, kind);
+      for (const double level : levels) {
+        const std::vector<double> expected = hole_areas(points, delaunay, level, kind);
+        std::size_t there = 0;
+        for (const Representative& one : all) {
+          if (one.pair.dimension == 0) continue;
+          there += one.pair.birth <= level && level < one.pair.death.value_or(infinity) ? 1u : 0u;
+          const bool is_last = level >= one.pair.birth && level < one.pair.death.value_or(infinity) &&
+                               (level == levels.back() || *(std::upper_bound(levels.begin(), levels.end(), level)) ==
+                                                              one.pair.death.value_or(infinity));
+          const auto is_one = [&](const rbpa::Polygon& hole) {
+            return std::any_of(expected.begin(), expected.end(),
+                               [&](double a) { return std::abs(a - hole.area) <= 1e-9 * a; });
+          };
+          if (one.pair.birth == level) CHECK(is_one(one.at_birth));
+          if (is_last) CHECK(is_one(one.before_death));
+        }
+        CHECK(there == expected.size());
+      }
+      for (const Representative& one : all) {
+        CHECK(std::find(levels.begin(), levels.end(), one.pair.birth) != levels.end());
+        if (one.pair.death) CHECK(std::find(levels.begin(), levels.end(), *one.pair.death) != levels.end());
+        CHECK(one.joined_at.has_value() == (one.pair.dimension == 0 && one.pair.death.has_value()));
+        if (one.pair.dimension == 0) continue;
+        ++holes;
+        left += one.pair.death ? 0u : 1u;
+        several += one.at_birth == one.before_death ? 0u : 1u;
+      }
+    }
+  }
+  CHECK(holes > 300);
+  CHECK(left > 20);
+  CHECK(several > 20);
+  const Points points = uniform(50, 1705);
+  const rbpa::Delaunay delaunay(points);
+  const auto filtration = rbpa::filtration(delaunay);
+  CHECK(rbpa::level_representatives(delaunay, filtration, {}).empty());
+  const std::vector<double> same = {0.1, 0.1}, zero = {0, 0.1};
+  CHECK_THROWS_AS(rbpa::level_representatives(delaunay, filtration, same), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::level_representatives(delaunay, filtration, zero), meshops::ContractViolation);
 }
 
 TEST_CASE("another triangulation's filtration, and a run that is cancelled") {
