@@ -48,7 +48,7 @@ class Parts {
  public:
   explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}
 
-  /// All points in one: what is added changes nothing any more.
+  /// All points are in one part, and no tetrahedron changes that.
   bool is_whole(std::size_t distinct) const { return components == 1 && points == distinct; }
   double effective() const {
     const auto of_all = static_cast<double>(points);
@@ -139,7 +139,7 @@ Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::spa
   return growth;
 }
 
-/// In the range, without what is counted there.
+/// All of it but what count() finds.
 SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double ratio, std::size_t distinct) {
   SolidPlateau plateau{.from = growth.alpha[range.first], .ratio = ratio};
   if (range.last < growth.alpha.size()) plateau.to = growth.alpha[range.last];

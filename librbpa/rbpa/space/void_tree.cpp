@@ -102,7 +102,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // Its basin may be the way to one that closes above.
+    // Its basin may belong to a void that closes only above this radius; below it is a part of what that is parted from.
     while (of != none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);
