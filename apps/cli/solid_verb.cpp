@@ -222,7 +222,7 @@ void SolidRun::say_empty() const {
   std::string why = "no four points have a circumradius so small";
   if (solid_.distinct < 4)
     why = "fewer than four distinct points";
-  else if (std::isinf(facts_.alpha))
+  else if (std::isinf(facts_.alpha) || (triangulation_.distinct > 0 && triangulation_.simplices.empty()))
     why = "all points are in a plane";
   say("rbpa", "there is no tetrahedron: " + why);
 }

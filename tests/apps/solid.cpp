@@ -196,6 +196,7 @@ TEST_SUITE("solid") {
     says("0 0 0\n0 0 0\n1 0 0\n0 1 0\n", "inf", "fewer than four distinct points");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "inf", "all points are in a plane");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "auto", "all points are in a plane");
+    says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "1 --pockets p.csv", "all points are in a plane");
     says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have a circumradius so small");
   }
 
