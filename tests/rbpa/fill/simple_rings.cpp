@@ -165,4 +165,19 @@ TEST_CASE("of rings by even and odd depth are shells and holes, each in the smal
   }
 }
 
+TEST_CASE("a ring around a hole may have a point twice in a row") {
+  const std::vector<Point> points = {{-4, 0}, {4, 0}, {4, 3}, {0, 3}, {1, 1}, {2, 1}, {0, 2}, {0, 2}};
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    CAPTURE(turn);
+    std::vector<Ring> rings = {{{0, 1, 2, 3}}, {{4, 5, 6, 7}}};
+    for (Ring& ring : rings)
+      std::rotate(ring.points.begin(), ring.points.begin() + static_cast<std::ptrdiff_t>(turn), ring.points.end());
+    const std::vector<Polygon> polygons = rbpa::polygons_of_rings(points, rings, std::vector<Point>{{1, 1.25}});
+    REQUIRE(polygons.size() == 1);
+    CHECK(polygons[0].holes.size() == 1);
+    CHECK(polygons[0].area == 18 - 0.5);
+    CHECK_THROWS_AS(rbpa::polygons_of_rings(points, rings, std::vector<Point>{{0, 2}, {2, 1.5}}), rbpa::InvalidInput);
+  }
+}
+
 TEST_SUITE_END();
