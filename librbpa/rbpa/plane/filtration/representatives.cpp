@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -64,6 +65,27 @@ std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const 
   return result;
 }
 
+double life_of(const Placed& pair) {
+  return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
+}
+
+/// Of each dimension those that are certainly not chosen, before what is left is sorted.
+void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
+  std::array<double, 2> least = {choice.min_persistence, choice.min_persistence};
+  for (const int dimension : {0, 1}) {
+    std::vector<double> lives;
+    for (const Placed& pair : pairs)
+      if (pair.dimension == dimension) lives.push_back(life_of(pair));
+    if (choice.top == 0 || lives.size() <= choice.top) continue;
+    const auto last = lives.begin() + static_cast<std::ptrdiff_t>(choice.top - 1);
+    std::nth_element(lives.begin(), last, lives.end(), std::greater<>());
+    double& bound = least[static_cast<std::size_t>(dimension)];
+    bound = std::max(bound, *last);
+  }
+  std::erase_if(pairs,
+                [&](const Placed& pair) { return life_of(pair) < least[static_cast<std::size_t>(pair.dimension)]; });
+}
+
 /// Holes of a complex at any radius.
 class HoleSearch {
  public:
@@ -72,12 +94,12 @@ class HoleSearch {
       : points_(delaunay.points()),
         all_(delaunay.triangulation()),
         alpha_(filtration.triangle_alpha),
-        closes_(alpha_.size(), {never, never, never}),
         number_(alpha_.size(), none),
         place_(points_.size(), none) {
     for (const FilteredCells::Edge& edge : cells.edges) {
       const auto [a, b] = edge.sides;
       if (b == cells.outside() || !(edge.alpha < std::min(alpha_[a], alpha_[b]))) continue;
+      if (closes_.empty()) closes_.assign(alpha_.size(), {never, never, never});
       closes_[a][side_towards(b, a)] = edge.alpha;
       closes_[b][side_towards(a, b)] = edge.alpha;
     }
@@ -134,8 +156,8 @@ class HoleSearch {
       const std::uint32_t t = reached_[i];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = all_.neighbors[t][k];
-        if (beyond == Triangulation::none || alpha_[beyond] <= alpha || closes_[t][k] <= alpha ||
-            number_[beyond] != none)
+        if (beyond == Triangulation::none || alpha_[beyond] <= alpha || number_[beyond] != none ||
+            (!closes_.empty() && closes_[t][k] <= alpha))
           continue;
         number_[beyond] = static_cast<std::uint32_t>(reached_.size());
         reached_.push_back(beyond);
@@ -146,7 +168,8 @@ class HoleSearch {
   std::span<const Point> points_;
   const Triangulation& all_;
   const std::vector<double>& alpha_;
-  std::vector<std::array<double, 3>> closes_;  // of each side: the edge, where it comes before both of its triangles
+  std::vector<std::array<double, 3>>
+      closes_;  // of each side: the edge, where it comes before both of its triangles; empty without
   std::vector<std::uint32_t> reached_, number_, place_;
 };
 
@@ -159,6 +182,7 @@ std::vector<Representative> representatives_of(const Delaunay& delaunay, const F
   HoleSearch holes(delaunay, filtration, cells);  // while edges near each other follow each other
   std::vector<Placed> pairs = placed_pairs(cells, pulse);
   if (levels) pairs = at_levels(pairs, *levels);
+  drop_short(pairs, choice);
   sort(pairs, pulse);
   pairs = chosen(pairs, choice);
   std::vector<Representative> result;
