@@ -214,14 +214,18 @@ class Filtration(Result):
         if complex not in ("solid", "full"):
             raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
         least, most = as_pair_choice(min_persistence, top)
-        radii = capacity = None
+        radii: Optional[list[float]] = None
+        capacity: Optional[int] = None
+        if isinstance(levels, np.integer):
+            levels = int(levels)
         if isinstance(levels, int):
             capacity = as_count(levels, "levels", 1)
         elif levels is not None:
             expected = "ascending radii above 0, or a number of points"
-            radii = as_numbers(levels, "levels", expected).ravel()
-            if not ((radii > 0).all() and (np.diff(radii) > 0).all()):
+            array = as_numbers(levels, "levels", expected).ravel()
+            if not ((array > 0).all() and (np.diff(array) > 0).all()):
                 raise _core.InvalidInput(f"levels: found {levels!r}, expected {expected}")
+            radii = array.tolist()
         self._require_unchanged()
         found = _core.representatives(self.points, complex == "full", least, most, radii, capacity, as_threads(None), None)
         return [Representative(*one) for one in found]
