@@ -37,8 +37,8 @@ FiltrationPlot marked_plot(const Radii& radii, const std::vector<PersistencePair
   return plot;
 }
 
-std::vector<Representative> find_representatives(RadiiRun& run, ComplexKind kind,
-                                                 const RepresentativeRequest& request) {
+std::vector<Representative> find_representatives(RadiiRun& run, ComplexKind kind, const RepresentativeRequest& request,
+                                                 unsigned threads) {
   const Filtration& filtration = run.radii.filtration;
   if (!request.levels && !request.leaf_capacity)
     return representatives(run.delaunay(), filtration, kind, request.choice, until_interrupted());
@@ -46,6 +46,7 @@ std::vector<Representative> find_representatives(RadiiRun& run, ComplexKind kind
   if (request.leaf_capacity)
     for (const ArrayLevel& level : hrbpa_arrays(run.file.points, std::numeric_limits<double>::infinity(),
                                                 {.leaf_capacity = *request.leaf_capacity,
+                                                .threads = threads,
                                                 .progress = [](const Progress&) { return !interrupted(); }})
                                        .levels)
       levels.push_back(level.alpha);
@@ -85,7 +86,7 @@ void run_alpha(const AlphaArguments& arguments) {
   std::vector<Representative> found;
   if (request_of_pairs) {
     const ProgressLine line = options.line("representatives");
-    found = find_representatives(run, kind, *request_of_pairs);
+    found = find_representatives(run, kind, *request_of_pairs, options.threads);
   }
   run.stats.build_seconds = run.lap();
 

@@ -16,22 +16,25 @@ struct PairChoice {
       std::numeric_limits<std::size_t>::max();  ///< of each dimension at most so many, those that last longest
 };
 
+/// How long a pair lasts; infinity where it never ends.
+template <typename Pair>
+double persistence_of(const Pair& pair) {
+  return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
+}
+
 /// In their order, which is by dimension. What never ends lasts longest; of those that last as long the first.
 /// Requires: PersistencePair, SolidPair, or what has dimension, birth and death as they do.
 template <typename Pair>
 std::vector<Pair> chosen(const std::vector<Pair>& pairs, const PairChoice& choice) {
-  const auto persistence = [](const Pair& pair) {
-    return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
-  };
   const auto lasts_longer = [&](std::uint32_t i, std::uint32_t j) {
-    const double of_i = persistence(pairs[i]), of_j = persistence(pairs[j]);
+    const double of_i = persistence_of(pairs[i]), of_j = persistence_of(pairs[j]);
     return of_i != of_j ? of_i > of_j : i < j;
   };
   std::vector<std::uint32_t> kept;
   for (std::size_t first = 0, last; first < pairs.size(); first = last) {  // of one dimension
     std::vector<std::uint32_t> of;
     for (last = first; last < pairs.size() && pairs[last].dimension == pairs[first].dimension; ++last)
-      if (persistence(pairs[last]) >= choice.min_persistence) of.push_back(static_cast<std::uint32_t>(last));
+      if (persistence_of(pairs[last]) >= choice.min_persistence) of.push_back(static_cast<std::uint32_t>(last));
     if (of.size() > choice.top) {
       std::nth_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(choice.top), of.end(), lasts_longer);
       of.resize(choice.top);

@@ -65,25 +65,22 @@ std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const 
   return result;
 }
 
-double life_of(const Placed& pair) {
-  return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
-}
-
 /// Of each dimension those that are certainly not chosen, before what is left is sorted.
 void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
   std::array<double, 2> least = {choice.min_persistence, choice.min_persistence};
   for (const int dimension : {0, 1}) {
     std::vector<double> lives;
     for (const Placed& pair : pairs)
-      if (pair.dimension == dimension) lives.push_back(life_of(pair));
+      if (pair.dimension == dimension) lives.push_back(persistence_of(pair));
     if (choice.top == 0 || lives.size() <= choice.top) continue;
     const auto last = lives.begin() + static_cast<std::ptrdiff_t>(choice.top - 1);
     std::nth_element(lives.begin(), last, lives.end(), std::greater<>());
     double& bound = least[static_cast<std::size_t>(dimension)];
     bound = std::max(bound, *last);
   }
-  std::erase_if(pairs,
-                [&](const Placed& pair) { return life_of(pair) < least[static_cast<std::size_t>(pair.dimension)]; });
+  std::erase_if(pairs, [&](const Placed& pair) {
+    return persistence_of(pair) < least[static_cast<std::size_t>(pair.dimension)];
+  });
 }
 
 /// Holes of a complex at any radius.
