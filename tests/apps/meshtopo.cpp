@@ -86,11 +86,7 @@ TEST_SUITE("meshtopo") {
     for (const Known& mesh :
          {Known{"m3_wingnut", 3047, 6090, 1, 0, 2, 0}, Known{"m3_quadknot", 1440, 2880, 1, 0, 0, 1},
           Known{"m3_plane_holes", 8519, 16747, 1, 27, -25, 0}, Known{"m3_human_woman", 6890, 13776, 1, 0, 2, 0}}) {
-      if (std::filesystem::exists(rbpa_test::further_data() / (std::string(mesh.name) + ".off"))) {
-        is_known(rbpa_test::further_data(), mesh);
-      } else {
-        MESSAGE("SKIPPED: no ", std::string(mesh.name), ".off in ", rbpa_test::further_data().string());
-      }
+      if (rbpa_test::has_further_data()) is_known(rbpa_test::further_data(), mesh);
     }
   }
 

@@ -234,10 +234,10 @@ std::size_t check_shapes(const std::filesystem::path& folder_of_points) {
   return shapes;
 }
 
-TEST_CASE("what rbpa shape writes, rbpa fill fills: bundled point files") { CHECK(check_shapes(bundled_data()) > 40); }
+TEST_CASE("bundled point files: what rbpa shape writes, rbpa fill fills") { CHECK(check_shapes(bundled_data()) > 40); }
 
-TEST_CASE("what rbpa shape writes, rbpa fill fills: further point files, where they are") {
-  check_shapes(further_data());
+TEST_CASE("further point files: what rbpa shape writes, rbpa fill fills") {
+  CHECK((check_shapes(further_data()) > 0) == has_further_data());
 }
 
 /// Lines in a polygon that bound no hole, of a .poly file, are left out; they are no polygons for GEOS either.
@@ -251,10 +251,10 @@ bool has_lines_inside(const std::string& path) {
   return false;
 }
 
-TEST_CASE("polygons that others drew are filled but for those that GEOS calls invalid, where they are") {
+TEST_CASE("further polygons are filled but for those that GEOS calls invalid") {
   const auto largest = argument("largest", 1500);
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(further_data(), missing)) {
+  if (!has_further_data()) return;
+  for (const auto& entry : std::filesystem::directory_iterator(further_data())) {
     const std::string path = entry.path().string(), name = entry.path().filename().string();
     if (!name.starts_with("poly_")) continue;
     INFO(name);

@@ -60,10 +60,10 @@ struct Scan {
   Points3 points, normals;
 };
 
-/// The .xyz files of the larger collection with `smallest` to `largest` points; none where there is none.
-std::vector<Scan> scans(std::size_t smallest, std::size_t largest) {
+/// The .xyz files of the larger collection with `smallest` to `largest` points.
+std::vector<Scan> further_scans(std::size_t smallest, std::size_t largest) {
   std::vector<Scan> found;
-  if (!std::filesystem::is_directory(further_data())) return found;
+  if (!has_further_data()) return found;
   for (const auto& entry : std::filesystem::directory_iterator(further_data())) {
     if (entry.path().extension() != ".xyz") continue;
     Scan scan{entry.path().stem().string(), {}, {}};
@@ -288,8 +288,8 @@ TEST_CASE("the same set at 1e150 and at 1e-150") {
     }
 }
 
-TEST_CASE("scans and models of others") {
-  for (const Scan& scan : scans(argument("smallest", 0), argument("largest", 1000))) {
+TEST_CASE("further scans and models: exposed triangles and surfaces are those of CGAL's triangulation") {
+  for (const Scan& scan : further_scans(argument("smallest", 0), argument("largest", 1000))) {
     CAPTURE(scan.name);
     const double pitch = spacing(scan.points);
     for (const double r : {0.4, 0.8, 1.5, 3.0, 8.0}) {
@@ -302,14 +302,14 @@ TEST_CASE("scans and models of others") {
   }
 }
 
-TEST_CASE("scans by two radii have no more boundary than by the first, but for those that it does not cover") {
+TEST_CASE("further scans by two radii have no more boundary than by the first, but for those that it does not cover") {
   const auto boundary = [](const Surface& surface) {
     std::size_t count = 0;
     for (const auto& n : surface.neighbors)
       count += static_cast<std::size_t>(std::count(n.begin(), n.end(), Surface::none));
     return count;
   };
-  for (const Scan& scan : scans(argument("smallest", 0), argument("largest", 1000))) {
+  for (const Scan& scan : further_scans(argument("smallest", 0), argument("largest", 1000))) {
     CAPTURE(scan.name);
     if (scan.normals.size() != scan.points.size()) continue;
     const double pitch = spacing(scan.points);

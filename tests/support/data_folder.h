@@ -8,8 +8,11 @@ namespace rbpa_test {
 /// tests/data of the source tree.
 std::filesystem::path bundled_data();
 
-/// The larger collection, of which tests/data holds what may be passed on: the environment variable RBPA_DATA_DIR, else
-/// the folder that CMake was given under the same name. It need not exist.
+/// The folder that the environment variable RBPA_DATA_DIR names; empty where it names none. Test cases that read it have
+/// names that begin with "further".
 std::filesystem::path further_data();
+
+/// Whether there is such a folder. Without it the test cases of further data check nothing; with it they require files.
+bool has_further_data();
 
 }  // namespace rbpa_test
