@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything in release mode and runs the tests. The last line counts them; with `release` it is
-# a failure if one is left out.
-# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, site, nightly; or quick: the
-#                                   libraries' suites with sanitizers, and with clang
+# Installs what is missing, builds everything in release mode and runs the tests. The last lines name the suites that failed, and
+# count those that ran; with `release` it is a failure if one is left out.
+# usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, site, nightly;
+#                                   quick: the libraries' suites with sanitizers, and with clang;
+#                                   further: what reads the larger collection in $RBPA_DATA_DIR
 set -euo pipefail
+if [ "${1-}" = further ] && [ ! -d "${RBPA_DATA_DIR-}" ]; then
+  echo "run.sh: further: RBPA_DATA_DIR is '${RBPA_DATA_DIR-}', expected a folder (tests/data/README.md)" >&2
+  exit 2
+fi
 cd "$(dirname "$0")/.."
 preset=${1:-release}
 packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libnanoflann-dev doctest-dev libcli11-dev libpng-dev
@@ -21,7 +26,7 @@ build() {
   cmake --preset "$1"
   cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}"
 }
-# Runs suites, and counts them in a last line, with those that are left out because something is not there.
+# Runs suites, names those that failed, and counts all in a last line, with those that are left out because something is missing.
 test_preset() {
   local status=0 folder=$PWD/build/$1 not_run=()
   ctest --preset "$2" --output-junit "$folder/suites.xml" "${@:3}" || status=$?
@@ -33,6 +38,9 @@ test_preset() {
     cat "$folder/left_out.txt"
     sed -n 's/.*<testcase name="\([^"]*\)".*status="\(notrun\|disabled\)".*/\1 (skipped)/p' "$folder/suites.xml"
   )
+  local failed
+  failed=$(sed -n 's/.*<testcase name="\([^"]*\)".*status="fail".*/\1/p' "$folder/suites.xml" | paste -sd ' ')
+  [ -z "$failed" ] || echo "failed: $failed"
   if [ ${#not_run[@]} -eq 0 ]; then
     echo "$ran suites run, none left out"
   else
@@ -49,6 +57,9 @@ if [ "$preset" = nightly ]; then
   test_preset sanitize nightly-sanitize  # the long random walks
   build gdal --target test_ogr
   test_preset gdal gdal
+elif [ "$preset" = further ]; then
+  build release --target test_apps test_rbpa oracle_hierarchy oracle_data oracle_shape oracle_space
+  test_preset release further --parallel "$(nproc)"
 elif [ "$preset" = threads ]; then  # what its tests run
   build threads --target test_rbpa oracle_remainder fuzz_fronts example_{nearest,placing,filling,grid,ear}_front
   test_preset threads threads --parallel "$(nproc)"
