@@ -1,45 +1,89 @@
-// What: the picture that can be turned: triangles, points, and what is chosen. three.js draws it.
+// What: the picture that can be turned, drawn by WebGL 2: triangles, points, and what is chosen.
 "use strict";
 
+/** Faces are lit by the normals of their places in the picture; points and lines have their color. */
+const vertexShader = `#version 300 es
+uniform mat4 view, projection;
+uniform float size;
+in vec3 position;
+out vec3 place;
+void main() {
+  vec4 seen = view * vec4(position, 1.0);
+  place = seen.xyz;
+  gl_Position = projection * seen;
+  gl_PointSize = size;
+}`;
+const fragmentShader = `#version 300 es
+precision highp float;
+uniform vec4 color;
+uniform bool isLit;
+in vec3 place;
+out vec4 result;
+void main() {
+  float light = 1.0;
+  if (isLit) {
+    vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
+    light = 0.35 + 0.7 * max(0.0, dot(normal, normalize(vec3(-0.5, 0.7, 1.0))));
+  }
+  result = vec4(min(color.rgb * light, 1.0), color.a);
+}`;
+
+/** The numbers from 0 to 1 of "#rrggbb". */
+const colorNumbers = (text) => [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16) / 255);
+
 class SpaceScene {
-  /** Throws where there is no WebGL. */
+  /** Throws where there is no WebGL 2. */
   constructor(canvas, data) {
     this.canvas = canvas;
     this.data = data;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(40, 1, 0.01, 100);
-    this.takePlaces();
-    const light = new THREE.DirectionalLight(0xffffff, 2.2);
-    light.position.set(-0.5, 0.7, 1);
-    this.camera.add(light);
-    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 1.1));
-    this.boundary = this.addTriangles();
-    this.dangling = this.addTriangles();
-    this.chosenSurface = this.addTriangles();
-    this.pointsGeometry = new THREE.BufferGeometry();
-    this.pointsGeometry.setAttribute("position", this.places);
-    this.dots = new THREE.Points(this.pointsGeometry, new THREE.PointsMaterial({ size: 2, sizeAttenuation: false }));
-    this.dots.visible = false;
-    this.lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
-    this.lines.geometry.setAttribute("position", this.places);
-    this.lines.renderOrder = 2;
-    this.lines.visible = false;
-    for (const object of [this.dots, this.lines]) {
-      object.frustumCulled = false;
-      this.scene.add(object);
+    this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    if (this.gl === null) throw new Error("no WebGL 2");
+    const nothing = () => ({ corners: new Uint32Array(0), count: 0, visible: false, color: [0, 0, 0] });
+    const size = data.walls.corners.length;
+    this.boundary = { ...nothing(), corners: new Uint32Array(size) };
+    this.dangling = { ...nothing(), corners: new Uint32Array(size) };
+    this.chosenSurface = nothing();
+    this.lines = nothing();
+    this.dots = { visible: false, color: [0, 0, 0] };
+    this.background = [1, 1, 1];
+    this.camera = new OrbitCamera();
+    this.prepare();
+    steerByPointers(canvas, this.camera, () => this.draw());
+    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.prepare();
+      this.draw();
+    });
+  }
+
+  /** Makes what the graphics card holds, again after it was lost. */
+  prepare() {
+    const { gl } = this;
+    const program = gl.createProgram();
+    for (const [type, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
     }
-    this.controls = new THREE.TrackballControls(this.camera, canvas);
-    this.controls.rotateSpeed = 3;
-    this.controls.staticMoving = true;
-    this.controls.addEventListener("change", () => this.draw());
-    canvas.addEventListener("pointermove", () => this.controls.update());
-    canvas.addEventListener("wheel", () => requestAnimationFrame(() => this.controls.update()), { passive: true });
-    this.fit();
+    gl.bindAttribLocation(program, 0, "position");
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
+    gl.useProgram(program);
+    this.uniforms = Object.fromEntries(["view", "projection", "size", "color", "isLit"].map((name) => [name, gl.getUniformLocation(program, name)]));
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, this.places(), gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    for (const part of [this.boundary, this.dangling, this.chosenSurface, this.lines]) {
+      part.buffer = gl.createBuffer();
+      this.upload(part);
+    }
   }
 
   /** Places in a cube from −1 to 1, whatever the coordinates are. */
-  takePlaces() {
+  places() {
     const { points } = this.data;
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (let i = 0; i < points.length; ++i) {
@@ -47,118 +91,78 @@ class SpaceScene {
       high[i % 3] = Math.max(high[i % 3], points[i]);
     }
     const size = Math.max(...high.map((h, k) => h / 2 - low[k] / 2)) || 1;
-    const places = new Float32Array(points.length);
-    for (let i = 0; i < points.length; ++i) places[i] = (points[i] - (low[i % 3] / 2 + high[i % 3] / 2)) / size;
-    this.places = new THREE.BufferAttribute(places, 3);
+    return Float32Array.from(points, (x, i) => (x - (low[i % 3] / 2 + high[i % 3] / 2)) / size);
   }
 
-  addTriangles() {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", this.places);
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide }));
-    mesh.frustumCulled = false;
-    mesh.visible = false;
-    this.scene.add(mesh);
-    return mesh;
+  upload({ buffer, corners, count }) {
+    const { gl } = this;
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, corners.subarray(0, count), gl.DYNAMIC_DRAW);
   }
 
   setColours({ paper, solid, dangling, text, tunnels, voids, components }) {
-    this.renderer.setClearColor(new THREE.Color(paper));
-    this.boundary.material.color.set(solid);
-    this.dangling.material.color.set(dangling);
-    this.chosenSurface.material.color.set(voids);
-    this.dots.material.color.set(text);
-    this.lineColours = [components, tunnels, voids];
+    this.background = colorNumbers(paper);
+    this.boundary.color = colorNumbers(solid);
+    this.dangling.color = colorNumbers(dangling);
+    this.chosenSurface.color = colorNumbers(voids);
+    this.dots.color = colorNumbers(text);
+    this.lineColors = [components, tunnels, voids].map(colorNumbers);
     this.draw();
   }
 
   /** The triangles of a step. Returns how many there are of each kind. */
   show(step) {
-    const { walls } = this.data;
-    const size = walls.corners.length;
-    this.corners = this.corners ?? [new Uint32Array(size), new Uint32Array(size)];
-    const counts = fillCorners(walls, step, ...this.corners);
-    [this.boundary, this.dangling].forEach((mesh, i) => {
-      const { geometry } = mesh;
-      if (geometry.index === null) {
-        const index = new THREE.BufferAttribute(this.corners[i], 1);
-        index.setUsage(35048); // DYNAMIC_DRAW
-        geometry.setIndex(index);
-      }
-      geometry.index.clearUpdateRanges();
-      geometry.index.addUpdateRange(0, counts[i]);
-      geometry.index.needsUpdate = true;
-      geometry.setDrawRange(0, counts[i]);
-    });
-    this.counts = counts.map((count) => count / 3);
+    const { boundary, dangling } = this;
+    [boundary.count, dangling.count] = fillCorners(this.data.walls, step, boundary.corners, dangling.corners);
+    this.upload(boundary);
+    this.upload(dangling);
+    this.counts = [boundary.count / 3, dangling.count / 3];
     this.setVisible(this.visible);
     return this.counts;
   }
 
   setVisible(visible) {
     this.visible = visible;
-    this.boundary.visible = visible.boundary && this.counts[0] > 0;
-    this.dangling.visible = visible.dangling && this.counts[1] > 0;
+    this.boundary.visible = visible.boundary;
+    this.dangling.visible = visible.dangling;
     this.dots.visible = visible.points || this.hasChoice === true;
-    for (const { material } of [this.boundary, this.dangling]) {
-      const isThin = visible.seeThrough;
-      if (material.transparent !== isThin) material.needsUpdate = true;
-      material.transparent = isThin;
-      material.opacity = isThin ? 0.25 : 1;
-      material.depthWrite = !isThin;
-    }
     this.draw();
   }
 
   /** The cycle, edge or surface of a representative, with the points around it; null: none. */
   choose(one) {
     this.hasChoice = one !== null;
-    this.dots.visible = this.visible.points || this.hasChoice;
-    const mesh = this.chosenSurface, { lines } = this;
-    mesh.visible = one !== null && one.dimension === 2;
-    lines.visible = one !== null && one.dimension < 2;
+    this.chosenSurface.visible = one !== null && one.dimension === 2;
+    this.lines.visible = one !== null && one.dimension < 2;
     if (one !== null) {
-      const index = new THREE.BufferAttribute(new Uint32Array(one.cells), 1);
-      (one.dimension === 2 ? mesh : lines).geometry.setIndex(index);
-      lines.material.color.set(this.lineColours[one.dimension]);
+      const part = one.dimension === 2 ? this.chosenSurface : this.lines;
+      part.corners = new Uint32Array(one.cells);
+      part.count = part.corners.length;
+      this.upload(part);
+      this.lines.color = this.lineColors[one.dimension];
     }
-    this.draw();
+    this.setVisible(this.visible);
   }
 
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
-    this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / Math.max(1, height);
-    this.camera.updateProjectionMatrix();
-    this.controls.handleResize();
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    this.canvas.width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+    this.canvas.height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     this.draw();
   }
 
   fit() {
-    this.controls.reset();
-    this.camera.position.set(1.5, -2.8, 2);
-    this.camera.up.set(0, 0, 1);
-    this.controls.target.set(0, 0, 0);
-    this.camera.lookAt(this.controls.target);
-    this.controls.update();
+    this.camera.fit();
     this.draw();
   }
 
   zoom(factor) {
-    this.camera.position.sub(this.controls.target).divideScalar(factor).add(this.controls.target);
-    this.controls.update();
+    this.camera.zoom(factor);
     this.draw();
   }
 
-  /** Around the axes of the picture, in radians. */
   turn(across, up) {
-    const arm = this.camera.position.clone().sub(this.controls.target);
-    const right = arm.clone().cross(this.camera.up).normalize().negate();
-    arm.applyAxisAngle(this.camera.up, across).applyAxisAngle(right, up);
-    this.camera.up.applyAxisAngle(right, up);
-    this.camera.position.copy(this.controls.target).add(arm);
-    this.controls.update();
+    this.camera.turn(across, up);
     this.draw();
   }
 
@@ -168,8 +172,36 @@ class SpaceScene {
     this.canvas.dataset.state = "asked";
     requestAnimationFrame(() => {
       this.pending = false;
-      this.renderer.render(this.scene, this.camera);
+      this.render();
       this.canvas.dataset.state = "drawn";
     });
+  }
+
+  render() {
+    const { gl, canvas, uniforms, camera, visible } = this;
+    gl.viewport(0, 0, canvas.width, canvas.height);
+    gl.clearColor(...this.background, 1);
+    gl.depthMask(true);
+    gl.enable(gl.DEPTH_TEST);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.uniformMatrix4fv(uniforms.view, false, camera.view());
+    gl.uniformMatrix4fv(uniforms.projection, false, camera.projection(canvas.width / canvas.height));
+    gl.uniform1f(uniforms.size, 2 * Math.min(2, devicePixelRatio || 1));
+    const draw = ({ buffer, count, color }, mode, isLit, opacity) => {
+      const isThin = opacity < 1;
+      (isThin ? gl.enable : gl.disable).call(gl, gl.BLEND);
+      gl.depthMask(!isThin);
+      gl.uniform4f(uniforms.color, ...color, opacity);
+      gl.uniform1i(uniforms.isLit, isLit ? 1 : 0);
+      if (buffer === undefined) return gl.drawArrays(mode, 0, this.data.points.length / 3);
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
+      gl.drawElements(mode, count, gl.UNSIGNED_INT, 0);
+    };
+    if (this.dots.visible) draw(this.dots, gl.POINTS, false, 1);
+    if (this.chosenSurface.visible) draw(this.chosenSurface, gl.TRIANGLES, true, 1);
+    for (const part of [this.boundary, this.dangling])
+      if (part.visible) draw(part, gl.TRIANGLES, true, visible.seeThrough ? 0.25 : 1);
+    gl.disable(gl.DEPTH_TEST);
+    if (this.lines.visible) draw(this.lines, gl.LINES, false, 1);
   }
 }

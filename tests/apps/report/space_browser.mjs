@@ -101,13 +101,50 @@ await test("the slider and the radius go to steps, each exact", async () => {
 await test("the picture has the solid, and turning it changes what is seen", async () => {
   await wide.value(`page.goToAlpha(${auto})`);
   await drawn(wide);
-  assert(await wide.value("page.scene.renderer.info.render.triangles > 1000"));
+  assert((await wide.value("page.scene.counts[0]")) > 1000);
+  assert((await pixelsLike(wide, "paper")) < 0.9 * (await wide.value("page.scene.canvas.width * page.scene.canvas.height")));
   const before = await wide.value("page.scene.canvas.toDataURL()");
   await wide.value(`document.getElementById("shape").focus()`);
   for (let i = 0; i < 4; ++i) await wide.press("ArrowLeft");
   await drawn(wide);
   assert.notEqual(await wide.value("page.scene.canvas.toDataURL()"), before);
   await wide.press("0");
+  await drawn(wide);
+  assert.equal(await wide.value("page.scene.canvas.toDataURL()"), before);
+});
+
+await test("a drag turns the picture, a wheel zooms, and both can be undone by key 0", async () => {
+  const before = await wide.value("page.scene.canvas.toDataURL()");
+  for (const events of [
+    `["pointerdown", "pointermove", "pointerup"].map((name, i) => new PointerEvent(name, { pointerId: 1, clientX: 300 + 60 * i, clientY: 300, buttons: 1 }))`,
+    `["pointerdown", "pointermove", "pointerup"].map((name, i) => new PointerEvent(name, { pointerId: 1, clientX: 300 + 60 * i, clientY: 300, buttons: 2 }))`,
+    `[new WheelEvent("wheel", { deltaY: -200 })]`,
+  ]) {
+    await wide.value(`(() => {
+      const { canvas } = page.scene;
+      canvas.setPointerCapture = () => {};
+      for (const event of ${events}) canvas.dispatchEvent(event);
+    })()`);
+    await drawn(wide);
+    assert.notEqual(await wide.value("page.scene.canvas.toDataURL()"), before, events);
+    await wide.press("0");
+    await drawn(wide);
+    assert.equal(await wide.value("page.scene.canvas.toDataURL()"), before);
+  }
+});
+
+await test("a lost context comes back with the same picture", async () => {
+  const before = await wide.value("page.scene.canvas.toDataURL()");
+  await wide.value(`(async () => {
+    const { gl, canvas } = page.scene, lose = gl.getExtension("WEBGL_lose_context");
+    const event = (name) => new Promise((resolve) => canvas.addEventListener(name, resolve, { once: true }));
+    const lost = event("webglcontextlost");
+    lose.loseContext();
+    await lost;
+    const restored = event("webglcontextrestored");
+    setTimeout(() => lose.restoreContext(), 0);
+    await restored;
+  })()`);
   await drawn(wide);
   assert.equal(await wide.value("page.scene.canvas.toDataURL()"), before);
 });
