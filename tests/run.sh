@@ -17,7 +17,9 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
           python3-gudhi python3-matplotlib python3-meshio python3-pandas python3-dask python3-distributed nodejs)
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(chromium patchelf)
-[ "$preset" = javascript ] || [ "$preset" = site ] && packages+=(emscripten npm chromium)
+[ "$preset" = javascript ] || [ "$preset" = site ] && packages+=(emscripten chromium)
+# Node.js of other sources brings npm with it, and does not bear Debian's beside it.
+[ "$preset" = javascript ] && ! command -v npm >/dev/null && packages+=(npm)
 [ "$preset" = site ] && packages+=(python3-sphinx python3-myst-parser python3-sphinx-rtd-theme doxygen)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
 bash tests/install_packages.sh "${packages[@]}"
