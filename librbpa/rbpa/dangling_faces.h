@@ -25,10 +25,9 @@ struct DanglingFaces {
   std::vector<std::uint32_t> points;                ///< in no edge of the complex
 };
 
-/// Requires: the result of solid() at infinity, with neighbors, which is not empty unless there are fewer than two distinct points;
-///           its circumradii(); alpha above 0. `threads` as in SolidOptions.
-/// Throws:   ContractViolation where radii or neighbors are missing; InvalidInput when alpha is no radius, or when several points have no
-///           tetrahedron, as those of a plane: the complex has no such triangulation then.
+/// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0. `threads` as in SolidOptions. Where it is empty, as of
+///           points in a plane, the simplices are those of solid_filtration().
+/// Throws:   ContractViolation where radii or neighbors are missing; InvalidInput when alpha is no radius.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, unsigned threads = 0);
 

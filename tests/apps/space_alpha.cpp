@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "support/program.h"
 
@@ -98,10 +100,47 @@ TEST_SUITE("space alpha") {
     CHECK(json::parse(folder.content("none.json")).size() == 1);  // what never ends
   }
 
+  TEST_CASE("points in a plane, on a line and one alone have an answer: that of the plane") {
+    const Folder folder;
+    for (const std::string name : {"coplanar.xyz", "two.xyz"})
+      folder.file(name, read_file(RBPA_TEST_DATA "/findings/case_coplanar_persistence/" + name));
+    folder.file("line.xyz", "0 0 0\n3 3 3\n1 1 1\n0 0 0\n");
+    folder.file("one.xyz", "1 2 3\n1 2 3\n");
+    std::string level, plane;
+    for (int i = 0; i < 63; ++i) {
+      plane += std::to_string(i % 9) + " " + std::to_string(i * i % 7) + "\n";
+      level += std::to_string(i % 9) + " " + std::to_string(i * i % 7) + " 0\n";
+    }
+    folder.file("plane.xy", plane);
+    folder.file("level.xyz", level);
+    const auto pairs_of = [&](const std::string& command) {
+      std::vector<std::array<double, 3>> pairs;
+      const Outcome outcome = folder.rbpa("alpha " + command + " --json --persistence -q");
+      REQUIRE(outcome.code == 0);
+      for (const json& pair : json::parse(outcome.out)["pairs"])
+        pairs.push_back({pair["dimension"].get<double>(), pair["birth"].get<double>(),
+                         pair["death"].is_null() ? -1 : pair["death"].get<double>()});
+      std::sort(pairs.begin(), pairs.end());
+      return pairs;
+    };
+    using Pairs = std::vector<std::array<double, 3>>;
+    CHECK(pairs_of("coplanar.xyz --dimension 3") ==
+          Pairs{{0, 0, -1}, {0, 0, 0.5}, {0, 0, 0.5}, {0, 0, 0.5}, {1, 0.5, 0.7071067811865476}});
+    CHECK(pairs_of("two.xyz --dimension 3") == Pairs{{0, 0, -1}, {0, 0, 0.5}});
+    CHECK(pairs_of("line.xyz --dimension 3").size() == 3);
+    CHECK(pairs_of("one.xyz --dimension 3") == Pairs{{0, 0, -1}});
+    CHECK(pairs_of("level.xyz --dimension 3") == pairs_of("plane.xy --complex full"));
+    const Outcome text = folder.rbpa("alpha coplanar.xyz --dimension 3 -q");
+    CHECK(text.out.find("min inf, auto inf: there is no tetrahedron\n1 tunnel;") != std::string::npos);
+    REQUIRE(folder.rbpa("alpha coplanar.xyz --dimension 3 --representatives r.json -o p.svg -q").code == 0);
+    const json all = json::parse(folder.content("r.json"));
+    REQUIRE(all.size() == 5);
+    CHECK(all[4]["edges"].size() == 4);
+  }
+
   TEST_CASE("what it does not know is refused") {
     const Folder folder;
     folder.file("s.xyz", sphere(20));
-    folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
     const auto refuses = [&](const std::string& options, int code, const std::string& message) {
       CAPTURE(options);
       const Outcome outcome = folder.rbpa("alpha " + options);
@@ -119,7 +158,6 @@ TEST_SUITE("space alpha") {
     refuses("s.xyz --dimension 3 --complex full --persistence", 2, "--complex: found --dimension 3 as well");
     refuses("s.xyz --dimension 3 --cover 2", 2, "--cover: found '2'");
     refuses("s.xyz --dimension 3 --components 2", 2, "--components: found --dimension 3 as well");
-    refuses("flat.xyz --dimension 3", 3, "the points are in a plane");
     refuses("missing.xyz --dimension 3", 3, "missing.xyz");
   }
 }

@@ -125,8 +125,8 @@ def test_what_dangles_belongs_to_no_tetrahedron():
     assert set(alone) == set(range(300)) - {p for pair in sides | set(map(tuple, edges.tolist())) for p in pair}
     assert (numpy.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1) <= 0.18).all()
     assert not triangles.flags.writeable and rbpa.solid(points).dangling.triangles.shape == (0, 3)
-    with pytest.raises(rbpa.InvalidInput, match="in a plane"):
-        rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).dangling
+    assert rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).dangling.triangles.tolist() == [[0, 1, 2]]
+    assert rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0.6).dangling.edges.tolist() == [[0, 1], [0, 2]]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -169,8 +169,7 @@ def test_triangles_part_voids_that_the_solid_leaves_connected():
     corners = points[triangles]
     assert numpy.linalg.det(corners).sum() / 6 == pytest.approx(-8 / 3)  # seen from within
     assert rbpa.solid(points).full.voids == []
-    with pytest.raises(rbpa.InvalidInput, match="in a plane"):
-        rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]]).full
+    assert rbpa.solid([[0, 0, 0], [1, 0, 0], [0, 1, 0]], 0.4).full.betti == (3, 0, 0)
 
 
 def test_flat_and_few_points_have_no_tetrahedron():

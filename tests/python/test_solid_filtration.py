@@ -106,8 +106,6 @@ def test_pairs_have_the_simplices_of_their_radii():
 
 
 def test_what_has_no_filtration_is_refused():
-    with pytest.raises(rbpa.InvalidInput, match="plane"):
-        rbpa.solid_filtration([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]])
     filtration = rbpa.solid_filtration([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     with pytest.raises(rbpa.InvalidInput, match="dimension: found 3"):
         filtration.persistence(3)
@@ -180,3 +178,53 @@ def test_plateaus_have_two_bodies_apart():
     solid = rbpa.solid(points, "plateau")
     assert solid.alpha == best.alpha and len(solid.simplices) == best.tetrahedra
     assert solid.volume == pytest.approx(best.volume)
+
+
+def flat_sets():
+    random = numpy.random.default_rng(12)
+    plane = random.random((120, 2))
+    axes = random.integers(-5, 6, (2, 3)).astype(float)
+    yield "square", numpy.array([[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]], float)
+    yield "two", numpy.array([[0, 0, 0], [1, 0, 0]], float)
+    yield "two of three", numpy.array([[0, 0, 0], [1, 0, 0], [0, 0, 0]], float)
+    yield "triangle", numpy.array([[0, 0, 0], [4, 0, 1], [1, 3, 7]], float)
+    yield "line", numpy.array([[1, 1, 1], [2, 3, 4], [0, -1, -2], [11, 21, 31]], float)
+    yield "z is zero", numpy.column_stack((plane, numpy.zeros(120)))
+    yield "x is one", numpy.column_stack((numpy.ones(120), plane))
+    yield "slanted", random.integers(0, 9, (120, 2)) @ axes + 3
+    yield "slanted grid", numpy.array([(x, y) for x in range(6) for y in range(5)], float) @ axes
+    yield "ring", numpy.array([[3, 4, 0], [-3, 4, 0], [5, 0, 0], [0, -5, 0], [4, -3, 0], [0, 5, 0], [-5, 0, 0]], float)
+
+
+@pytest.mark.parametrize("name, points", flat_sets())
+def test_points_in_a_plane_or_on_a_line_have_the_pairs_of_gudhi(name, points):
+    compare_with_gudhi(points)
+
+
+@pytest.mark.parametrize("name, points", flat_sets())
+def test_points_in_a_plane_have_what_filtration_has_there(name, points):
+    f = rbpa.solid_filtration(points)
+    assert f.simplices.shape == (0, 4) and f.min == f.auto == math.inf and not f.plateaus()
+    assert len(f.persistence(2)) == 0 and len(f.persistence(0)) == f.distinct
+    assert f.distinct - len(f.edges) + len(f.triangles) == 1  # Euler
+    full = rbpa.solid(points)
+    assert full.full.betti == (1, 0, 0) and not full.full.voids and len(full.dangling.triangles) == len(f.triangles)
+    for alpha in numpy.unique(numpy.concatenate((f.edge_alpha, f.triangle_alpha)))[::7]:
+        at = rbpa.solid(points, alpha)
+        assert at.full.betti == f.betti(alpha)
+        assert len(at.dangling.triangles) == (f.triangle_alpha <= alpha).sum()
+    for dimension in range(2):
+        assert len(f.representatives(dimension)) == len(f.persistence(dimension))
+    if (points[:, 2] == 0).all():
+        plane = rbpa.filtration(points[:, :2].copy())
+        assert numpy.array_equal(numpy.sort(f.triangles, axis=0), numpy.sort(numpy.sort(rbpa.Delaunay(points[:, :2].copy()).simplices), axis=0))
+        for dimension in range(2):
+            assert numpy.array_equal(f.persistence(dimension), plane.persistence(dimension, complex="full"))
+
+
+def test_a_square_has_one_tunnel():
+    f = rbpa.solid_filtration([[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]])
+    assert f.persistence(0).tolist() == [[0, 0.5]] * 3 + [[0, math.inf]]
+    assert f.persistence(1).round(8).tolist() == [[0.5, 0.70710678]]
+    (tunnel,) = f.representatives(1)
+    assert tunnel.length == 4 and "array([" not in repr(tunnel) and "<int32 array of shape (4, 2)>" in repr(tunnel)

@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_share, as_threads
+from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_share, as_threads, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, freeze
+from rbpa._result import Result, freeze, short_repr
 
 
 def solid(
@@ -62,10 +62,10 @@ def solid(
     array = as_points(points, columns=3)
     expected = "a radius: a number > 0, or inf; or a rule: 'auto', 'min' or 'plateau'"
     if isinstance(alpha, str) and alpha not in ("auto", "min", "plateau"):
-        raise InvalidInput(f"alpha: found {alpha!r}, expected {expected}")
+        raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
     share = as_share(cover, "cover")
     if share < 1 and alpha not in ("auto", "min"):
-        raise InvalidInput(f"cover: found {share!r} with alpha {alpha!r}, expected alpha 'auto' or 'min', which are what it is about")
+        raise InvalidInput(f"cover: found {shown(share)} with alpha {shown(alpha)}, expected alpha 'auto' or 'min', which are what it is about")
     radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
     made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
     if not isinstance(alpha, str):
@@ -123,6 +123,9 @@ class DanglingFaces(NamedTuple):
     triangles: Indices
     edges: Indices
     points: Indices
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 class SolidVoid:
@@ -190,6 +193,9 @@ class FullComplex(NamedTuple):
     voids: list[SolidVoid]
     triangles: Indices
 
+    def __repr__(self) -> str:
+        return short_repr(self)
+
 
 class Solid(Result):
     """Tetrahedra of points in space: what `solid` returns. Arrays are read-only.
@@ -251,11 +257,6 @@ class Solid(Result):
     def dangling(self) -> DanglingFaces:
         """Triangles in no tetrahedron, edges in no triangle and points in no edge of the full alpha complex: what a ball of radius at most alpha
         rests on that has no point inside. Costs a triangulation.
-
-        Raises
-        ------
-        InvalidInput
-            All points are in a plane, where there is none.
         """
         self._require_unchanged()
         found = DanglingFaces(*_core.solid_dangling(self.points, self.alpha))
@@ -265,11 +266,6 @@ class Solid(Result):
     @cached_property
     def full(self) -> FullComplex:
         """Betti numbers and voids of the full alpha complex, whose triangles without a tetrahedron part voids too. Costs a triangulation.
-
-        Raises
-        ------
-        InvalidInput
-            All points are in a plane, where there is none.
         """
         self._require_unchanged()
         made = _core.solid_full(self.points, self.alpha)

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "rbpa/base/simplices_at.h"
+#include "rbpa/solid_filtration.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
 #include "rbpa/space/outer_faces.h"
@@ -19,11 +20,34 @@ Triangle ascending(const std::array<std::uint32_t, 4>& corners, std::size_t k) {
   return t;
 }
 
+/// Those of points in a plane: all that there is.
+DanglingFaces flat_faces(const SolidFiltration& filtration, std::size_t points, double alpha) {
+  DanglingFaces result;
+  std::vector<bool> has_triangle(filtration.edges.size(), false), has_edge(points, false);
+  for (std::size_t i = 0; i < filtration.triangles.size(); ++i) {
+    if (filtration.triangle_alpha[i] > alpha) continue;
+    result.triangles.push_back(filtration.triangles[i]);
+    for (const std::uint32_t edge : filtration.edges_of[i]) has_triangle[edge] = true;
+  }
+  for (std::size_t i = 0; i < filtration.edges.size(); ++i) {
+    if (filtration.edge_alpha[i] > alpha) continue;
+    for (const std::uint32_t point : filtration.edges[i]) has_edge[point] = true;
+    if (!has_triangle[i]) result.edges.push_back(filtration.edges[i]);
+  }
+  for (const std::uint32_t point : filtration.delaunay.isolated)
+    if (!has_edge[point]) result.points.push_back(point);
+  std::sort(result.triangles.begin(), result.triangles.end());
+  std::sort(result.edges.begin(), result.edges.end());
+  return result;
+}
+
 }  // namespace
 
 DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                              double alpha, unsigned wanted) {
   Threads threads = space::check_triangulation("dangling_faces", points, delaunay, radii, alpha, wanted);
+  if (delaunay.simplices.empty() && delaunay.distinct > 1)
+    return flat_faces(solid_filtration(points, {.threads = wanted}), points.size(), alpha);
   const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
   DanglingFaces result;
   for (std::uint32_t t = 0; t < radii.size(); ++t)

@@ -10,6 +10,7 @@
 #include "rbpa/base/simplices_at.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
+#include "rbpa/solid_filtration.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
 #include "rbpa/space/solid_part.h"
@@ -53,6 +54,25 @@ std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid&
   return {edges, delaunay.distinct - joined};
 }
 
+/// Of points in a plane.
+FullCounts count_flat(std::span<const Point3> points, double alpha, unsigned threads) {
+  const SolidFiltration filtration = solid_filtration(points, {.threads = threads});
+  FullCounts counts;
+  counts.points = counts.components = filtration.delaunay.distinct;
+  meshops::DisjointSets sets(points.size());
+  for (std::size_t i = 0; i < filtration.edges.size(); ++i) {
+    if (filtration.edge_alpha[i] > alpha) continue;
+    ++counts.edges;
+    const std::uint32_t a = sets.find(filtration.edges[i][0]), b = sets.find(filtration.edges[i][1]);
+    if (a == b) continue;
+    sets.link(a, b);
+    --counts.components;
+  }
+  for (const double radius : filtration.triangle_alpha) counts.triangles += radius <= alpha ? 1U : 0U;
+  counts.tunnels = counts.components + counts.edges - counts.points - counts.triangles;
+  return counts;
+}
+
 /// How many pieces, connected through points, the triangles are.
 std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
   meshops::DisjointSets sets(hollow.points.size());
@@ -77,6 +97,7 @@ std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
 FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                       double alpha, unsigned wanted) {
   Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
+  if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
   const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
   FullCounts counts;
   counts.points = delaunay.distinct;

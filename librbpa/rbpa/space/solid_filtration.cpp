@@ -6,13 +6,13 @@
 #include <limits>
 #include <utility>
 
-#include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/solid_radii.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/insertion/spatial_order.h"
+#include "rbpa/space/persistence/beside_flat.h"
 #include "rbpa/space/persistence/number_faces.h"
 #include "rbpa/space/persistence/triangle_radii.h"
 #include "rbpa/space/predicate/least_sphere.h"
@@ -61,6 +61,46 @@ void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps
   });
 }
 
+/// The rows of which all corners are below `points`. Returns: of each row its new number.
+template <typename Rows>
+std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
+  std::vector<std::uint32_t> number(rows.size(), Solid::none);
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (std::any_of(rows[i].begin(), rows[i].end(), [&](std::uint32_t corner) { return corner >= points; })) continue;
+    number[i] = kept;
+    rows[kept++] = rows[i];
+  }
+  rows.resize(kept);
+  return number;
+}
+
+/// Triangles and edges of points that have no tetrahedron, with the radii of the triangles: what is left of a cone over them.
+void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
+               SolidFiltration& filtration) {
+  std::vector<Point3> cone(points.begin(), points.end());
+  for (const Point3& apex : space::beside_flat(points)) cone.push_back(apex);
+  const Solid solid_of_cone =
+      solid(cone, infinity, {.neighbors = true, .threads = options.threads, .progress = options.progress});
+  filtration.triangles = space::number_triangles(solid_of_cone, step).corners;
+  space::NumberedEdges edges = space::number_edges(cone.size(), filtration.triangles, step);
+  filtration.edges = std::move(edges.ends);
+  const std::vector<std::uint32_t> number = keep_below(points.size(), filtration.edges);
+  const std::vector<std::uint32_t> kept = keep_below(points.size(), filtration.triangles);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] == Solid::none) continue;
+    for (std::uint32_t& edge : edges.of[i]) edge = number[edge];
+    filtration.edges_of.push_back(edges.of[i]);
+  }
+  filtration.triangle_alpha.resize(filtration.triangles.size());
+  for_each_part(threads, filtration.triangles.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [a, b, c] = filtration.triangles[i];
+      filtration.triangle_alpha[i] = space::LeastSphere(points[a], points[b], points[c]).radius_rounded_up();
+    }
+  });
+}
+
 /// From places on the curve to input indices.
 void rename_corners(std::span<const std::uint32_t> index, SolidFiltration& filtration) {
   Solid& delaunay = filtration.delaunay;
@@ -104,21 +144,24 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
   SolidFiltration filtration;
   Solid& delaunay = filtration.delaunay;
   delaunay = solid(sorted, infinity, {.neighbors = true, .threads = options.threads, .progress = options.progress});
-  if (delaunay.simplices.empty() && delaunay.distinct > 1)
-    throw InvalidInput("the points are in a plane, expected some that have a tetrahedron");
   const std::function<bool()> go_on = [&] {
     return !options.progress || options.progress({delaunay.distinct, delaunay.distinct});
   };
   Steps step(go_on);
-  space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
-  space::NumberedEdges edges = space::number_edges(sorted.size(), triangles.corners, step);
-  filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads);
   Threads threads = threads_for(points.size(), options.threads);
-  filtration.triangle_alpha = space::triangle_radii(sorted, delaunay, filtration.tetrahedron_alpha, triangles, threads);
-  filtration.triangles = std::move(triangles.corners);
-  filtration.triangles_of = std::move(triangles.of);
-  filtration.edges = std::move(edges.ends);
-  filtration.edges_of = std::move(edges.of);
+  if (delaunay.simplices.empty() && delaunay.distinct > 1) {
+    take_flat(sorted, options, threads, step, filtration);
+  } else {
+    space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
+    space::NumberedEdges edges = space::number_edges(sorted.size(), triangles.corners, step);
+    filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads);
+    filtration.triangle_alpha =
+        space::triangle_radii(sorted, delaunay, filtration.tetrahedron_alpha, triangles, threads);
+    filtration.triangles = std::move(triangles.corners);
+    filtration.triangles_of = std::move(triangles.of);
+    filtration.edges = std::move(edges.ends);
+    filtration.edges_of = std::move(edges.of);
+  }
   find_alpha_of_edges(sorted, threads, step, filtration);
   rename_corners(index, filtration);
   return filtration;

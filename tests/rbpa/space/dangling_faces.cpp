@@ -149,18 +149,31 @@ TEST_CASE("least spheres by hand") {
   CHECK(exact::side_of_least_sphere(a, b, c, {1, 1, 1.5}) == -1);
 }
 
-TEST_CASE("what has no triangulation, and what does not belong to it, is refused") {
+TEST_CASE("what does not belong together is refused") {
   const Points3 points = jittered_cubes(60, 6);
   const Solid solid = rbpa::solid(points, infinity), bare = rbpa::solid(points, infinity, {.neighbors = false});
   const std::vector<double> radii = rbpa::circumradii(points, solid.simplices);
   CHECK_THROWS_AS(rbpa::dangling_faces(points, solid, {}, 1), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::dangling_faces(points, bare, radii, 1), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::dangling_faces(points, solid, radii, 0), rbpa::InvalidInput);
-  const Points3 flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  CHECK_THROWS_WITH_AS(rbpa::dangling_faces(flat, rbpa::solid(flat, infinity), {}, 1),
-                       "the points are in a plane, expected some that have a tetrahedron", rbpa::InvalidInput);
   const Points3 one = {{1, 2, 3}, {1, 2, 3}};
   CHECK(rbpa::dangling_faces(one, rbpa::solid(one, infinity), {}, 1).points == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("of points in a plane or on a line all simplices dangle") {
+  const auto at = [](const Points3& points, double alpha) {
+    return rbpa::dangling_faces(points, rbpa::solid(points, infinity), {}, alpha);
+  };
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+  const Points3 house = {{0, 0, 5}, {0, 2, 5}, {2, 2, 5}, {2, 0, 5}, {0, 2, 5}, {0, 5, 5}, {9, 9, 5}};
+  CHECK(at(house, 0.9).points == std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6});
+  CHECK(at(house, 1).edges == Edges{{0, 1}, {0, 3}, {1, 2}, {2, 3}});
+  CHECK(at(house, 1).points == std::vector<std::uint32_t>{5, 6});
+  CHECK(at(house, 1.5).triangles == std::vector<rbpa::Triangle>{{0, 1, 3}, {1, 2, 3}});
+  CHECK(at(house, 1.5).edges == Edges{{1, 5}});
+  CHECK(at(house, infinity).edges.empty());
+  CHECK(at({{0, 0, 0}, {3, 3, 3}, {1, 1, 1}}, 1).edges == Edges{{0, 2}});
+  CHECK(at({{0, 0, 0}, {3, 3, 3}, {1, 1, 1}}, 1).points == std::vector<std::uint32_t>{1});
 }
 
 TEST_SUITE_END();

@@ -15,6 +15,7 @@
 #include "rbpa/solid_radii.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
+#include "rbpa/triangulate.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
@@ -134,9 +135,87 @@ TEST_CASE("many edges at one point") {
   CHECK(filtration.edges.size() == 150 * 149 / 2);
 }
 
+TEST_CASE("of points in a plane it has their Delaunay triangulation there, with its ties, at any slope") {
+  Random random(5003);
+  std::size_t triangles = 0, alone = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    // On a lattice of the plane, where many are on a circle; every second time nearly so.
+    std::vector<rbpa::Point> plane;
+    for (std::size_t i = 0; i < 3 + random.below(60); ++i)
+      plane.push_back({double(random.below(9)), double(random.below(9)) + (trial % 2 ? random.unit() : 0)});
+    const auto number = [&] { return double(random.integer(-9, 9)); };
+    const std::array<double, 3> u = {number(), number(), number()}, v = {number(), number(), number()};
+    const bool is_level = trial % 3 == 0;
+    Points3 points;
+    for (const rbpa::Point& p : plane) {
+      // Where y is no integer, slopes that round nothing.
+      const double a = p.x, b = is_level || trial % 2 == 0 ? p.y : std::ldexp(std::floor(std::ldexp(p.y, 20)), -20);
+      points.push_back(is_level ? Point3{a, b, 0}
+                                : Point3{a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]});
+    }
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
+    REQUIRE(filtration.delaunay.simplices.empty());
+    REQUIRE(filtration.triangles_of.empty());
+    const auto sorted_triangles = [](auto rows) {
+      for (auto& row : rows) std::sort(row.begin(), row.end());
+      std::sort(rows.begin(), rows.end());
+      return rows;
+    };
+    if (is_level)
+      CHECK(sorted_triangles(filtration.triangles) == sorted_triangles(rbpa::triangulate(plane, infinity).triangles));
+    CHECK(filtration.delaunay.distinct + filtration.triangles.size() - filtration.edges.size() ==
+          1);  // Euler: one disc
+    CHECK(std::set(filtration.edges.begin(), filtration.edges.end()).size() == filtration.edges.size());
+    for (std::size_t i = 0; i < filtration.triangles.size(); ++i) {
+      const auto& [a, b, c] = filtration.triangles[i];
+      const rbpa::space::LeastSphere sphere(points[a], points[b], points[c]);
+      CHECK(std::none_of(points.begin(), points.end(), [&](const Point3& p) { return sphere.has_inside(p); }));
+      CHECK(filtration.triangle_alpha[i] == sphere.radius_rounded_up());
+      CHECK(filtration.edges[filtration.edges_of[i][0]] == std::array{b, c});
+      CHECK(filtration.edges[filtration.edges_of[i][1]] == std::array{a, c});
+      CHECK(filtration.edges[filtration.edges_of[i][2]] == std::array{a, b});
+    }
+    for (std::size_t i = 0; i < filtration.edges.size(); ++i) {
+      const auto& [a, b] = filtration.edges[i];
+      const bool is_alone = std::none_of(points.begin(), points.end(), [&, at_a = a, at_b = b](const Point3& p) {
+        return rbpa::space::in_least_sphere(points[at_a], points[at_b], p);
+      });
+      double first = infinity;
+      for (std::size_t t = 0; t < filtration.triangles.size(); ++t)
+        if (std::count(filtration.edges_of[t].begin(), filtration.edges_of[t].end(), i) > 0)
+          first = std::min(first, filtration.triangle_alpha[t]);
+      CHECK(filtration.edge_alpha[i] ==
+            (is_alone ? rbpa::space::least_radius_rounded_up(points[a], points[b]) : first));
+      alone += is_alone ? 1U : 0U;
+    }
+    triangles += filtration.triangles.size();
+  }
+  CHECK(triangles > 2000);
+  CHECK(alone > 2000);
+}
+
+TEST_CASE("flat sets at the ends of the range of double, and on lines, have all their edges") {
+  using Edges = std::set<std::array<std::uint32_t, 2>>;
+  for (const double scale : {1.0, 0x1p-1070, 0x1p1020}) {
+    CAPTURE(scale);
+    for (const Point3& along : {Point3{0, 0, 1}, Point3{-1, 2, 0}, Point3{1, 1, 1}, Point3{0, -3, 2}}) {
+      Points3 line;
+      for (const double t : {3.0, 0.0, 1.0, -4.0, 1.0, 2.0})
+        line.push_back({t * along.x * scale, t * along.y * scale, t * along.z * scale});
+      const SolidFiltration filtration = rbpa::solid_filtration(line);
+      CHECK(Edges(filtration.edges.begin(), filtration.edges.end()) == Edges{{0, 5}, {2, 5}, {1, 2}, {1, 3}});
+      CHECK(filtration.triangles.empty());
+    }
+    const Points3 square = {
+        {scale, -scale, scale}, {-scale, -scale, scale}, {-scale, scale, scale}, {scale, scale, scale}};
+    const SolidFiltration filtration = rbpa::solid_filtration(square);
+    CHECK(filtration.triangles.size() == 2);
+    CHECK(Edges(filtration.edges.begin(), filtration.edges.end())
+              .contains({0, 2}));  // the least points have the diagonal
+  }
+}
+
 TEST_CASE("what has no filtration is refused, and a run is cancelled") {
-  const Points3 flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  CHECK_THROWS_AS(rbpa::solid_filtration(flat), rbpa::InvalidInput);
   CHECK_THROWS_AS(rbpa::solid_filtration(Points3{{0, 0, infinity}}), rbpa::InvalidInput);
   const Points3 points = uniform_cube(3000, 5001);
   for (const int calls : {0, 3, 8, 20}) {

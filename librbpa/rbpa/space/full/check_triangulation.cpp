@@ -21,8 +21,6 @@ Threads check_triangulation(const std::string& function, std::span<const Point3>
                             std::span<const double> radii, double alpha, unsigned threads) {
   check_triangulation(function, points, delaunay, radii);
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
-  if (delaunay.simplices.empty() && delaunay.distinct > 1)
-    throw InvalidInput("the points are in a plane, expected some that have a tetrahedron");
   return threads_for(points.size(), threads);
 }
 

@@ -9,7 +9,7 @@ namespace rbpa::space {
 
 PersistentComponents find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
                                      Steps& step) {
-  meshops::DisjointSets sets(corner_bound<4>(filtration.delaunay.simplices));
+  meshops::DisjointSets sets(corner_bound<2>(filtration.edges));
   PersistentComponents result;
   result.joins.assign(order.size(), false);
   for (const std::uint32_t edge : order) {

@@ -27,7 +27,7 @@ void check_filtration(const char* function, const SolidFiltration& filtration) {
 
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration) {
   check_filtration(function, filtration);
-  if (corner_bound<4>(filtration.delaunay.simplices) > points.size())
+  if (corner_bound<2>(filtration.edges) > points.size())
     meshops::require(false, (std::string(function) + ": expected the points of the filtration").c_str());
 }
 
