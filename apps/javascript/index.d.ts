@@ -11,8 +11,8 @@
 /** Points as [x, y] each, or as numbers x0, y0, x1, y1, …; a typed array is fastest. */
 export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 
-/** A radius, or a rule: "auto", the least that covers every point in one solid component; "min", the least that covers every point; "plateau:K", in the K-th
- * of the ranges in which the shape does not change, the longest first; "plateau" is the first. */
+/** A radius, or a rule: "plateau:K", in the K-th of the ranges in which the shape hardly changes, the best first; "plateau" is the first; "auto", the least that
+ * covers every point in one solid component; "min", the least that covers every point. */
 export type Alpha = number | "auto" | "min" | "plateau" | `plateau:${number}`;
 
 /** A value that is not what was expected; the message says which. */
@@ -102,9 +102,10 @@ export interface DelaunatorConstructor {
 export interface Rbpa {
   /** The Delaunay triangles of circumradius at most alpha, by default all. */
   triangulate(points: Points, alpha?: number): Triangulation;
-  /** The same with polygons, by default of the rule "auto". Smaller holes are filled, and smaller polygons left out. */
+  /** The same with polygons, by default of the rule "plateau". Smaller holes are filled, and smaller polygons left out. */
   alphaShape(points: Points, alpha?: Alpha, options?: { minHoleArea?: number; minPartArea?: number }): AlphaShape;
-  /** The outline of the points as a closed ring of points, without holes, the largest where there are several; as concaveman returns it. */
+  /** The outline of the points as a closed ring of points, without holes, by default of the rule "auto", so that it holds every point; the largest where there are
+   * several; as concaveman returns it. */
   concaveHull<P extends readonly number[]>(points: ArrayLike<P>, alpha?: Alpha): P[];
   concaveHull(points: ArrayLike<number>, alpha?: Alpha): number[][];
   /** What every alpha would give. */

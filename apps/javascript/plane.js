@@ -55,7 +55,7 @@ class Rbpa {
     return this.#module.call("rbpa_triangulate", [coords], coords.length / 2, [alpha], (made) => triangulation(made, 0));
   }
 
-  alphaShape(points, alpha = "auto", { minHoleArea = 0, minPartArea = 0 } = {}) {
+  alphaShape(points, alpha = "plateau", { minHoleArea = 0, minPartArea = 0 } = {}) {
     const choice = parseAlpha(alpha);
     check(minHoleArea, "minHoleArea", (area) => area >= 0, "an area");
     check(minPartArea, "minPartArea", (area) => area >= 0, "an area");

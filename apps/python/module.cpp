@@ -36,6 +36,7 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_groups(module);
   rbpa::python::bind_locator(module);
+  rbpa::python::bind_nearest(module);
   rbpa::python::bind_partial(module);
   rbpa::python::bind_soups(module);  // before what returns them, so that signatures name what they are in Python
   rbpa::python::bind_mesh(module);

@@ -19,6 +19,7 @@ void bind_solid(pybind11::module_& module);
 void bind_periodic_solid(pybind11::module_& module);
 void bind_solid_filtration(pybind11::module_& module);
 void bind_solid_locator(pybind11::module_& module);
+void bind_nearest(pybind11::module_& module);
 void bind_partial(pybind11::module_& module);
 void bind_points(pybind11::module_& module);
 

@@ -113,7 +113,9 @@ test("rules choose alpha, as filtrations say", () => {
   for (const rule of ["auto", "min"]) assert.equal(rbpa.alphaShape(coords, rule).alpha, filtration[rule]);
   assert.equal(rbpa.alphaShape(coords, "plateau").alpha, filtration.plateaus[0].alpha);
   assert.equal(rbpa.alphaShape(coords, "plateau:2").alpha, filtration.plateaus[1].alpha);
-  const auto = rbpa.alphaShape(coords);
+  assert.equal(rbpa.alphaShape(coords).alpha, filtration.plateaus[0].alpha);
+  assert.deepEqual(rbpa.concaveHull(coords), rbpa.concaveHull(coords, "auto"));
+  const auto = rbpa.alphaShape(coords, "auto");
   assert.equal(auto.alpha, filtration.auto);
   assert.equal(auto.polygons.length, 1);
   const step = filtration.alpha.indexOf(auto.alpha);
@@ -122,9 +124,13 @@ test("rules choose alpha, as filtrations say", () => {
   assert.equal(filtration.covered[step], 2000);
   assert.ok(Math.abs(filtration.area[step] - auto.area) < 1e-12);
   assert.throws(() => rbpa.alphaShape(coords, "plateau:999999"), /plateaus, and no plateau 999999/);
-  const line = rbpa.alphaShape([[0, 0], [1, 1], [2, 2]]);
-  assert.equal(line.alpha, null);
-  assert.equal(line.polygons.length, 0);
+  for (const none of [[], [[1, 2]], [[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2]], [[0, 0], [1, 0], [1, 0]]]) {
+    const line = rbpa.alphaShape(none);
+    assert.equal(line.alpha, null);
+    assert.equal(line.polygons.length, 0);
+  }
+  assert.equal(rbpa.alphaShape([[0, 0], [1, 0], [0, 1]]).area, 0.5);
+  assert.equal(rbpa.alphaShape([[0, 0], [1, 0], [0, 1], [1, 1]]).area, 1);
   assert.deepEqual([rbpa.filtration([]).auto, rbpa.filtration([]).plateaus.length], [null, 0]);
 });
 

@@ -67,7 +67,7 @@ def test_auto_and_min_are_the_least_radii_that_do_it(name):
     least = rbpa.alpha_shape(points, "min")
     assert not len(least.isolated)
     assert len(rbpa.alpha_shape(points, np.nextafter(least.alpha, 0)).isolated)
-    auto = rbpa.alpha_shape(points)
+    auto = rbpa.alpha_shape(points, "auto")
     assert not len(auto.isolated) and len(auto.polygons) == 1
     below = rbpa.alpha_shape(points, np.nextafter(auto.alpha, 0))
     assert len(below.isolated) or len(below.polygons) > 1
@@ -78,7 +78,7 @@ def test_auto_and_min_are_the_least_radii_that_do_it(name):
 def test_a_share_of_the_points_is_what_is_covered():
     rng = np.random.default_rng(4)
     points = np.concatenate((ring(500), rng.random((5, 2)) * 50 + 20))
-    everything, most = rbpa.alpha_shape(points), rbpa.alpha_shape(points, cover=0.99)
+    everything, most = rbpa.alpha_shape(points, "auto"), rbpa.alpha_shape(points, cover=0.99)
     assert most.alpha < 0.5 < 5 < everything.alpha and len(most.isolated) <= 5
     for alpha in ("auto", "min"):
         shape = rbpa.alpha_shape(points, alpha, cover=0.9)
@@ -90,6 +90,49 @@ def test_a_share_of_the_points_is_what_is_covered():
     assert f.smallest_covering(1, cover=0.99) == most.alpha
     assert f.smallest_covering(cover=0.9) == rbpa.alpha_shape(points, "min", cover=0.9).alpha
     assert rbpa.concave_hull(points, cover=0.99).area < 15 < 100 < rbpa.concave_hull(points).area
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_the_default_is_the_best_plateau_and_a_hull_holds_every_point(name):
+    points = np.asarray(SETS[name])
+    shape = rbpa.alpha_shape(points)
+    plateaus = rbpa.filtration(points).plateaus()
+    assert shape.alpha == (plateaus[0].alpha if plateaus else None)
+    of_groups = rbpa.alpha_shapes(points, np.zeros(len(points))).alphas
+    assert of_groups.tolist() == [shape.alpha] if plateaus else np.isnan(of_groups).all()
+    assert len(rbpa.Delaunay(points).simplices) == 0 or len(shape.simplices) > 0
+    hull = rbpa.alpha_shape(points, "auto")
+    assert rbpa.concave_hull(points).to_wkt() == hull.filtered(min_hole_area=np.inf).to_wkt()
+    assert len(rbpa.concave_hull(points)) == (len(hull.simplices) > 0) and (not len(hull.isolated) or not len(hull.simplices))
+
+
+@pytest.mark.parametrize(
+    ("points", "triangles"),
+    [
+        (np.empty((0, 2)), 0),
+        ([[1, 2]], 0),
+        ([[1, 2], [1, 2], [3, 4]], 0),
+        ([[0, 0], [1, 1], [2, 2], [5, 5]], 0),
+        ([[0, 0], [1, 0], [0, 1]], 1),
+        ([[0, 0], [1, 0], [0, 1], [1, 1]], 2),
+        ([[0, 0], [1, 0], [0, 1], [0, 0], [9, 9]], 1),
+        ([[x, y] for x in range(2) for y in range(3)], 4),
+        ([[x, y] for x in range(7) for y in range(7)], 72),
+    ],
+)
+def test_of_few_points_and_grids_the_default_has_an_answer(points, triangles):
+    shape = rbpa.alpha_shape(points)
+    assert len(shape.simplices) >= triangles > 0 or len(shape.simplices) == triangles == 0
+    assert (shape.alpha is None) == (triangles == 0)
+
+
+def test_a_share_or_pieces_without_an_alpha_are_of_auto():
+    points = np.concatenate((ring(500), ring(300, 3) + [8, 0]))
+    assert rbpa.alpha_shape(points, cover=0.9).alpha == rbpa.alpha_shape(points, "auto", cover=0.9).alpha
+    assert rbpa.alpha_shapes(points, np.zeros(800), components=2).alphas[0] == rbpa.alpha_shape(points, "auto", components=2).alpha
+    for option in ({"cover": 0.9}, {"components": 2}):
+        with pytest.raises(rbpa.InvalidInput, match="found alpha='plateau'"):
+            rbpa.alpha_shape(points, "plateau", **option)
 
 
 def test_plateaus_are_those_of_the_filtration():

@@ -70,3 +70,41 @@ def test_help_of_the_package_names_all_that_is_there():
 def test_the_side_of_estimated_normals_is_called_a_guess():
     said = " ".join(rbpa.estimate_normals.__doc__.split())
     assert "The sign is a guess" in said and "have them outward" not in said
+
+
+def test_named_tuples_hide_no_method_of_tuples_and_print_no_arrays():
+    kinds = [thing for thing in map(rbpa.__dict__.get, PUBLIC) if hasattr(thing, "_fields")] + [rbpa.meshops.Repair]
+    assert len(kinds) >= 9
+    for kind in kinds:
+        assert not {"count", "index"} & set(kind._fields), kind
+        row = kind(*[np.arange(3000)] * len(kind._fields))
+        assert "3000" in repr(row) or kind in (rbpa.Plateau, rbpa.SolidPlateau, rbpa.BallUnion), kind
+        assert len(repr(row)) < 600 or "3000" not in repr(row), kind
+    for name in rbpa.VoidTree._fields:
+        assert f"{name} : " in rbpa.VoidTree.__doc__
+
+
+def test_messages_print_no_arrays():
+    large = np.linspace(0, 1, 4000).reshape(1000, 4)
+    points = np.random.default_rng(0).random((20, 2))
+    in_space = np.random.default_rng(0).random((20, 3))
+    for call in (
+        lambda: rbpa.alpha_shape(points, large),
+        lambda: rbpa.alpha_shape(points, cover=large),
+        lambda: rbpa.alpha_shape(points, large, cover=0.5),
+        lambda: rbpa.alpha_shape(points, components=large),
+        lambda: rbpa.alpha_shape(points, threads=large.tolist()),
+        lambda: rbpa.alpha_shapes(points, large, 1),
+        lambda: rbpa.alpha_shapes(points, np.arange(20), list("ab") * 500),
+        lambda: rbpa.Delaunay(points).interpolate(np.arange(20), points, method=large.tolist()),
+        lambda: rbpa.filtration(points).persistence(large.tolist()),
+        lambda: rbpa.filtration(points).representatives(levels=large),
+        lambda: rbpa.surface(in_space, radius=list("ab") * 500),
+        lambda: rbpa.surface(in_space, radius=large[None]),
+        lambda: rbpa.periodic_solid(in_space, large),
+        lambda: rbpa.solid(in_space, large),
+        lambda: rbpa.solid(in_space, "a" * 4000),
+    ):
+        with pytest.raises(rbpa.InvalidInput) as error:
+            call()
+        assert len(str(error.value)) < 250, str(error.value)

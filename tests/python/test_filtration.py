@@ -32,7 +32,7 @@ def test_every_step_is_the_shape_of_its_radius(name):
 @pytest.mark.parametrize("name", SETS)
 def test_auto_and_min_are_what_alpha_shape_chooses(name):
     f = rbpa.filtration(SETS[name])
-    assert f.auto == rbpa.alpha_shape(SETS[name]).alpha
+    assert f.auto == rbpa.alpha_shape(SETS[name], "auto").alpha
     assert f.min == rbpa.alpha_shape(SETS[name], "min").alpha
     assert f.smallest_covering(3) == rbpa.alpha_shape(SETS[name], components=3).alpha
     with pytest.raises(rbpa.InvalidInput, match="components: found 0"):

@@ -150,3 +150,85 @@ def test_progress_is_of_groups_and_ends_the_run():
     with pytest.raises(rbpa.Cancelled):
         rbpa.alpha_shapes(points, labels, threads=1, progress=lambda done, groups: seen.append((done, groups)) or len(seen) < 2)
     assert len(seen) == 2 and all(0 <= done <= 12_000 for done, groups in seen)
+
+
+TIMES = ["2024-01-01", "2024-01-31", "2024-03-01"]
+CORNERS = np.array([[0, 0], [1, 0], [0, 1]] * 3, float) + np.repeat([[0, 0], [5, 0], [9, 0]], 3, axis=0)
+
+
+def kinds_of_names():
+    """Groups of three points each, and the name of each group as their owner has it."""
+    pandas = pytest.importorskip("pandas")
+    days = pandas.Series(pandas.to_datetime(np.repeat(TIMES, 3)))
+    some = days.copy()
+    some[3:6] = pandas.NaT
+    zoned = days.dt.tz_localize("Europe/Amsterdam")
+    numbers = pandas.Series([7] * 3 + [None] * 3 + [3] * 3)
+    yield "Series of timestamps", days, sorted(set(days))
+    yield "some of them missing", some, [days[0], days[8]]
+    yield "with a time zone", zoned, sorted(set(zoned))
+    yield "DatetimeIndex", pandas.DatetimeIndex(days), sorted(set(days))
+    yield "array of timestamps", days.array, sorted(set(days))
+    yield "list of timestamps", list(days), sorted(set(days))
+    yield "Categorical of timestamps", days.astype("category"), sorted(set(days))
+    yield "periods", days.dt.to_period("D"), sorted(set(days.dt.to_period("D")))
+    yield "time differences", days - days[0], sorted(set(days - days[0]))
+    yield "Python's dates", [day.date() for day in days], sorted({day.date() for day in days})
+    yield "Python's times", [day.to_pydatetime() for day in days], sorted({day.to_pydatetime() for day in days})
+    for unit in ("D", "h", "s", "ms", "us", "ns"):
+        array = days.to_numpy().astype(f"datetime64[{unit}]")
+        yield f"datetime64[{unit}]", array, sorted(set(array))
+    yield "timedelta64", (days - days[0]).to_numpy(), sorted(set((days - days[0]).to_numpy()))
+    yield "nullable integers", numbers.astype("Int64"), [3, 7]
+    yield "nullable truth values", pandas.Series([True] * 3 + [None] * 3 + [False] * 3, dtype="boolean"), [False, True]
+    yield "nullable texts", pandas.Series(["b"] * 3 + [None] * 3 + ["a"] * 3, dtype="string"), ["a", "b"]
+    yield "Categorical", pandas.Categorical(["b"] * 3 + [None] * 3 + ["a"] * 3), ["a", "b"]
+    yield "texts with NaN", ["b"] * 3 + [math.nan] * 3 + ["a"] * 3, ["a", "b"]
+    yield "a Series of texts with NaN", pandas.Series(["b"] * 3 + [math.nan] * 3 + ["a"] * 3), ["a", "b"]
+    yield "texts and numbers", ["b"] * 3 + [4] * 3 + ["a"] * 3, ["b", 4, "a"]
+    yield "masked", np.ma.masked_array([2] * 3 + [1] * 3 + [0] * 3, mask=[0] * 6 + [1] * 3), [1, 2]
+
+
+def test_names_of_groups_come_back_as_what_they_were():
+    seen = 0
+    for kind, groups, names in kinds_of_names():
+        shapes = rbpa.concave_hulls(CORNERS, groups)
+        assert list(shapes) == names, kind
+        for given, label in zip(list(groups), shapes.labels):  # each by what its owner has
+            if label >= 0:
+                assert shapes[given].area == 0.5 and given in shapes, kind
+                assert shapes.simplices(given).shape == (1, 3)
+        assert (shapes.counts == 3).all() and (shapes.labels == -1).sum() == 9 - 3 * len(names)
+        written = [feature["properties"]["group"] for feature in json.loads(shapes.to_geojson())["features"]]
+        assert len(written) == len(names)
+        for name, text in zip(names, written):
+            is_time = any(word in kind for word in ("time", "date", "Datetime")) and "difference" not in kind and "timedelta" not in kind
+            assert not is_time or text.startswith(str(name)[:7]), kind
+            assert is_time or isinstance(text, str) or text == name, kind
+        assert list(pickle.loads(pickle.dumps(shapes))) == names
+        by_name = rbpa.alpha_shapes(CORNERS, groups, {name: 9.0 + g for g, name in enumerate(shapes)})
+        assert by_name.alphas.tolist() == [9.0 + g for g in range(len(names))]
+        with pytest.raises(KeyError):
+            shapes["never"]
+        seen += 1
+    assert seen == 26
+
+
+def test_groups_and_radii_of_pandas_go_by_index():
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame({"x": POINTS[:, 0], "y": POINTS[:, 1], "k": LABELS})
+    mixed = table.sample(frac=1, random_state=1)
+    expected = rbpa.concave_hulls(mixed[["x", "y"]], mixed["k"].to_numpy())
+    for groups in (table["k"], mixed["k"], mixed["k"].astype("category"), pandas.concat([table["k"], pandas.Series([3], index=[9999])])):
+        assert rbpa.concave_hulls(mixed[["x", "y"]], groups).to_geojson() == expected.to_geojson()
+    assert rbpa.concave_hulls(mixed[["x", "y"]].to_numpy(), mixed["k"]).to_geojson() == expected.to_geojson()
+    some = table[table["x"] > 5]
+    assert rbpa.concave_hulls(some[["x", "y"]], table["k"]).to_geojson() == rbpa.concave_hulls(some[["x", "y"]], some["k"]).to_geojson()
+    with pytest.raises(rbpa.InvalidInput, match="groups: found an index without 4000 of the 4000 labels of the points, such as .*to_numpy"):
+        rbpa.concave_hulls(mixed[["x", "y"]], mixed["k"].set_axis([f"row {i}" for i in range(4000)]))
+    with pytest.raises(rbpa.InvalidInput, match="groups: found an index with labels that repeat"):
+        rbpa.concave_hulls(mixed[["x", "y"]], mixed["k"].set_axis([0] * 4000))
+    radii = pandas.Series({name: 0.5 + name / 30 for name in reversed(range(60))})
+    assert np.array_equal(rbpa.alpha_shapes(POINTS, LABELS, radii).alphas, radii.sort_index())
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found no radius for group 0, expected one for each group; alpha.to_numpy"):
+        rbpa.alpha_shapes(POINTS, LABELS, radii.add_prefix("group "))

@@ -97,12 +97,12 @@ def test_every_point_has_its_own_value_and_linear_functions_are_kept(name):
     values = RANDOM.normal(size=(len(points), 3))
     found = triangulation.interpolate(values, points)
     assert found.shape == (len(points), 3)
-    if not triangulation.nsimplex:
-        assert np.isnan(found).all()
-        return
     first = np.arange(len(points))
     first[triangulation.duplicates[:, 0]] = triangulation.duplicates[:, 1]
     assert np.array_equal(found, values[first])
+    if not triangulation.nsimplex:
+        assert np.array_equal(triangulation.interpolate(values, points, method="natural"), found)
+        return
     inside = points[triangulation.simplices].mean(1) if np.abs(points).max() < 1e300 else points[triangulation.simplices[:, 0]]
     scale = np.abs(points).max()
     plane = points[:, 0] / scale * 2 - points[:, 1] / scale + 3
@@ -159,3 +159,70 @@ def test_a_method_that_is_none_is_refused():
     triangulation = rbpa.Delaunay(uniform(10))
     with pytest.raises(rbpa.InvalidInput, match='method: found \'cubic\', expected "linear" or "natural"'):
         triangulation.interpolate(np.zeros(10), [0.5, 0.5], method="cubic")
+
+
+def test_on_a_side_rounding_decides_what_is_outside_and_nearest_has_a_value():
+    triangulation = rbpa.Delaunay([[0, 0], [1, 0.3], [0.2, 0.9], [0.4, 0.4]])
+    values = np.array([1.0, 4.0, 9.0, 2.0])
+    t = np.linspace(0, 1, 101)[1:-1, None]
+    side = (1 - t) * triangulation.points[0] + t * triangulation.points[1]
+    expected = 1 + 3 * t[:, 0]
+    for method in ("linear", "natural"):
+        assert 10 < np.isnan(triangulation.interpolate(values, side, method=method)).sum() < 90
+        found = triangulation.interpolate(values, side, method=method, outside="nearest")
+        assert np.abs(found - expected).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", every_kind())
+def test_nearest_is_the_value_where_the_hull_is_nearest(name):
+    points = np.asarray(every_kind()[name], float)
+    triangulation = rbpa.Delaunay(points)
+    values = np.array([[x, -2 * y] for x, y in points]).reshape(-1, 2)
+    if len(points) == 0:
+        assert np.isnan(triangulation.interpolate(values, [[1, 2]], outside="nearest")).all()
+        return
+    with np.errstate(over="ignore"):
+        low, high = points.min(0), points.max(0)
+        at = low + (high - low) * RANDOM.uniform(-1, 2, (300, 2))
+    at = np.concatenate((at[np.isfinite(at).all(1)], points[:30]))
+    found = triangulation.interpolate(values, at, outside="nearest")
+    plain = triangulation.interpolate(values, at)
+    inside = triangulation.find_simplex(at) >= 0
+    assert np.array_equal(found[inside], plain[inside]) and np.isfinite(found).all()
+    scale = np.abs(points).max() or 1.0
+    place, where = found / [1, -2] / scale, at / scale  # values are coordinates
+    # No point of the hull is nearer: all are on the far side of the plane through the nearest.
+    for q, p in zip(where[~inside][:100], place[~inside]):
+        assert ((points / scale - p) @ (q - p)).max() <= 1e-9 * max(1, np.abs(q - p).max())
+
+
+def test_nearest_in_space_and_of_flat_sets():
+    points = np.random.default_rng(8).random((60, 3))
+    at = np.random.default_rng(9).uniform(-1, 2, (200, 3))
+    for of in (points, points * [1, 1, 0], points * [1, 0, 0], points[:1], np.array([[x, y, 1.0] for x in range(4) for y in range(3)])):
+        triangulation = rbpa.Delaunay(of)
+        found = triangulation.interpolate(of, at, outside="nearest")
+        inside = triangulation.find_simplex(at) >= 0
+        assert np.isfinite(found).all() and np.abs(found - at)[inside].max(initial=0) < 1e-9
+        for q, p in zip(at[~inside], found[~inside]):
+            assert ((of - p) @ (q - p)).max() < 1e-9
+        first = np.arange(len(of))
+        first[triangulation.duplicates[:, 0]] = triangulation.duplicates[:, 1]
+        assert np.array_equal(triangulation.interpolate(of, of), of[first])
+    flat = rbpa.Delaunay(points * [1, 1, 0])
+    assert np.isnan(flat.interpolate(points, [[0.5, 0.5, 0.0]])).all()
+    assert flat.interpolate(points[:, 0], [[math.nan, 0, 0], [5, 5, 5]], -3.0, outside="nearest")[0] == -3
+    with pytest.raises(rbpa.InvalidInput, match='outside: found \'far\', expected "nan" or "nearest"'):
+        flat.interpolate(points, points, outside="far")
+
+
+def test_values_of_pandas_go_by_index():
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(np.random.default_rng(10).random((50, 3)), columns=["x", "y", "z"], index=range(100, 150))
+    mixed = table.sample(frac=1, random_state=1)
+    for columns in (["x", "y"], ["x", "y", "z"]):
+        triangulation = rbpa.Delaunay(mixed[columns])
+        found = triangulation.interpolate(table["z"], mixed[columns].to_numpy())
+        assert np.array_equal(found, mixed["z"])
+        with pytest.raises(rbpa.InvalidInput, match="values: found an index without 50 of the 50 labels"):
+            triangulation.interpolate(table["z"].reset_index(drop=True), mixed[columns])

@@ -116,3 +116,29 @@ def test_plots_show_the_shape():
     assert not is_black(4, 4.5) and not is_black(15, 1)
     assert shape.plot(axes, triangles=True) is axes and rbpa.alpha_shape([]).plot(axes, triangles=True) is axes
     pyplot.close("all")
+
+
+def table_of(features):
+    """The rows that geopandas.GeoDataFrame.from_features() makes."""
+    interface = getattr(features, "__geo_interface__", features)
+    if isinstance(interface, dict) and interface.get("type") == "FeatureCollection":
+        features = interface["features"]
+    rows = []
+    for feature in features:
+        feature = getattr(feature, "__geo_interface__", feature)
+        rows.append({"geometry": feature["geometry"], **(feature["properties"] or {})})
+    return rows
+
+
+def test_shapes_are_taken_as_features_and_as_geometries():
+    shape = shape_with_holes()
+    hulls = rbpa.concave_hulls(shape.points, np.arange(len(shape.points)) % 2)
+    for features, count in [(shape, 2), (shape.polygons, 2), ([shape], 1), ([shape.polygons, shape], 2), (hulls, 2), (rbpa.concave_hull(shape.points), 1)]:
+        rows = table_of(features)
+        assert len(rows) == count and all(row["geometry"]["type"].endswith("Polygon") and row["area"] > 0 for row in rows)
+    assert [row["area"] for row in table_of(shape)] == [p.area for p in shape.polygons]
+    assert [row["holes"] for row in table_of(shape)] == [len(p.holes) for p in shape.polygons]
+    assert list(shape.__geo_interface__) == ["type", "coordinates"] and shape.__geo_interface__.get("features") is None
+    assert json.loads(json.dumps(shape.__geo_interface__)) == json.loads(json.dumps(dict(shape.polygons.__geo_interface__)))
+    geopandas = pytest.importorskip("geopandas")
+    assert geopandas.GeoDataFrame.from_features(shape).area.tolist() == pytest.approx([p.area for p in shape.polygons])

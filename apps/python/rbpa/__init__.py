@@ -13,7 +13,7 @@ exact on any input, and fast.
 
 What there is:
 
-    alpha_shape(points, alpha="auto")    the solid alpha complex: triangles, outline, area      -> AlphaShape
+    alpha_shape(points, alpha="plateau") the solid alpha complex: triangles, outline, area      -> AlphaShape
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     alpha_shapes(points, groups), concave_hulls(points, groups)   the same of many groups       -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration

@@ -12,8 +12,8 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._filtration import Plateau
-from rbpa._input import Alpha, Floats, Indices, Progress
-from rbpa._input import as_area, as_count, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
+from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
+from rbpa._input import as_area, as_count, as_plateau, as_points, as_radius, as_rule, as_share, as_threads, or_auto, shown
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
 from rbpa._result import Triangles
@@ -21,7 +21,7 @@ from rbpa._result import Triangles
 
 def alpha_shape(
     points: npt.ArrayLike,
-    alpha: Alpha = "auto",
+    alpha: Alpha = PLATEAU,
     *,
     cover: float = 1.0,
     components: int = 1,
@@ -36,12 +36,12 @@ def alpha_shape(
         Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
         is in use; anything else is converted: lists, a pandas DataFrame of two columns (x, then y), the points of a
         GeoPandas GeoSeries or GeoDataFrame.
-    alpha : float, "auto", "min", "plateau" or "plateau:K"
-        A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "min" is the least radius
+    alpha : float, "plateau", "plateau:K", "auto" or "min"
+        A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "plateau" is a radius around
+        which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is the least radius
         at which every point is in a triangle, "auto" the least at which moreover the triangles form at most `components`
-        pieces. Both are exact, and one outlier decides them unless `cover` is less than 1. "plateau" is a radius around
-        which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second.
-        `AlphaShape.alpha` says what was chosen.
+        pieces. Both are exact, and one outlier decides them unless `cover` is less than 1. The default is "plateau", and "auto"
+        where `cover` or `components` is given. `AlphaShape.alpha` says what was chosen.
     cover : float
         For "auto" and "min": the share of the points that must be in triangles, for "auto" in those of the `components`
         largest pieces. 0.99 leaves one of a hundred points out of account.
@@ -77,7 +77,7 @@ def alpha_shape(
     array = as_points(points)
     workers = as_threads(threads)
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
-    radius = _choose(array, alpha, share, pieces, workers, progress)
+    radius = _choose(array, or_auto(alpha, share, pieces), share, pieces, workers, progress)
     # Where no radius covers the points they are on a line, and there is no triangle at any.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
     return AlphaShape(array, radius, made)
@@ -94,7 +94,7 @@ def _choose(
     if rank is not None:
         found = _core.plateaus(points, threads, progress)
         if found and rank > len(found):
-            raise InvalidInput(f"alpha: found {alpha!r}, expected a plateau that there is: there are {len(found)}")
+            raise InvalidInput(f"alpha: found {shown(alpha)}, expected a plateau that there is: there are {len(found)}")
         return Plateau(*found[rank - 1]).alpha if found else None
     return as_radius(alpha)  # type: ignore[arg-type]  # which refuses other words
 

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._input import Floats, Indices, Progress, as_array, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
 from rbpa._result import Triangles, freeze
 
 
@@ -58,6 +58,7 @@ class Delaunay(Triangles):
 
     ndim = 2
     convex_hull: Indices
+    _index: Any  # of pandas, that values go by
 
     def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
         if cls is Delaunay and _are_in_space(points):
@@ -67,7 +68,7 @@ class Delaunay(Triangles):
     def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
         array = as_points(points)
         made = _core.triangulate(array, math.inf, as_threads(threads), progress)
-        made["convex_hull"] = made.pop("boundary")
+        made["convex_hull"], made["_index"] = made.pop("boundary"), index_of(points)
         del made["isolated"]  # there are none
         super().__init__(made, points=array)
 
@@ -104,6 +105,7 @@ class Delaunay(Triangles):
         fill_value: float = math.nan,
         *,
         method: Literal["linear", "natural"] = "linear",
+        outside: Literal["nan", "nearest"] = "nan",
     ) -> Any:
         """Values at any points: linear in each triangle, as scipy.interpolate.LinearNDInterpolator has them; or Sibson's, by the
         areas that natural neighbours lose to a point.
@@ -111,19 +113,24 @@ class Delaunay(Triangles):
         Parameters
         ----------
         values : array_like of shape (n, ...)
-            One or several numbers for each of the points, real or complex. Of equal points the first counts.
+            One or several numbers for each of the points, real or complex. Of equal points the first counts. Where points and values
+            are both of pandas, they go by index.
         xi : array_like of shape (..., 2)
             Where values are wanted.
         fill_value : float
-            Outside of the convex hull, and where a coordinate is not finite.
+            Outside of the convex hull, unless `outside` says otherwise, and where a coordinate is not finite.
         method : "linear" or "natural"
             By natural neighbours values are smooth but at the points themselves, and no triangle shows. Both keep linear functions
             and stay between the values of the points.
+        outside : "nan" or "nearest"
+            "nearest": outside of the convex hull the value at its nearest point, so that values are continuous. As every point is
+            looked up exactly, a third to two thirds of all points that were computed to be on a side of the hull are outside by a rounding.
 
         Returns
         -------
         array of the shape of `xi` without its last dimension, and that of `values` without its first
-            At a point of the triangulation its own value, to the last bit. Every point is looked up exactly.
+            At a point of the triangulation its own value, to the last bit, also where there is no triangle, as points are on a line.
+            Every point is looked up exactly.
 
         Raises
         ------
@@ -135,13 +142,17 @@ class Delaunay(Triangles):
         >>> tri = rbpa.Delaunay([[0, 0], [4, 0], [0, 4]])
         >>> tri.interpolate([0.0, 8.0, 4.0], [[1, 1], [0, 4], [9, 9]])
         array([ 3.,  4., nan])
+        >>> tri.interpolate([0.0, 8.0, 4.0], [[2, -1], [9, 9]], outside="nearest")
+        array([4., 6.])
         """
         self._require_unchanged()
         if method not in ("linear", "natural"):
-            raise _core.InvalidInput(f'method: found {method!r}, expected "linear" or "natural"')
+            raise _core.InvalidInput(f'method: found {shown(method)}, expected "linear" or "natural"')
+        if outside not in ("nan", "nearest"):
+            raise _core.InvalidInput(f'outside: found {shown(outside)}, expected "nan" or "nearest"')
         queries = as_array(xi, "xi")
         at = self._as_queries(queries)
-        given = as_array(values, "values")
+        given = as_array(aligned(values, self._index, "values"), "values")
         if given.dtype.kind not in "iufc":
             raise _core.InvalidInput(f"values: found an array of {given.dtype}, expected numbers")
         if given.ndim == 0 or given.shape[0] != self.npoints:
@@ -153,10 +164,51 @@ class Delaunay(Triangles):
             return np.empty(shape, table.dtype)
         columns = math.prod(given.shape[1:]) * (2 if is_complex else 1)
         rows = table.view(np.float64).reshape(self.npoints, columns)
-        found = self._interpolate(rows, at, method).view(table.dtype).reshape(shape)
+        found = self._interpolate(rows, at, method).reshape(len(at), columns)
+        left = np.empty(0, np.intp)
+        if outside == "nearest" or self.nsimplex == 0 or not math.isnan(fill_value):
+            left = np.flatnonzero(self._locator.find(at) < 0)
+        if outside == "nearest" or self.nsimplex == 0:
+            left = self._interpolate_beside(rows, at, left, found, outside == "nearest")
+        filled = found.view(table.dtype).reshape(len(at), -1)
         if not math.isnan(fill_value):
-            found[self._locator.find(at).reshape(queries.shape[:-1]) < 0] = fill_value
-        return found
+            filled[left] = fill_value
+        return filled.reshape(shape)
+
+    def _interpolate_beside(
+        self, rows: Floats, at: Floats, outside: npt.NDArray[np.intp], found: Floats, all_of_them: bool
+    ) -> npt.NDArray[np.intp]:
+        """Values at some of the queries, outside: of all, or of those that are points. Returns those that have none."""
+        finite = outside[np.isfinite(at[outside]).all(axis=1)] if self.npoints else outside[:0]
+        corners, weights = self._nearest(at[finite])
+        if not all_of_them:
+            own = corners[np.arange(len(finite)), weights.argmax(axis=1)]
+            is_own = (self.points[own] == at[finite]).all(axis=1)
+            finite, corners, weights = finite[is_own], corners[is_own], weights[is_own]
+        found[finite] = _weighted(weights, rows[corners])
+        left: npt.NDArray[np.intp] = np.setdiff1d(outside, finite)
+        return left
+
+    def _nearest(self, at: Floats) -> tuple[Indices, Floats]:
+        """The nearest points of the convex hull: corners of what they are on, and the weights of these."""
+        if len(at) == 0:
+            return np.empty((0, 3), np.int32), np.empty((0, 3))
+        facets, places = self._rim
+        found, weights = places.find(_in_space(at))
+        return facets[found], weights
+
+    @cached_property
+    def _rim(self) -> tuple[Indices, Any]:
+        """What the convex hull is made of: triangles, edges as triangles with two equal corners, or a point; and where it is nearest."""
+        points = _in_space(self.points)
+        facets = self.convex_hull
+        if self.nsimplex == 0:
+            flat = _core.solid_filtration(points, as_threads(None), None)
+            facets = flat["triangles"] if len(flat["triangles"]) else flat["edges"]
+        if len(facets) == 0:
+            facets = np.zeros((1, 1), np.int32)  # all are equal
+        facets = np.ascontiguousarray(facets[:, [*range(facets.shape[1]), *[-1] * (3 - facets.shape[1])]])
+        return facets, _core.NearestPlaces(points, facets)
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
         values: Floats = self._locator.interpolate(rows, at, method == "natural")
@@ -286,6 +338,7 @@ class DelaunayInSpace(Delaunay):
         array = as_points(points, columns=3)
         made = _core.solid(array, math.inf, as_threads(threads), progress)
         del made["isolated"]
+        made["_index"] = index_of(points)
         behind, across = np.nonzero(made["neighbors"] < 0)
         faces = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # counter-clockwise seen from outside
         made["convex_hull"] = made["simplices"][behind[:, None], faces[across]]
@@ -317,8 +370,7 @@ class DelaunayInSpace(Delaunay):
         on_corner = is_corner.any(axis=1)
         weights[on_corner] = is_corner[on_corner]
         weights[found < 0] = np.nan
-        values: Floats = (weights[:, :, None] * rows[self.simplices[found]]).sum(axis=1)
-        return values
+        return _weighted(weights, rows[self.simplices[found]])
 
     def _lifted_planes(self) -> tuple[float, float, Floats]:
         """The same by the minors of four lifted corners."""
@@ -343,6 +395,19 @@ class DelaunayInSpace(Delaunay):
 
     def __repr__(self) -> str:
         return f"<rbpa.DelaunayInSpace of {self.npoints} points: {self.nsimplex} tetrahedra, {len(self.duplicates)} duplicates>"
+
+
+def _in_space(points: Floats) -> Floats:
+    """In the plane z = 0 where they are of the plane."""
+    return points if points.shape[1] == 3 else np.column_stack((points, np.zeros(len(points))))
+
+
+def _weighted(weights: Floats, values: Floats) -> Floats:
+    """Sums of the values of corners by their weights. A weight of zero is of no value, not even of infinity."""
+    terms = np.zeros(values.shape)
+    np.multiply(weights[:, :, None], values, out=terms, where=weights[:, :, None] != 0)
+    mean: Floats = terms.sum(axis=1)
+    return mean
 
 
 def _are_in_space(points: npt.ArrayLike) -> bool:

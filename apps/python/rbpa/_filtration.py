@@ -9,9 +9,9 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Indices, Integers, Progress
-from rbpa._input import as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads
+from rbpa._input import as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads, shown
 from rbpa._plot import axes_or_current, label_axes
-from rbpa._result import Result
+from rbpa._result import Result, short_repr
 
 
 class Plateau(NamedTuple):
@@ -55,6 +55,9 @@ class Representative(NamedTuple):
     """The same of what is left just before its death: a triangle, or several of one circle."""
     area: float
     """Of the hole at its birth."""
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:
@@ -189,9 +192,9 @@ class Filtration(Result):
         Computed anew with each call; it takes about twice the time of `filtration`.
         """
         if dimension not in (0, 1):
-            raise _core.InvalidInput(f"dimension: found {dimension!r}, expected 0 for components or 1 for holes")
+            raise _core.InvalidInput(f"dimension: found {shown(dimension)}, expected 0 for components or 1 for holes")
         if complex not in ("solid", "full"):
-            raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
+            raise _core.InvalidInput(f"complex: found {shown(complex)}, expected 'solid' or 'full'")
         self._require_unchanged()
         return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
 
@@ -212,7 +215,7 @@ class Filtration(Result):
         and deaths are levels then, and a hole is as it is at the first and at the last level that has it. What is left at the last level has a death of infinity.
         """
         if complex not in ("solid", "full"):
-            raise _core.InvalidInput(f"complex: found {complex!r}, expected 'solid' or 'full'")
+            raise _core.InvalidInput(f"complex: found {shown(complex)}, expected 'solid' or 'full'")
         least, most = as_pair_choice(min_persistence, top)
         radii: Optional[list[float]] = None
         capacity: Optional[int] = None
@@ -224,7 +227,7 @@ class Filtration(Result):
             expected = "ascending radii above 0, or a number of points"
             array = as_numbers(levels, "levels", expected).ravel()
             if not ((array > 0).all() and (np.diff(array) > 0).all()):
-                raise _core.InvalidInput(f"levels: found {levels!r}, expected {expected}")
+                raise _core.InvalidInput(f"levels: found {shown(levels)}, expected {expected}")
             radii = array.tolist()
         self._require_unchanged()
         found = _core.representatives(self.points, complex == "full", least, most, radii, capacity, as_threads(None), None)

@@ -12,9 +12,9 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import RULES, Alpha, Floats, Indices, Integers, Progress
-from rbpa._input import as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
-from rbpa._polygons import Polygons
+from rbpa._input import PLATEAU, RULES, Alpha, Floats, Indices, Integers, Progress
+from rbpa._input import aligned, as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads, index_of, or_auto, shown
+from rbpa._polygons import Polygons, number_or_none
 from rbpa._result import Result
 
 GroupAlphas = Union[Alpha, npt.ArrayLike, Mapping[Any, float]]
@@ -23,7 +23,7 @@ GroupAlphas = Union[Alpha, npt.ArrayLike, Mapping[Any, float]]
 def alpha_shapes(
     points: npt.ArrayLike,
     groups: Union[npt.ArrayLike, str],
-    alpha: GroupAlphas = "auto",
+    alpha: GroupAlphas = PLATEAU,
     *,
     cover: float = 1.0,
     components: int = 1,
@@ -37,11 +37,11 @@ def alpha_shapes(
     points : array_like of shape (n, 2)
         As for `alpha_shape`, which has the same of one group.
     groups : array_like of shape (n,), or str
-        The group of each point: numbers, texts, or anything that can be compared with itself. None and NaN: in no group. A str
-        is the name of a column of `points`, a GeoDataFrame.
+        The group of each point: numbers, texts, dates, or anything that can be compared with itself. None and NaN: in no group. A str
+        is the name of a column of `points`, a GeoDataFrame. Where points and groups are both of pandas, they go by index.
     alpha : as for `alpha_shape`, or array_like of a radius for each group, or a mapping from groups to radii
         A rule chooses by the points of each group. "plateau:K" chooses the last plateau where there are fewer.
-        An array is in the order of `AlphaShapes.names`, which is that of numpy.unique.
+        An array is in the order of `AlphaShapes.names`, which is that of numpy.unique; a pandas Series has the groups as its index.
     cover, components, threads
         As for `alpha_shape`.
     progress : callable, optional
@@ -79,7 +79,8 @@ def concave_hulls(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> AlphaShapes:
-    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`."""
+    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`, by default one polygon for
+    each group."""
     least_hole = 0.0 if allow_holes else math.inf
     return _shapes(points, groups, alpha, least_hole, cover, components, threads, progress)
 
@@ -95,8 +96,9 @@ def _shapes(
     progress: Progress,
 ) -> AlphaShapes:
     array = as_points(points)
-    keys, labels = _labels(points, groups, len(array))
+    keys, names, labels = _labels(points, groups, len(array))
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
+    alpha = or_auto(alpha, share, pieces)
     rule = as_rule(alpha, share, pieces)
     plateau = 0 if rule is None else as_plateau(rule) or 0
     radii = _radii(alpha, keys) if rule is None else np.empty(0)
@@ -106,17 +108,19 @@ def _shapes(
         array, labels, len(keys), radii, share, pieces if rule == "auto" else None, plateau, min_hole_area, 0.0,
         as_threads(threads), progress,
     )  # fmt: skip
-    return AlphaShapes(array, keys, labels, made)
+    return AlphaShapes(array, keys, names, labels, made)
 
 
-def _labels(points: Any, groups: Any, count: int) -> tuple[npt.NDArray[Any], Indices]:
-    """The groups, and the number of that of each point, -1 for none."""
+def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArray[Any], Indices]:
+    """The groups as their owner has them, and as an array, and the number of that of each point, -1 for none."""
     if isinstance(groups, str):
         try:
             groups = points[groups]
         except (KeyError, IndexError, TypeError):
-            raise InvalidInput(f"groups: found {groups!r}, expected a column of the points, or a value for each point") from None
-    array = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
+            expected = "a column of the points, or a value for each point"
+            raise InvalidInput(f"groups: found {shown(groups)}, expected {expected}") from None
+    groups = aligned(groups, index_of(points), "groups")
+    array = _as_values(groups)
     if array.shape != (count,):
         raise InvalidInput(f"groups: found an array of shape {array.shape}, expected one value for each of the {count} points")
     if array.dtype.kind == "O":
@@ -125,15 +129,37 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[npt.NDArray[Any], Ind
         is_in = array == array
     else:
         is_in = np.ones(count, bool)
+    if isinstance(groups, np.ma.MaskedArray):
+        is_in &= ~np.ma.getmaskarray(groups)
     labels = np.full(count, -1, np.int32)
     try:
-        keys, labels[is_in] = np.unique(array[is_in], return_inverse=True)
+        names, first, labels[is_in] = np.unique(array[is_in], return_index=True, return_inverse=True)
     except TypeError:  # values of kinds that cannot be sorted, as numbers and texts: in the order in which they come
         seen: dict[Any, int] = {}
         labels[is_in] = [seen.setdefault(value, len(seen)) for value in array[is_in]]
-        keys = np.empty(len(seen), object)
-        keys[:] = list(seen)
-    return keys, labels
+        names = np.empty(len(seen), object)
+        names[:] = list(seen)
+        return names.tolist(), names, labels
+    return _as_given(names, groups, np.flatnonzero(is_in)[first]), names, labels
+
+
+def _as_values(groups: Any) -> npt.NDArray[Any]:
+    array = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
+    if array.dtype.kind in "US" and not hasattr(groups, "dtype") and not all(isinstance(value, (str, bytes)) for value in groups):
+        array = np.empty(len(groups), object)  # NumPy makes texts of all that is among texts
+        array[:] = list(groups)
+    return array
+
+
+def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp]) -> list[Any]:
+    """Names as Python has them. Times as they came: NumPy makes numbers of those that datetime has no type for."""
+    if names.dtype.kind not in "mM":
+        return names.tolist()
+    column = getattr(groups, "array", groups)  # of pandas
+    if type(column).__module__.partition(".")[0] in ("pandas", "polars"):
+        return [column[int(i)] for i in first]
+    times = names.tolist()
+    return list(names) if any(isinstance(time, int) for time in times) else times
 
 
 def _is_value(value: Any) -> bool:
@@ -144,18 +170,24 @@ def _is_value(value: Any) -> bool:
         return False
 
 
-def _radii(alpha: Any, keys: npt.NDArray[Any]) -> Floats:
+def _radii(alpha: Any, keys: list[Any]) -> Floats:
     """One radius for all groups, or one for each."""
+    index = index_of(alpha)
+    if index is not None:
+        if not index.is_unique:
+            raise InvalidInput("alpha: found an index with labels that repeat, expected the groups (alpha.to_numpy() goes by their order)")
+        alpha = alpha.to_dict()
     if isinstance(alpha, Mapping):
-        missing = [key for key in keys.tolist() if key not in alpha]
+        missing = [key for key in keys if key not in alpha]
         if missing:
-            raise InvalidInput(f"alpha: found no radius for group {missing[0]!r}, expected one for each group")
-        alpha = [alpha[key] for key in keys.tolist()]
+            by_order = "; alpha.to_numpy() goes by their order" if index is not None else ""
+            raise InvalidInput(f"alpha: found no radius for group {shown(missing[0])}, expected one for each group{by_order}")
+        alpha = [alpha[key] for key in keys]
     expected = f"a radius (a number > 0, or inf), one for each group, {RULES}"
     radii = as_numbers(alpha, "alpha", expected)
     if radii.ndim == 0:
         return np.array([as_radius(alpha)])
-    if radii.shape != keys.shape:
+    if radii.shape != (len(keys),):
         raise InvalidInput(f"alpha: found an array of shape {radii.shape}, expected a radius for each of the {len(keys)} groups")
     # A single group has one radius as well, and what is wrong with it is a problem of the group.
     return radii
@@ -171,7 +203,8 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     labels : int32 array of shape (n,)
         Of each point the number of its group in `names`, or -1.
     names : array of shape (g,)
-        The groups, ascending where they can be compared, as everything below is in their order.
+        The groups, ascending where they can be compared, as everything below is in their order. The keys of the mapping are as they
+        were given: timestamps of pandas too.
     counts : int64 array of shape (g,)
         How many points are in each group.
     alphas : float64 array of shape (g,)
@@ -190,9 +223,11 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     perimeters: Floats
     problems: dict[Any, str]
 
-    def __init__(self, points: Floats, names: npt.NDArray[Any], labels: Indices, made: dict[str, Any]) -> None:
-        self._keys = names.tolist()  # as Python has them
-        self._number = {name: g for g, name in enumerate(self._keys)}
+    def __init__(
+        self, points: Floats, keys: list[Any], names: npt.NDArray[Any], labels: Indices, made: dict[str, Any]
+    ) -> None:
+        self._keys = keys
+        self._number = {name: g for g, name in enumerate(keys)}
         self.polygons = Polygons(points, made.pop("polygons"))
         self._polygon_begin, self._simplex_begin = made.pop("polygon_begin"), made.pop("simplex_begin")
         self._simplices = made.pop("simplices")
@@ -206,31 +241,39 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         return iter(self._keys)
 
     def __getitem__(self, name: Any) -> Polygons:
-        g, begin = self._number[name], self._polygon_begin
+        g, begin = self._number_of(name), self._polygon_begin
         return self.polygons.part(int(begin[g]), int(begin[g + 1]), float(self.areas[g]), float(self.perimeters[g]))
+
+    def _number_of(self, name: Any) -> int:
+        if name in self._number:
+            return self._number[name]
+        if self.names.dtype.kind in "mM":  # a time of another type, which has another hash
+            try:
+                found = np.flatnonzero(self.names == (np.datetime64 if self.names.dtype.kind == "M" else np.timedelta64)(name))
+            except (TypeError, ValueError):
+                found = np.empty(0, np.intp)
+            if len(found):
+                return int(found[0])
+        raise KeyError(name)
 
     def simplices(self, name: Any) -> Indices:
         """The triangles of a group: int32 array of shape (m, 3), as `AlphaShape.simplices`, holes or not."""
-        g, begin = self._number[name], self._simplex_begin
+        g, begin = self._number_of(name), self._simplex_begin
         triangles: Indices = self._simplices[begin[g] : begin[g + 1]]
         return triangles
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
         """A FeatureCollection, of a MultiPolygon for each group: geopandas.GeoDataFrame.from_features() takes it."""
-
-        def number(value: float) -> Optional[float]:
-            return float(value) if np.isfinite(value) else None
-
         features = []
         for g, name in enumerate(self._keys):
             polygons = self[name]
             properties = {
                 "group": name,
                 "points": int(self.counts[g]),
-                "alpha": number(self.alphas[g]),
-                "area": number(self.areas[g]),
-                "perimeter": number(self.perimeters[g]),
+                "alpha": number_or_none(self.alphas[g]),
+                "area": number_or_none(self.areas[g]),
+                "perimeter": number_or_none(self.perimeters[g]),
                 "polygons": len(polygons),
                 "problem": self.problems.get(name),
             }
@@ -240,9 +283,15 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     def to_geojson(self) -> str:
         """The text of a GeoJSON FeatureCollection: a feature for each group, with its number of points, alpha and area.
 
-        Every coordinate reads back to the same double. Groups that JSON has no value for are written as text.
+        Every coordinate reads back to the same double. Groups that JSON has no value for are written as text, times by ISO 8601.
         """
-        return json.dumps(self.__geo_interface__, default=str)
+
+        def as_json(value: Any) -> Any:
+            if isinstance(value, (np.number, np.bool_)):
+                return value.item()
+            return value.isoformat() if hasattr(value, "isoformat") else str(value)
+
+        return json.dumps(self.__geo_interface__, default=as_json)
 
     def __repr__(self) -> str:
         return f"<rbpa.AlphaShapes of {len(self)} groups: {len(self.polygons)} polygons, {len(self.problems)} groups without>"

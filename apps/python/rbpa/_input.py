@@ -21,6 +21,7 @@ Alpha = Union[float, str]
 
 RULES = "'auto', 'min', 'plateau' or 'plateau:K'"
 _EXACT = 2**53  # doubles have every integer up to it
+_LONG = 80  # characters of a value in a message
 
 
 def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> Floats:
@@ -73,6 +74,40 @@ def _coordinates(items: Any, name: str, columns: int) -> npt.NDArray[Any]:
     return np.array([(p.x, p.y, p.z) if columns == 3 else (p.x, p.y) for p in items])
 
 
+def shown(value: Any) -> str:
+    """What a message says was found: a value in short, and of arrays and long texts what they are."""
+    value = as_scalar(value)
+    if hasattr(value, "shape") and not isinstance(value, np.generic):
+        kind = "a table" if hasattr(value, "columns") else "an array"
+        return f"{kind} of shape {tuple(value.shape)}"
+    if isinstance(value, (list, tuple, set, dict)) and len(repr(value)) > _LONG:
+        return f"a {type(value).__name__} of {len(value)}"
+    text = repr(value)
+    return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."
+
+
+def index_of(points: Any) -> Any:
+    """The index of a pandas object; None of anything else."""
+    index = getattr(points, "index", None)
+    return index if hasattr(index, "get_indexer") else None
+
+
+def aligned(values: Any, index: Any, name: str) -> Any:
+    """Values of points that have this index, in the order of the points: a pandas object goes by its own index, anything else by position."""
+    of_values = index_of(values)
+    if index is None or of_values is None or of_values.equals(index):
+        return values
+    by_position = f"{name}.to_numpy() goes by position"
+    if not of_values.is_unique:
+        raise InvalidInput(f"{name}: found an index with labels that repeat, expected that of the points ({by_position})")
+    places = of_values.get_indexer(index)
+    missing = np.flatnonzero(places < 0)
+    if len(missing):
+        found = f"an index without {len(missing)} of the {len(index)} labels of the points, such as {shown(index[missing[0]])}"
+        raise InvalidInput(f"{name}: found {found}, expected all of them ({by_position})")
+    return values.iloc[places]
+
+
 def _hint_of_kind(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> str:
     if array.dtype.kind == "c":
         return "; take (z.real, z.imag) as two columns"
@@ -112,7 +147,7 @@ def as_number(value: Any, name: str, expected: str) -> float:
     """A float64, also infinite or NaN."""
     number = as_scalar(value)
     if not is_number(number):
-        raise InvalidInput(f"{name}: found {number!r}, expected {expected}")
+        raise InvalidInput(f"{name}: found {shown(number)}, expected {expected}")
     try:
         return float(number)
     except OverflowError:
@@ -130,7 +165,7 @@ def as_numbers(values: Any, name: str, expected: str) -> Floats:
     if array.dtype.kind == "O" and array.ndim:  # Fraction, Decimal, integers beyond int64
         return np.array([as_number(value, name, expected) for value in array.ravel()]).reshape(array.shape)
     if array.dtype.kind not in "iuf":
-        raise InvalidInput(f"{name}: found {values!r}, expected {expected}")
+        raise InvalidInput(f"{name}: found {shown(values)}, expected {expected}")
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
@@ -139,13 +174,25 @@ def as_radius(alpha: float, expected: str = f"a radius (a number > 0, or inf), {
     return as_number(alpha, "alpha", expected)
 
 
+class _NotGiven(str):
+    """What an argument is unless others say otherwise."""
+
+
+PLATEAU = _NotGiven("plateau")
+
+
+def or_auto(alpha: Any, cover: float, components: int) -> Any:
+    """The alpha that was given or is the default; "auto" where none was, but what that is about."""
+    return "auto" if alpha is PLATEAU and (cover != 1 or components != 1) else alpha
+
+
 def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
     """The rule by which points choose alpha, or None where it is given. Refuses what the rule does not take."""
     rule = alpha if isinstance(alpha, str) else None
     if components != 1 and rule != "auto":
-        raise InvalidInput(f"components: found alpha={alpha!r}, expected alpha='auto', which is what it is about")
+        raise InvalidInput(f"components: found alpha={shown(alpha)}, expected alpha='auto', which is what it is about")
     if cover != 1 and rule != "auto" and rule != "min":
-        raise InvalidInput(f"cover: found alpha={alpha!r}, expected alpha='auto' or 'min', which are what it is about")
+        raise InvalidInput(f"cover: found alpha={shown(alpha)}, expected alpha='auto' or 'min', which are what it is about")
     return rule
 
 
@@ -162,21 +209,21 @@ def as_area(area: float, name: str) -> float:
 def as_count(value: int, name: str, least: int) -> int:
     value = as_scalar(value)
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
-        raise InvalidInput(f"{name}: found {value!r}, expected a whole number, {least} or more")
+        raise InvalidInput(f"{name}: found {shown(value)}, expected a whole number, {least} or more")
     return min(int(value), 2**31 - 1)  # as good as any larger number
 
 
 def as_share(value: float, name: str) -> float:
     share = as_number(value, name, "a share of the points, > 0 and <= 1")
     if not 0 < share <= 1:
-        raise InvalidInput(f"{name}: found {as_scalar(value)!r}, expected a share of the points, > 0 and <= 1")
+        raise InvalidInput(f"{name}: found {shown(value)}, expected a share of the points, > 0 and <= 1")
     return share
 
 
 def as_pair_choice(min_persistence: float, top: int | None) -> tuple[float, int | None]:
     least = as_number(min_persistence, "min_persistence", "a length, at least 0")
     if not least >= 0:
-        raise InvalidInput(f"min_persistence: found {as_scalar(min_persistence)!r}, expected a length, at least 0")
+        raise InvalidInput(f"min_persistence: found {shown(min_persistence)}, expected a length, at least 0")
     return least, None if top is None else as_count(top, "top", 1)
 
 

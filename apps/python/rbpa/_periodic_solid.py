@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, freeze
+from rbpa._result import Result, freeze, short_repr
 
 
 def periodic_solid(
@@ -57,7 +57,7 @@ def periodic_solid(
     array = as_points(points, columns=3)
     expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
     if isinstance(alpha, str) and alpha not in ("auto", "min"):
-        raise InvalidInput(f"alpha: found {alpha!r}, expected {expected}")
+        raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
     sides = _as_sides(box)
     if isinstance(alpha, str):
         radius = _core.periodic_alpha(array, sides, alpha == "auto", as_threads(threads), progress)
@@ -70,7 +70,7 @@ def _as_sides(box: Union[float, npt.ArrayLike]) -> tuple[float, float, float]:
     try:
         sides = np.broadcast_to(np.asarray(box, dtype=np.float64), (3,))
     except (TypeError, ValueError):
-        raise InvalidInput(f"box: found {box!r}, expected a length, or three") from None
+        raise InvalidInput(f"box: found {shown(box)}, expected a length, or three") from None
     return (float(sides[0]), float(sides[1]), float(sides[2]))
 
 
@@ -94,6 +94,9 @@ class PeriodicPart(NamedTuple):
     volume: float
     area: float
     dimension: int
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 class PeriodicSolid(Result):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Iterator, overload
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, overload
 
 import numpy as np
 
@@ -13,6 +13,32 @@ from rbpa._result import freeze
 
 if TYPE_CHECKING:
     from rbpa._input import Floats, Indices
+
+
+class Geometry(Dict[str, Any]):
+    """A GeoJSON geometry that is taken as a feature too, with properties: geopandas.GeoDataFrame.from_features() asks each item for both."""
+
+    def __init__(self, kind: str, coordinates: list[Any], properties: dict[str, Any]) -> None:
+        super().__init__(type=kind, coordinates=coordinates)
+        self._properties = properties
+
+    def __missing__(self, key: str) -> dict[str, Any]:
+        if key == "geometry":
+            return self
+        if key == "properties":
+            return self._properties
+        raise KeyError(key)
+
+    def get(self, key: str, default: Any = None) -> Any:
+        try:
+            return self[key]
+        except KeyError:
+            return default
+
+
+def number_or_none(value: float) -> Optional[float]:
+    """JSON has no infinity."""
+    return float(value) if np.isfinite(value) else None
 
 
 class Polygon:
@@ -48,8 +74,10 @@ class Polygon:
         return [self._coordinates(hole) for hole in self.holes]
 
     @property
-    def __geo_interface__(self) -> dict[str, Any]:
-        return {"type": "Polygon", "coordinates": [ring.tolist() for ring in self._rings()]}
+    def __geo_interface__(self) -> Geometry:
+        area, perimeter = number_or_none(self.area), number_or_none(self.perimeter)
+        properties = {"area": area, "perimeter": perimeter, "holes": len(self.holes)}
+        return Geometry("Polygon", [ring.tolist() for ring in self._rings()], properties)
 
     def _coordinates(self, ring: Indices) -> Floats:
         closed: Floats = self._points[np.append(ring, ring[0])]
@@ -107,27 +135,18 @@ class Polygons(Sequence[Polygon]):
         return (self[i] for i in range(len(self)))
 
     @property
-    def __geo_interface__(self) -> dict[str, Any]:
+    def __geo_interface__(self) -> Geometry:
         """As GeoPandas, Shapely and others take it: a MultiPolygon."""
-        return {"type": "MultiPolygon", "coordinates": [p.__geo_interface__["coordinates"] for p in self]}
+        properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(self)}
+        return Geometry("MultiPolygon", [p.__geo_interface__["coordinates"] for p in self], properties)
 
     def to_geojson(self) -> str:
         """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter and number of holes.
 
         Every coordinate reads back to the same double.
         """
-        features = [
-            {
-                "type": "Feature",
-                "properties": {
-                    "area": p.area if np.isfinite(p.area) else None,
-                    "perimeter": p.perimeter if np.isfinite(p.perimeter) else None,
-                    "holes": len(p.holes),
-                },
-                "geometry": p.__geo_interface__,
-            }
-            for p in self
-        ]
+        of = [p.__geo_interface__ for p in self]
+        features = [{"type": "Feature", "properties": geometry["properties"], "geometry": geometry} for geometry in of]
         return json.dumps({"type": "FeatureCollection", "features": features})
 
     def to_wkt(self) -> str:
@@ -179,6 +198,10 @@ class Outlined:
 
     polygons: Any  # Polygons
 
+    def __iter__(self) -> Iterator[Polygon]:
+        """The polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with its area, perimeter and number of holes."""
+        return iter(self.polygons)
+
     @property
     def area(self) -> float:
         """Of all triangles together, in squared units of the points: the polygons' areas added exactly, rounded once."""
@@ -190,8 +213,9 @@ class Outlined:
         return float(self.polygons.perimeter)
 
     @property
-    def __geo_interface__(self) -> dict[str, Any]:
-        interface: dict[str, Any] = self.polygons.__geo_interface__
+    def __geo_interface__(self) -> Geometry:
+        """A MultiPolygon."""
+        interface: Geometry = self.polygons.__geo_interface__
         return interface
 
     def to_geojson(self) -> str:

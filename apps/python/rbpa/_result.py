@@ -17,6 +17,17 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
         array.setflags(write=False)
 
 
+def short_repr(row: Any) -> str:
+    """That of a named tuple, with the shapes of arrays and the lengths of lists in place of what is in them."""
+
+    def short(value: Any) -> str:
+        if isinstance(value, np.ndarray):
+            return f"<{value.dtype} array of shape {value.shape}>"
+        return f"<list of {len(value)}>" if isinstance(value, list) and value else repr(value)
+
+    return f"{type(row).__name__}({', '.join(f'{name}={short(value)}' for name, value in row._asdict().items())})"
+
+
 class Result:
     """What was computed of some arrays. A pickle leaves out what is computed at the first access."""
 

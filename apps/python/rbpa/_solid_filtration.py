@@ -9,9 +9,9 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_numbers, as_pair_choice, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, as_numbers, as_pair_choice, as_points, as_threads, shown
 from rbpa._plot import axes_or_current, label_axes
-from rbpa._result import Result, freeze
+from rbpa._result import Result, freeze, short_repr
 
 
 def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> SolidFiltration:
@@ -30,7 +30,7 @@ def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, pr
     Raises
     ------
     InvalidInput
-        As `solid`; also where all of several points are in a plane, where there is no tetrahedron.
+        As `solid`.
 
     Examples
     --------
@@ -66,6 +66,9 @@ class SolidRepresentative(NamedTuple):
     is_shortest: bool
     """Dimension 1: no shorter cycle is there at its birth and becomes a boundary exactly at its death."""
 
+    def __repr__(self) -> str:
+        return short_repr(self)
+
 
 class SolidPlateau(NamedTuple):
     """A range of radii, start <= radius < end, over which parts and voids of the solid hardly change."""
@@ -93,24 +96,37 @@ class SolidPlateau(NamedTuple):
 
 
 class VoidTree(NamedTuple):
-    """All voids at every radius, one after the other by `closes`: what `SolidFiltration.void_tree` returns. Read-only arrays of one entry for each."""
+    """All voids at every radius, ascending by `closes`: what `SolidFiltration.void_tree` returns. Arrays are read-only, and have an entry for each void.
+
+    Attributes
+    ----------
+    closes : float64 array of shape (k,)
+        The radius from which on it is a void; below, it is a pocket.
+    filled : float64 array of shape (k,)
+        The radius from which on nothing is left of it.
+    volume : float64 array of shape (k,)
+        Its volume when it closes.
+    parent : int32 array of shape (k,)
+        The number of the void that it is parted from when it closes; -1: the outside.
+    mouth : int32 array of shape (k, 3)
+        The points of the triangle that closes it.
+    """
 
     closes: Floats
-    """The radius from which on it is a void; below, it is a pocket."""
     filled: Floats
-    """The radius from which on nothing is left of it."""
     volume: Floats
-    """When it closes."""
     parent: Indices
-    """The void that it is parted from when it closes, by number; -1: the outside."""
     mouth: Indices
-    """The points of the triangle that closes it: shape (k, 3)."""
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 class SolidFiltration(Result):
     """The alpha complex in space at every radius: what `solid_filtration` returns. Arrays are read-only.
 
-    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that.
+    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that. Points in a plane or on a line have no tetrahedra,
+    and the triangles and edges of their Delaunay triangulation there.
 
     Attributes
     ----------
@@ -127,7 +143,7 @@ class SolidFiltration(Result):
     distinct : int
         The number of distinct points.
     min, auto : float
-        The radii that alpha="min" and alpha="auto" of `solid` choose.
+        The radii that alpha="min" and alpha="auto" of `solid` choose; infinity where there is no tetrahedron.
     """
 
     points: Floats
@@ -193,7 +209,7 @@ class SolidFiltration(Result):
         closes <= radius < filled, and pockets those with radius < closes. Computed anew with each call.
         """
         if walls not in ("solid", "full"):
-            raise InvalidInput(f"walls: found {walls!r}, expected 'solid' or 'full'")
+            raise InvalidInput(f"walls: found {shown(walls)}, expected 'solid' or 'full'")
         self._require_unchanged()
         made = _core.void_tree(self.points, self.simplices, self.neighbors, self.simplex_alpha, walls == "full", as_threads(None))
         freeze(*made.values())
@@ -235,5 +251,5 @@ class SolidFiltration(Result):
 
 def _checked(dimension: int) -> int:
     if dimension not in (0, 1, 2):
-        raise InvalidInput(f"dimension: found {dimension!r}, expected 0 for components, 1 for tunnels or 2 for voids")
+        raise InvalidInput(f"dimension: found {shown(dimension)}, expected 0 for components, 1 for tunnels or 2 for voids")
     return dimension

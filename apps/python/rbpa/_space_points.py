@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_count, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_points, as_threads, index_of, shown
 
 
 @overload
@@ -84,6 +84,8 @@ def estimate_normals(
     >>> rbpa.estimate_normals([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])[0]
     array([0., 0., 1.])
     """
+    if np.ndim(viewpoint) == 2:  # type: ignore[arg-type]
+        viewpoint = aligned(viewpoint, index_of(points), "viewpoint")
     seen_from = None if viewpoint is None else as_points(np.atleast_2d(np.asarray(viewpoint)), "viewpoint", columns=3)
     made = _core.estimate_normals(
         as_points(points, columns=3), as_count(neighbors, "neighbors", 2), seen_from, as_threads(threads), progress
@@ -135,7 +137,7 @@ def scale_space(
     array([0., 0., 5.])
     """
     if isinstance(steps, str) and steps != "auto":
-        raise InvalidInput(f"steps: found {steps!r}, expected a number of steps, or 'auto'")
+        raise InvalidInput(f"steps: found {shown(steps)}, expected a number of steps, or 'auto'")
     count = 0 if isinstance(steps, str) else as_count(steps, "steps", 1)
     return _core.scale_space(
         as_points(points, columns=3), count, as_count(neighbors, "neighbors", 2), as_threads(threads), progress

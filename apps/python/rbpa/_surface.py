@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_count, as_numbers, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
@@ -74,9 +74,9 @@ def surface(
     workers = as_threads(threads)
     automatic = isinstance(radius, str) and radius == "auto"
     if not max_radius > 0:
-        raise InvalidInput(f"max_radius: found {max_radius!r}, expected a number > 0")
+        raise InvalidInput(f"max_radius: found {shown(max_radius)}, expected a number > 0")
     if max_radius < math.inf and not automatic:
-        raise InvalidInput(f"max_radius: found radius={radius!r}, expected radius='auto'")
+        raise InvalidInput(f"max_radius: found radius={shown(radius)}, expected radius='auto'")
     radii = np.unique(np.minimum(_core.auto_radii(array, workers, progress), max_radius)) if automatic else _as_radii(radius)
     vectors: Optional[Floats]
     if normals is None or (isinstance(normals, str) and normals == "estimate"):
@@ -84,14 +84,14 @@ def surface(
         freeze(vectors)
     elif isinstance(normals, str):
         if normals != "none":
-            raise InvalidInput(f"normals: found {normals!r}, expected an array of shape (n, 3), 'estimate' or 'none'")
+            raise InvalidInput(f"normals: found {shown(normals)}, expected an array of shape (n, 3), 'estimate' or 'none'")
         if automatic:
             radii = radii[-1:]
         elif len(radii) != 1:
             raise InvalidInput(f"radius: found {len(radii)} radii with normals='none', expected one")
         vectors = None
     else:
-        vectors = as_points(normals, "normals", columns=3)
+        vectors = as_points(aligned(normals, index_of(points), "normals"), "normals", columns=3)
     return Surface(array, vectors, radii, _core.surface(array, vectors, _not_empty(radii), workers, progress))
 
 
@@ -105,7 +105,7 @@ def _as_radii(radius: Any) -> Floats:
     expected = "a number > 0, several, ascending, or 'auto'"
     array = np.atleast_1d(as_numbers(radius, "radius", expected))
     if array.ndim != 1 or array.size == 0:
-        raise InvalidInput(f"radius: found {radius!r}, expected {expected}")
+        raise InvalidInput(f"radius: found {shown(radius)}, expected {expected}")
     return array
 
 
@@ -474,7 +474,7 @@ class Surface(Result):
         return [_UNUSED_CAUSES[cause] for cause in self._unused[1]]
 
     def __repr__(self) -> str:
-        radii = ", ".join(map(str, self.radii.tolist()))
+        radii = ", ".join(map(str, self.radii.tolist())) if len(self.radii) < 6 else f"{self.radii[0]} to {self.radii[-1]}"
         return (
             f"<rbpa.Surface of {len(self.points)} points: radius {radii}, {len(self.triangles)} triangles, "
             f"{len(self.boundary)} boundary edges, {len(self.duplicates)} duplicates>"

@@ -32,7 +32,7 @@ from dask.delayed import delayed
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._footprint import Footprint, gathered
-from rbpa._input import Floats, as_count, as_points, as_radius, as_threads
+from rbpa._input import Floats, as_count, as_points, as_radius, as_threads, shown
 from rbpa._read_points import read_points
 from rbpa._tiles import Bounds, Cells, Tile, cells_of, halved, united
 
@@ -169,7 +169,7 @@ def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
         raise InvalidInput(f"sources: found {_kind(sources)}, expected {_SOURCES}; {hint}")
     paths = [sources] if isinstance(sources, (str, os.PathLike)) else sources
     if not isinstance(paths, Iterable):
-        raise InvalidInput(f"sources: found {paths!r}, expected {_SOURCES}")
+        raise InvalidInput(f"sources: found {shown(paths)}, expected {_SOURCES}")
     paths = list(paths)
     for path in paths:
         if not isinstance(path, (str, os.PathLike)):

@@ -31,6 +31,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
 from rbpa._input import Indices, Integers, as_count
+from rbpa._result import short_repr
 
 __all__ = ["ComponentReport", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
@@ -80,6 +81,9 @@ class Repair(NamedTuple):
     steps: list[RepairStep]
     """What was done: each with a `kind`, `points` and `faces`, and in words."""
 
+    def __repr__(self) -> str:
+        return short_repr(self)
+
 
 def repair(faces: Faces, points: Optional[int] = None) -> Repair:
     """Makes an oriented manifold of any faces, and says what that took. Faces without a defect stay as they are.
@@ -106,6 +110,8 @@ def report(faces: Faces, points: Optional[int] = None) -> Report:
 
 def _soup(faces: Faces, points: Optional[int]) -> tuple[Indices, Integers, int]:
     """All corners in one array, where each face begins, and the number of points."""
+    if hasattr(faces, "to_numpy"):  # pandas, whose tables are sequences of columns
+        faces = faces.to_numpy()
     if isinstance(faces, np.ndarray):
         if faces.ndim != 2 and faces.size:
             raise InvalidInput(f"faces: found an array of shape {faces.shape}, expected (m, k)")
