@@ -28,8 +28,8 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The nearest places on facets: triangles, also those of two equal corners, which are segments, and of three, which are points.
-/// A tree of boxes halves the facets by the middles of their boxes, along the longest side.
+/// Finds the nearest places on facets: triangles, of which those with two equal corners are segments, and with three points.
+/// A tree of boxes halves the facets along the longest side.
 class NearestPlaces {
  public:
   /// Keeps the arrays.

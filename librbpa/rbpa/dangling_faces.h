@@ -25,8 +25,8 @@ struct DanglingFaces {
   std::vector<std::uint32_t> points;                ///< in no edge of the complex
 };
 
-/// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0. `threads` as in SolidOptions. Where it is empty, as of
-///           points in a plane, the simplices are those of solid_filtration().
+/// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0. `threads` as in
+///           SolidOptions. Where it is empty, as of points in a plane, the simplices are those of solid_filtration().
 /// Throws:   ContractViolation where radii or neighbors are missing; InvalidInput when alpha is no radius.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, unsigned threads = 0);

@@ -13,7 +13,8 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import PLATEAU, RULES, Alpha, Floats, Indices, Integers, Progress
-from rbpa._input import aligned, as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads, index_of, or_auto, shown
+from rbpa._input import aligned, as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
+from rbpa._input import index_of, or_auto, shown
 from rbpa._polygons import Polygons, number_or_none
 from rbpa._result import Result
 
@@ -79,8 +80,8 @@ def concave_hulls(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> AlphaShapes:
-    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`, by default one polygon for
-    each group."""
+    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`, by
+    default one polygon for each group."""
     least_hole = 0.0 if allow_holes else math.inf
     return _shapes(points, groups, alpha, least_hole, cover, components, threads, progress)
 
@@ -130,7 +131,7 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArra
     else:
         is_in = np.ones(count, bool)
     if isinstance(groups, np.ma.MaskedArray):
-        is_in &= ~np.ma.getmaskarray(groups)
+        is_in &= ~np.broadcast_to(groups.mask, count)
     labels = np.full(count, -1, np.int32)
     try:
         names, first, labels[is_in] = np.unique(array[is_in], return_index=True, return_inverse=True)
@@ -144,7 +145,7 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArra
 
 
 def _as_values(groups: Any) -> npt.NDArray[Any]:
-    array = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
+    array: npt.NDArray[Any] = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
     if array.dtype.kind in "US" and not hasattr(groups, "dtype") and not all(isinstance(value, (str, bytes)) for value in groups):
         array = np.empty(len(groups), object)  # NumPy makes texts of all that is among texts
         array[:] = list(groups)
@@ -153,13 +154,13 @@ def _as_values(groups: Any) -> npt.NDArray[Any]:
 
 def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp]) -> list[Any]:
     """Names as Python has them. Times as they came: NumPy makes numbers of those that datetime has no type for."""
+    values: list[Any] = names.tolist()
     if names.dtype.kind not in "mM":
-        return names.tolist()
+        return values
     column = getattr(groups, "array", groups)  # of pandas
     if type(column).__module__.partition(".")[0] in ("pandas", "polars"):
         return [column[int(i)] for i in first]
-    times = names.tolist()
-    return list(names) if any(isinstance(time, int) for time in times) else times
+    return list(names) if any(isinstance(value, int) for value in values) else values
 
 
 def _is_value(value: Any) -> bool:

@@ -93,7 +93,8 @@ def index_of(points: Any) -> Any:
 
 
 def aligned(values: Any, index: Any, name: str) -> Any:
-    """Values of points that have this index, in the order of the points: a pandas object goes by its own index, anything else by position."""
+    """Values of points that have this index, in the order of the points: a pandas object goes by its own index, anything
+    else by position."""
     of_values = index_of(values)
     if index is None or of_values is None or of_values.equals(index):
         return values

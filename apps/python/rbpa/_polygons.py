@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 
 class Geometry(Dict[str, Any]):
-    """A GeoJSON geometry that is taken as a feature too, with properties: geopandas.GeoDataFrame.from_features() asks each item for both."""
+    """A GeoJSON geometry that is taken as a feature too, with properties: geopandas.GeoDataFrame.from_features() asks each
+    item for both."""
 
     def __init__(self, kind: str, coordinates: list[Any], properties: dict[str, Any]) -> None:
         super().__init__(type=kind, coordinates=coordinates)

@@ -96,7 +96,8 @@ class SolidPlateau(NamedTuple):
 
 
 class VoidTree(NamedTuple):
-    """All voids at every radius, ascending by `closes`: what `SolidFiltration.void_tree` returns. Arrays are read-only, and have an entry for each void.
+    """All voids at every radius, ascending by `closes`: what `SolidFiltration.void_tree` returns. Arrays are read-only, and
+    have an entry for each void.
 
     Attributes
     ----------
@@ -125,8 +126,8 @@ class VoidTree(NamedTuple):
 class SolidFiltration(Result):
     """The alpha complex in space at every radius: what `solid_filtration` returns. Arrays are read-only.
 
-    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that. Points in a plane or on a line have no tetrahedra,
-    and the triangles and edges of their Delaunay triangulation there.
+    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that. Points in a
+    plane or on a line have no tetrahedra, but the triangles and edges of their Delaunay triangulation there.
 
     Attributes
     ----------

@@ -61,7 +61,7 @@ void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps
   });
 }
 
-/// The rows of which all corners are below `points`. Returns: of each row its new number.
+/// Keeps the rows of which all corners are below `points`. Returns: of each row its new number.
 template <typename Rows>
 std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   std::vector<std::uint32_t> number(rows.size(), Solid::none);
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// Triangles and edges of points that have no tetrahedron, with the radii of the triangles: what is left of a cone over them.
+/// Fills in triangles and edges of points that have no tetrahedron, and the radii of triangles: what is left of a cone.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {
   std::vector<Point3> cone(points.begin(), points.end());

@@ -1,7 +1,7 @@
-// What: points beside a flat set, one in a plane or on a line, that make the Delaunay triangulation of both a cone over that of the set.
-// Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So of a point beside the plane, wherever it is, the
-//       tetrahedra are those on the Delaunay triangles of the set, with the same ties: nothing is projected or rounded. Of two points beside a line likewise, on its
-//       edges.
+// What: points beside a set in a plane or on a line, with which its Delaunay triangulation is a cone over that of the set.
+// Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So with
+//       one point beside the plane, wherever it is, the tetrahedra stand on the Delaunay triangles of the set, with the
+//       same ties: nothing is projected or rounded. With two points beside a line they stand on its edges.
 // Cost: linear.
 #pragma once
 
