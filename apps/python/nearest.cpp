@@ -144,7 +144,8 @@ class NearestPlaces {
     std::array<Vector, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) corner[k] = coordinates(points_[facet[k]]);
     Place best;
-    for (std::size_t k = 0; k < 3; ++k) {  // on each side
+    const bool is_segment = facet[1] == facet[2];
+    for (std::size_t k = 0; k < (is_segment ? 1U : 3U); ++k) {  // on each side
       const Vector &a = corner[k], side = corner[(k + 1) % 3] - a, to = q - a;
       const Real length = dot(side, side), t = length > 0 ? std::clamp(dot(to, side) / length, Real{0}, Real{1}) : 0;
       const Vector away = {to[0] - t * side[0], to[1] - t * side[1], to[2] - t * side[2]};
@@ -155,6 +156,7 @@ class NearestPlaces {
       best.weights[(k + 1) % 3] = static_cast<double>(t);
       best.weights[k] = 1 - best.weights[(k + 1) % 3];
     }
+    if (is_segment) return best;
     const Vector normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const Real all = dot(normal, normal), height = dot(normal, q - corner[0]);
     if (!(all > 0) || !(height * height / all < best.square)) return best;
@@ -180,7 +182,7 @@ class NearestPlaces {
 
 void bind_nearest(py::module_& module) {
   using py::arg;
-  py::class_<NearestPlaces>(module, "NearestPlaces")
+  py::class_<NearestPlaces>(module, "NearestPlaces", "Finds where triangles in space are nearest to points.")
       .def(py::init<Doubles, Indices>(), arg("points").noconvert(), arg("facets").noconvert())
       .def("find", &NearestPlaces::find, arg("queries").noconvert());
 }

@@ -210,6 +210,13 @@ def test_names_of_groups_come_back_as_what_they_were():
         assert by_name.alphas.tolist() == [9.0 + g for g in range(len(names))]
         with pytest.raises(KeyError):
             shapes["never"]
+        if shapes.names.dtype.kind in "mM":  # by times of any type
+            for other in (list(shapes.names), [name.item() for name in shapes.names.astype(shapes.names.dtype.str[:2] + "8[us]")]):
+                assert [shapes[name].area for name in other] == [0.5] * len(names)
+                of_other = rbpa.alpha_shapes(CORNERS, groups, {name: 9.0 + g for g, name in enumerate(other)})
+                assert of_other.alphas.tolist() == by_name.alphas.tolist()
+            with pytest.raises(KeyError):
+                shapes[shapes.names[0] + np.timedelta64(1, "h")]
         seen += 1
     assert seen == 26
 

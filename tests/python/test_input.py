@@ -242,3 +242,23 @@ def test_geometries_that_are_no_points_are_refused_in_one_sentence():
         assert "\n" not in str(error.value)
     with pytest.raises(rbpa.InvalidInput, match="points: point 0 has no z, expected x, y and z"):
         rbpa.surface([point] * 4)
+
+
+def test_normals_and_viewpoints_of_pandas_go_by_index():
+    pandas = pytest.importorskip("pandas")
+    points = np.random.default_rng(2).normal(size=(300, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
+    table = pandas.DataFrame(points, columns=["x", "y", "z"], index=range(50, 350))
+    mixed = table.sample(frac=1, random_state=0)
+    expected = rbpa.surface(mixed.to_numpy(), mixed.to_numpy(), 0.4)
+    for normals in (table, mixed, table[::-1] * 2):
+        assert np.array_equal(rbpa.surface(mixed, normals, 0.4).triangles, expected.triangles)
+    assert len(rbpa.surface(mixed, table.to_numpy(), 0.4).triangles) < len(expected.triangles)  # by position
+    seen_from = rbpa.estimate_normals(mixed.to_numpy(), viewpoint=5 * mixed.to_numpy())
+    assert np.array_equal(rbpa.estimate_normals(mixed, viewpoint=5 * table), seen_from)
+    assert rbpa.estimate_normals(mixed, viewpoint=pandas.Series([0, 0, 9])).shape == (300, 3)
+    message = "normals: found an index without 50 of the 300 labels of the points, such as 3.., expected all of them \\(normals.to_numpy"
+    with pytest.raises(rbpa.InvalidInput, match=message):
+        rbpa.surface(mixed, table.reset_index(drop=True), 0.4)
+    with pytest.raises(rbpa.InvalidInput, match="viewpoint: found an index with labels that repeat"):
+        rbpa.estimate_normals(mixed, viewpoint=table.set_axis([0] * 300))

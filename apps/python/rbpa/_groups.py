@@ -102,7 +102,7 @@ def _shapes(
     alpha = or_auto(alpha, share, pieces)
     rule = as_rule(alpha, share, pieces)
     plateau = 0 if rule is None else as_plateau(rule) or 0
-    radii = _radii(alpha, keys) if rule is None else np.empty(0)
+    radii = _radii(alpha, keys, names) if rule is None else np.empty(0)
     if rule not in (None, "auto", "min") and not plateau:
         as_radius(rule)  # type: ignore[arg-type]  # which refuses other words
     made = _core.shapes_of_groups(
@@ -171,7 +171,17 @@ def _is_value(value: Any) -> bool:
         return False
 
 
-def _radii(alpha: Any, keys: list[Any]) -> Floats:
+def _as_time(value: Any, names: npt.NDArray[Any]) -> Any:
+    """A time, of whatever type, in that of the names, as types of time have different hashes; anything else as it is."""
+    try:
+        time = (np.datetime64 if names.dtype.kind == "M" else np.timedelta64)(value)
+    except (TypeError, ValueError):
+        return value
+    cast = time.astype(names.dtype)
+    return cast if cast == time else value  # and not cut off
+
+
+def _radii(alpha: Any, keys: list[Any], names: npt.NDArray[Any]) -> Floats:
     """One radius for all groups, or one for each."""
     index = index_of(alpha)
     if index is not None:
@@ -179,6 +189,9 @@ def _radii(alpha: Any, keys: list[Any]) -> Floats:
             raise InvalidInput("alpha: found an index with labels that repeat, expected the groups (alpha.to_numpy() goes by their order)")
         alpha = alpha.to_dict()
     if isinstance(alpha, Mapping):
+        if names.dtype.kind in "mM":
+            alpha = {**alpha, **{_as_time(key, names): radius for key, radius in alpha.items()}}
+            keys = list(names)
         missing = [key for key in keys if key not in alpha]
         if missing:
             by_order = "; alpha.to_numpy() goes by their order" if index is not None else ""
@@ -246,16 +259,13 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         return self.polygons.part(int(begin[g]), int(begin[g + 1]), float(self.areas[g]), float(self.perimeters[g]))
 
     def _number_of(self, name: Any) -> int:
-        if name in self._number:
+        if name in self._number or self.names.dtype.kind not in "mM":
             return self._number[name]
-        if self.names.dtype.kind in "mM":  # a time of another type, which has another hash
-            try:
-                found = np.flatnonzero(self.names == (np.datetime64 if self.names.dtype.kind == "M" else np.timedelta64)(name))
-            except (TypeError, ValueError):
-                found = np.empty(0, np.intp)
-            if len(found):
-                return int(found[0])
-        raise KeyError(name)
+        time = _as_time(name, self.names)
+        g = int(np.searchsorted(self.names, time)) if isinstance(time, self.names.dtype.type) else len(self)
+        if g == len(self) or self.names[g] != time:
+            raise KeyError(name)
+        return g
 
     def simplices(self, name: Any) -> Indices:
         """The triangles of a group: int32 array of shape (m, 3), as `AlphaShape.simplices`, holes or not."""
