@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "rbpa/fill/plane_predicates.h"
 #include "rbpa/plane/grid/box.h"
-#include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {
 namespace {
-
-int orientation(const Point& a, const Point& b, const Point& c) {
-  return Predicates<long double>::orientation(a, b, c);
-}
 
 /// Points in a tree of boxes, whose node k has the children 2 k + 1 and 2 k + 2.
 class PointTree {
@@ -54,14 +50,14 @@ class PointTree {
     if (box.high.x < low.x || box.low.x > high.x || box.high.y < bottom || box.low.y > top) return;
     if (last - first <= leaf) {
       for (std::size_t i = first; i < last; ++i)
-        if (const Point& p = points_[used_[i]]; low < p && p < high && orientation(low, high, p) == 0)
+        if (const Point& p = points_[used_[i]]; low < p && p < high && plane_orientation(low, high, p) == 0)
           found.push_back(used_[i]);
       return;
     }
     // A box on one side of the line has nothing on it.
-    const int sides[] = {orientation(low, high, box.low), orientation(low, high, box.high),
-                         orientation(low, high, {box.low.x, box.high.y}),
-                         orientation(low, high, {box.high.x, box.low.y})};
+    const int sides[] = {plane_orientation(low, high, box.low), plane_orientation(low, high, box.high),
+                         plane_orientation(low, high, {box.low.x, box.high.y}),
+                         plane_orientation(low, high, {box.high.x, box.low.y})};
     if (std::all_of(std::begin(sides), std::end(sides), [](int side) { return side > 0; }) ||
         std::all_of(std::begin(sides), std::end(sides), [](int side) { return side < 0; }))
       return;

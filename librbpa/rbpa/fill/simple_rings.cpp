@@ -9,15 +9,11 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/steps.h"
-#include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/fill/plane_predicates.h"
 #include "rbpa/plane/shape/below.h"
 
 namespace rbpa {
 namespace {
-
-int orientation(const Point& a, const Point& b, const Point& c) {
-  return Predicates<long double>::orientation(a, b, c);
-}
 
 struct Edge : SweptEdge {
   RingsMeet::Side side;
@@ -27,8 +23,8 @@ struct Edge : SweptEdge {
 
 /// Beyond a common end that they may have.
 bool meet(const Edge& a, const Edge& b) {
-  const int b_low = orientation(a.low, a.high, b.low), b_high = orientation(a.low, a.high, b.high);
-  const int a_low = orientation(b.low, b.high, a.low), a_high = orientation(b.low, b.high, a.high);
+  const int b_low = plane_orientation(a.low, a.high, b.low), b_high = plane_orientation(a.low, a.high, b.high);
+  const int a_low = plane_orientation(b.low, b.high, a.low), a_high = plane_orientation(b.low, b.high, a.high);
   if (b_low * b_high < 0 && a_low * a_high < 0) return true;
   const auto is_inside = [](const Edge& edge, const Point& p) { return edge.low < p && p < edge.high; };
   return (b_low == 0 && is_inside(a, b.low)) || (b_high == 0 && is_inside(a, b.high)) ||
@@ -109,7 +105,7 @@ class RingSweep {
       const Point& at = points_[point];
       sort(spokes, step_, [&](const Spoke& a, const Spoke& b) {
         const bool a_right = at < a.to, b_right = at < b.to;
-        return a_right != b_right ? a_right : orientation(at, a.to, b.to) > 0;
+        return a_right != b_right ? a_right : plane_orientation(at, a.to, b.to) > 0;
       });
       std::vector<RingsMeet::Side> open;
       for (const Spoke& spoke : spokes) {
@@ -127,19 +123,20 @@ class RingSweep {
 
   bool test(const Edge& a, const Edge& b) {
     if (!meet(a, b)) return false;
-    const bool crosses = orientation(a.low, a.high, b.low) * orientation(a.low, a.high, b.high) < 0 &&
-                         orientation(b.low, b.high, a.low) * orientation(b.low, b.high, a.high) < 0;
+    const bool crosses = plane_orientation(a.low, a.high, b.low) * plane_orientation(a.low, a.high, b.high) < 0 &&
+                         plane_orientation(b.low, b.high, a.low) * plane_orientation(b.low, b.high, a.high) < 0;
     const bool in_order = std::pair(a.side.ring, a.side.edge) < std::pair(b.side.ring, b.side.edge);
     const Edge &first = in_order ? a : b, &second = in_order ? b : a;
     const auto ends_on = [](const Edge& edge, const Edge& other) {
-      return orientation(other.low, other.high, edge.low) == 0 || orientation(other.low, other.high, edge.high) == 0;
+      return plane_orientation(other.low, other.high, edge.low) == 0 ||
+             plane_orientation(other.low, other.high, edge.high) == 0;
     };
     using How = RingsMeet::How;
     if (crosses || (ends_on(a, b) && ends_on(b, a))) {
       found(crosses ? How::edges_cross : How::edges_overlap, first.side, second.side);
     } else {
       const Edge &on = ends_on(a, b) ? a : b, &whole = ends_on(a, b) ? b : a;
-      const bool low = orientation(whole.low, whole.high, on.low) == 0;
+      const bool low = plane_orientation(whole.low, whole.high, on.low) == 0;
       found(How::vertex_on_edge, low ? low_end(on) : high_end(on), whole.side);
     }
     return true;
@@ -160,7 +157,7 @@ class RingSweep {
       for (; end != ends.end() && (*end)->high <= at; ++end)
         if (remove(*end)) return;
       const auto above = crossed_.lower_bound(at);
-      if (above != crossed_.end() && orientation((*above)->low, (*above)->high, at) == 0) {
+      if (above != crossed_.end() && plane_orientation((*above)->low, (*above)->high, at) == 0) {
         found(RingsMeet::How::vertex_on_edge, low_end(**start), (*above)->side);
         return;
       }
@@ -248,7 +245,7 @@ void check_points(std::span<const Point> points, std::span<const Ring> rings, co
     const Point& a = points[ring[0]];
     const auto other = std::find_if(ring.begin(), ring.end(), [&](std::uint32_t i) { return points[i] != a; });
     const Point& b = other == ring.end() ? a : points[*other];
-    if (std::all_of(ring.begin(), ring.end(), [&](std::uint32_t i) { return orientation(a, b, points[i]) == 0; }))
+    if (std::all_of(ring.begin(), ring.end(), [&](std::uint32_t i) { return plane_orientation(a, b, points[i]) == 0; }))
       throw InvalidInput(name(r) + " at " + place_of(a) + ": found no area, expected a ring around some");
   }
 }

@@ -1,0 +1,175 @@
+#include "rbpa/cut_polygon.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "rbpa/base/error.h"
+#include "rbpa/fill/plane_predicates.h"
+#include "rbpa/polygons_of_rings.h"
+
+namespace rbpa {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+int side_of(const Point& p, double x) { return p.x < x ? -1 : p.x > x ? 1 : 0; }
+
+/// The rings around what is left of the line.
+class LeftRings {
+ public:
+  /// Rings as PolygonCut has them, the interior on their left, with a corner at each crossing. `right_end`: of the points
+  /// from `first_crossing` on, the end right of the line of the edge that they are on.
+  LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
+      : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end) {}
+
+  std::vector<Ring> find(const std::vector<Corners>& rings) {
+    for (const Corners& ring : rings) take(ring);
+    // Along the line from below, what is left of it begins at the end of a chain and ends where the next one begins.
+    std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
+    Corners next(chains_.size());
+    for (std::size_t i = 0; i < ends_.size(); i += 2) {
+      if (!ends_[i].is_last || ends_[i + 1].is_last)
+        throw InvalidInput("a polygon at x = " + std::to_string(x_) +
+                           ": found rings that cross, expected a valid polygon whose shell turns counter-clockwise");
+      next[ends_[i].chain] = ends_[i + 1].chain;
+    }
+    std::vector<bool> done(chains_.size(), false);
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+      Corners joined;
+      for (std::uint32_t at = c; !done[at]; at = next[at]) {
+        done[at] = true;
+        joined.insert(joined.end(), chains_[at].begin(), chains_[at].end());
+      }
+      split(joined);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// A chain comes from the line or goes back to it on the segment from `inner`, left of it.
+  struct End {
+    std::uint32_t chain, inner, outer;
+    bool is_last;
+  };
+
+  int side(std::uint32_t i) const { return side_of(points_[i], x_); }
+
+  /// The parts of a ring left of the line, each from a point of the line to a point of the line.
+  void take(const Corners& ring) {
+    const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
+    const auto first = std::find_if(ring.begin(), ring.end(), is_on);
+    if (first == ring.end()) {
+      if (side(ring.front()) < 0) found_.push_back({ring});
+      return;
+    }
+    const auto begin = static_cast<std::size_t>(first - ring.begin());
+    const auto corner = [&](std::size_t i) { return ring[(begin + i) % ring.size()]; };
+    Corners chain;
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const std::uint32_t at = corner(i);
+      if (!chain.empty()) chain.push_back(at);
+      if (!is_on(at)) continue;
+      if (!chain.empty()) add(std::exchange(chain, {}));
+      if (i < ring.size() && side(corner(i + 1)) < 0) chain = {at};
+    }
+  }
+
+  void add(Corners chain) {
+    const auto number = static_cast<std::uint32_t>(chains_.size());
+    const auto outer = [this](std::uint32_t i) { return i < first_crossing_ ? i : right_end_[i - first_crossing_]; };
+    ends_.push_back({number, chain[1], outer(chain.front()), false});
+    ends_.push_back({number, chain[chain.size() - 2], outer(chain.back()), true});
+    chains_.push_back(std::move(chain));
+  }
+
+  /// Just left of the line; the segments meet in their ends alone.
+  bool is_below(const End& a, const End& b) const {
+    const Point &p = points_[a.inner], &q = points_[b.inner];
+    if (p.x < q.x) {
+      const int turn = plane_orientation(p, points_[a.outer], q);
+      return (turn != 0 ? turn : plane_orientation(p, points_[a.outer], points_[b.outer])) > 0;
+    }
+    const int turn = plane_orientation(q, points_[b.outer], p);
+    return (turn != 0 ? turn : plane_orientation(q, points_[b.outer], points_[a.outer])) < 0;
+  }
+
+  /// Where it comes back to a place, what lies between is a ring of its own.
+  void split(const Corners& joined) {
+    Corners open;
+    std::map<Point, std::size_t> at;
+    const auto end_ring = [&](std::size_t first) {
+      const auto begin = open.begin() + static_cast<std::ptrdiff_t>(first);
+      for (auto i = begin; i != open.end(); ++i) at.erase(points_[*i]);
+      if (open.end() - begin >= 3) found_.push_back({{begin, open.end()}});
+      open.erase(begin, open.end());
+    };
+    for (const std::uint32_t i : joined) {
+      if (const auto before = at.find(points_[i]); before != at.end()) end_ring(before->second);
+      at.emplace(points_[i], open.size());
+      open.push_back(i);
+    }
+    end_ring(0);
+  }
+
+  std::span<const Point> points_;
+  double x_;
+  std::uint32_t first_crossing_;
+  const Corners& right_end_;
+  std::vector<Corners> chains_ = {};
+  std::vector<End> ends_ = {};
+  std::vector<Ring> found_ = {};
+};
+
+/// Each ring from its least point on.
+std::vector<Polygon> polygons_on(std::span<const Point> points, const std::vector<Ring>& rings) {
+  std::vector<Polygon> polygons = polygons_of_rings(points, rings);
+  const auto begin_at_least = [&](Ring& ring) {
+    const auto is_less = [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; };
+    std::rotate(ring.points.begin(), std::min_element(ring.points.begin(), ring.points.end(), is_less),
+                ring.points.end());
+  };
+  for (Polygon& polygon : polygons) {
+    begin_at_least(polygon.shell);
+    for (Ring& hole : polygon.holes) begin_at_least(hole);
+  }
+  return polygons;
+}
+
+}  // namespace
+
+PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x) {
+  PolygonCut cut{.points = {points.begin(), points.end()}, .crossings = {}, .left = {}, .right = {}};
+  std::vector<Corners> rings;
+  Corners left_end, right_end;
+  const auto take = [&](const Ring& ring) {
+    Corners& corners = rings.emplace_back();
+    for (std::size_t k = 0; k < ring.points.size(); ++k) {
+      std::uint32_t a = ring.points[k], b = ring.points[(k + 1) % ring.points.size()];
+      corners.push_back(a);
+      if (side_of(points[a], x) * side_of(points[b], x) >= 0) continue;
+      if (points[a].x > points[b].x) std::swap(a, b);
+      const Point &p = points[a], &q = points[b];
+      const double share = (x - p.x) / (q.x - p.x);
+      corners.push_back(static_cast<std::uint32_t>(cut.points.size()));
+      cut.points.push_back({x, p.y + (q.y - p.y) * share});
+      cut.crossings.push_back({a, b, share});
+      left_end.push_back(a);
+      right_end.push_back(b);
+    }
+  };
+  take(polygon.shell);
+  for (const Ring& hole : polygon.holes) take(hole);
+
+  const auto given = static_cast<std::uint32_t>(points.size());
+  cut.left = polygons_on(cut.points, LeftRings(cut.points, x, given, right_end).find(rings));
+  // What is right of the line is left of it in a mirror, where rings turn the other way.
+  std::vector<Point> mirrored = cut.points;
+  for (Point& p : mirrored) p.x = -p.x;
+  for (Corners& ring : rings) std::reverse(ring.begin(), ring.end());
+  cut.right = polygons_on(cut.points, LeftRings(mirrored, -x, given, left_end).find(rings));
+  return cut;
+}
+
+}  // namespace rbpa
