@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -21,10 +23,10 @@ using namespace rbpa::app;
 namespace {
 
 /// A format, and how exact GDAL is with it.
-struct Format {
+struct GdalFormat {
   std::string driver, ending;
 };
-const Format formats[] = {{"GPKG", "gpkg"}, {"FlatGeobuf", "fgb"}, {"ESRI Shapefile", "shp"}};
+const GdalFormat formats[] = {{"GPKG", "gpkg"}, {"FlatGeobuf", "fgb"}, {"ESRI Shapefile", "shp"}};
 
 /// Writes a layer of the geometries, as well-known text, by GDAL itself.
 void write_layer(GDALDataset& file, const std::string& name, OGRwkbGeometryType type,
@@ -43,7 +45,7 @@ void write_layer(GDALDataset& file, const std::string& name, OGRwkbGeometryType 
   }
 }
 
-GDALDatasetUniquePtr create(const Format& format, const std::string& path) {
+GDALDatasetUniquePtr create(const GdalFormat& format, const std::string& path) {
   GDALAllRegister();
   GDALDatasetUniquePtr file(GetGDALDriverManager()
                                 ->GetDriverByName(format.driver.c_str())
@@ -80,7 +82,7 @@ TEST_SUITE("ogr") {
                    y = static_cast<double>(random()) / 7;
       points.push_back({x, y});
     }
-    for (const Format& format : formats) {
+    for (const GdalFormat& format : formats) {
       CAPTURE(format.driver);
       const Folder folder;
       const std::string path = folder.path("p." + format.ending);
@@ -160,6 +162,43 @@ TEST_SUITE("ogr") {
           "rbpa: --layer: found a format without layers, expected one of GDAL\n");
   }
 
+  TEST_CASE("triangles have heights and attributes, and a compound system counts by its horizontal part") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,z,g\n0,0,1.5,a\n1,0,2,a\n0,1,-3,a\n5,5,1,b\n6,5,1,b\n5,6,4,b\n");
+    REQUIRE(folder
+                .rbpa("mesh p.csv --columns x,y --group-by g --alpha 9 --crs EPSG:28992 -q -o t.gpkg -o t.fgb -o t.shp "
+                      "-o t.geojson")
+                .code == 0);
+    const json features = json::parse(folder.content("t.geojson"))["features"];
+    for (const GdalFormat& format : formats) {
+      CAPTURE(format.driver);
+      const GDALDatasetUniquePtr file = open(folder.path("t." + format.ending));
+      OGRLayer* layer = file->GetLayer(0);
+      CHECK(std::string(layer->GetSpatialRef()->GetAuthorityCode(nullptr)) == "28992");
+      std::size_t found = 0;
+      for (; const OGRFeatureUniquePtr feature{layer->GetNextFeature()}; ++found) {
+        const json& expected = features[static_cast<std::size_t>(feature->GetFieldAsInteger("number") - 1)];
+        CHECK(std::string(feature->GetFieldAsString("group")) == expected["properties"]["group"]);
+        CHECK(feature->GetFieldAsDouble("area") == expected["properties"]["area"]);
+        std::vector<std::array<double, 3>> corners, wanted;
+        for (const OGRPoint& p : *feature->GetGeometryRef()->toPolygon()->getExteriorRing())
+          corners.push_back({p.getX(), p.getY(), p.getZ()});
+        for (const json& p : expected["geometry"]["coordinates"][0]) wanted.push_back({p[0], p[1], p[2]});
+        for (auto* ring : {&corners, &wanted}) {
+          ring->pop_back();
+          std::sort(ring->begin(), ring->end());
+        }
+        CHECK(corners == wanted);
+      }
+      CHECK(found == 2);
+    }
+    // Heights of a layer come back, and so does its system.
+    REQUIRE(folder.rbpa("mesh t.gpkg --vertices --alpha 1 -o m.obj -q").code == 0);
+    CHECK(folder.content("m.obj").find("v 0 0 1.5\n") != std::string::npos);
+    write_layer(*create({"GPKG", "gpkg"}, folder.path("c.gpkg")), "points", wkbPoint25D, {"POINT Z (1 2 3)"}, 7415);
+    CHECK(folder.rbpa("info c.gpkg").out.find("crs         EPSG:28992\n") != std::string::npos);
+  }
+
   TEST_CASE("what is written GDAL reads: geometries to the last bit, numbers, the system") {
     const Folder folder;
     folder.file("p.xy", squares);
@@ -168,7 +207,7 @@ TEST_SUITE("ogr") {
             .rbpa("shape p.xy --alpha 1 --crs EPSG:28992 -o s.gpkg -o s.fgb -o s.shp -o s.geojson --isolated i.fgb -q")
             .code == 0);
     const json features = json::parse(folder.content("s.geojson"))["features"];
-    for (const Format& format : formats) {
+    for (const GdalFormat& format : formats) {
       CAPTURE(format.driver);
       const GDALDatasetUniquePtr file = open(folder.path("s." + format.ending));
       OGRLayer* layer = file->GetLayer(0);
@@ -223,7 +262,7 @@ TEST_SUITE("ogr") {
   TEST_CASE("an empty shape is a valid file") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1 1\n2 2\n");
-    for (const Format& format : formats) {
+    for (const GdalFormat& format : formats) {
       CAPTURE(format.driver);
       REQUIRE(folder.rbpa("shape p.xy --alpha 1 -q -o s." + format.ending).code == 0);
       CHECK(open(folder.path("s." + format.ending))
@@ -262,7 +301,7 @@ TEST_SUITE("ogr") {
     const std::string table =
         "x,y,name,number\n0,0,wolf,1\n1,0,wolf,1\n0,1,wolf,1\n5,5,lynx,20\n6,5,lynx,20\n5,7,lynx,20\n9,9,lynx,20\n"
         "10,9,lynx,20\n9,10,lynx,20\n";
-    for (const Format& format : formats)
+    for (const GdalFormat& format : formats)
       for (const std::string column : {"name", "number"})
         for (const bool lonely : {false, true}) {
           CAPTURE(format.driver);
