@@ -18,7 +18,7 @@
 namespace rbpa::app {
 namespace {
 
-constexpr double no_radius = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_radius = std::numeric_limits<double>::quiet_NaN(), no_height = no_radius;
 
 /// The names of groups, numbered as they come.
 class NameTable {
@@ -90,6 +90,11 @@ class Gatherer {
         radii_.insert(radii_.end(), file.fields.back().begin(), file.fields.back().end());
     }
     PointFile& all = result_.file;
+    if (!file.z.empty() || !all.z.empty()) {
+      all.z.resize(all.points.size(), no_height);
+      all.z.insert(all.z.end(), file.z.begin(), file.z.end());
+      all.z.resize(all.points.size() + count, no_height);
+    }
     all.heights.take(file.heights);
     all.degrees = all.degrees || file.degrees;
     if (all.points.empty())
@@ -108,11 +113,8 @@ class Gatherer {
  private:
   /// Coordinates of two systems have nothing in common.
   void agree(const PointFile& file, const std::string& path) {
-    const auto name = [](const std::optional<Crs>& crs) { return crs ? crs->text() : std::string("no system"); };
-    if (std::exchange(any_, true) && name(file.crs) != name(result_.file.crs))
-      bad_input(
-          input_name(path), "points in " + name(file.crs),
-          name(result_.file.crs) + ", as in " + input_name(sources_.files.front().path) + " (--crs says it of all)");
+    if (std::exchange(any_, true))
+      require_same_crs(file.crs, input_name(path), result_.file.crs, input_name(sources_.files.front().path));
     result_.file.crs = file.crs;
   }
 

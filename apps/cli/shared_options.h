@@ -23,10 +23,10 @@ template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
              "Leave out lines of text, and records of LAS, that are no point, and say how many");
-  verb.add_option(
-          "--where", arguments.where,
-          "Points that count, by fields of LAS, PLY or PCD or columns of text: \"class == 6 and z > 3\", or of text "
-          "\"group in ('A', 'B')\"")
+  verb.add_option("--where", arguments.where,
+                  "Points that count, by fields of LAS, PLY or PCD or columns of text: \"classification == 6 and z > "
+                  "3\", or of text "
+                  "\"group in ('A', 'B')\"")
       ->type_name("CONDITION");
 }
 

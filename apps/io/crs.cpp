@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "io/failure.h"
 
@@ -14,6 +18,29 @@ constexpr std::string_view geographic_codes[] = {
     "4326", "4979", "4258", "4937", "4269", "4267", "4283", "7844", "4171", "4230", "4277", "4289", "4313", "4314",
     "4149", "4150", "4167", "4152", "4612", "6668", "4490", "4610", "4214", "4674", "4618", "4617", "6318", "4275",
     "4231", "4148", "4222", "4164", "4166", "4737", "4756", "4759", "4740", "4284", "4200", "7683", "4124", "4619"};
+
+/// Codes of EPSG from the first to the last, of which those that are given out are systems of heights or depths.
+/// Source: EPSG dataset 10.076, as PROJ 9.1.1 has it.
+// clang-format off
+constexpr std::pair<std::uint16_t, std::uint16_t> vertical_codes[] = {
+    {3855, 3855}, {3886, 3886}, {3900, 3900}, {4440, 4440}, {4458, 4458}, {5193, 5195}, {5214, 5214}, {5237, 5237},
+    {5317, 5317}, {5336, 5336}, {5597, 5597}, {5600, 5621}, {5701, 5706}, {5709, 5799}, {5829, 5829}, {5831, 5831},
+    {5843, 5843}, {5861, 5874}, {5941, 5941}, {6130, 6132}, {6178, 6187}, {6357, 6360}, {6638, 6644}, {6647, 6647},
+    {6693, 6695}, {6916, 6916}, {7446, 7447}, {7651, 7652}, {7699, 7707}, {7832, 7841}, {7888, 7890}, {7962, 7979},
+    {8050, 8053}, {8089, 8089}, {8228, 8228}, {8266, 8267}, {8357, 8358}, {8378, 8378}, {8434, 8434}, {8675, 8675},
+    {8690, 8691}, {8841, 8841}, {8881, 8881}, {8897, 8897}, {8904, 8904}, {8911, 8911}, {9130, 9130}, {9245, 9245},
+    {9255, 9255}, {9274, 9279}, {9287, 9288}, {9303, 9303}, {9335, 9351}, {9389, 9390}, {9392, 9402}, {9451, 9451},
+    {9458, 9458}, {9471, 9471}, {9650, 9651}, {9663, 9672}, {9675, 9675}, {9681, 9681}, {9721, 9722}, {9923, 9923},
+    {9927, 9927}, {20000, 20000}, {20034, 20036}};
+// clang-format on
+
+bool is_vertical(const Crs& crs) {
+  unsigned code = 0;
+  const char* const end = crs.code.data() + crs.code.size();
+  if (crs.authority != "EPSG" || std::from_chars(crs.code.data(), end, code).ec != std::errc()) return false;
+  return std::any_of(std::begin(vertical_codes), std::end(vertical_codes),
+                     [code](const auto& codes) { return code >= codes.first && code <= codes.second; });
+}
 
 bool is_word(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
@@ -57,7 +84,10 @@ bool Crs::is_wgs84() const {
 
 Crs wgs84() { return {.authority = "EPSG", .code = "4326", .degrees = true}; }
 
-std::optional<Crs> crs_of_name(std::string_view name) {
+namespace {
+
+/// Of heights or not.
+std::optional<Crs> system_of_name(std::string_view name) {
   const std::string folded = upper(name);
   constexpr std::string_view urn = "URN:OGC:DEF:CRS:";
   for (const std::string_view url : {"HTTP://WWW.OPENGIS.NET/DEF/CRS/", "HTTPS://WWW.OPENGIS.NET/DEF/CRS/"})
@@ -74,40 +104,155 @@ std::optional<Crs> crs_of_name(std::string_view name) {
   return crs_of(name.substr(0, colon), name.substr(colon + 1));
 }
 
-std::optional<Crs> crs_of_wkt(std::string_view text) {
-  // What stands at depth 1 is about the whole; the systems that it is made of have theirs deeper.
+std::optional<Crs> plane(std::optional<Crs> crs) { return crs && is_vertical(*crs) ? std::nullopt : std::move(crs); }
+
+constexpr std::string_view how_to_name = " (--crs EPSG:CODE names it)";
+
+}  // namespace
+
+std::optional<Crs> crs_of_name(std::string_view name) { return plane(system_of_name(name)); }
+
+std::string remark_on_crs(std::string_view name) {
+  const std::optional<Crs> crs = system_of_name(name);
+  if (crs && is_vertical(*crs))
+    return crs->text() + " is a system of heights, and the one of the plane is not known" + std::string(how_to_name);
+  return "the system of coordinates is " + in_quotes(name) + ", which is not understood" + std::string(how_to_name);
+}
+
+void require_same_crs(const std::optional<Crs>& crs, const std::string& name, const std::optional<Crs>& first,
+                      const std::string& first_name) {
+  const auto text = [](const std::optional<Crs>& of) { return of ? of->text() : std::string("no system"); };
+  const bool both_are_wgs84 = crs && first && crs->is_wgs84() && first->is_wgs84();
+  if (both_are_wgs84 || text(crs) == text(first)) return;
+  const std::string code = crs && first ? "EPSG:CODE" : text(crs ? crs : first);
+  bad_input(name, "points in " + text(crs),
+            text(first) + ", as in " + first_name + " (--crs " + code + " says it of all)");
+}
+
+// Well-known text.
+
+namespace {
+
+/// KEYWORD[items].
+struct WktNode {
+  std::string keyword = {};                  ///< in capitals; empty of what is none
+  std::vector<std::string_view> items = {};  ///< between the commas in its brackets
+};
+
+std::string_view without_blanks_around(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// What is between commas, but for those in quotes and in brackets.
+std::vector<std::string_view> items_of(std::string_view text) {
+  std::vector<std::string_view> items;
+  std::size_t begin = 0;
   int depth = 0;
   bool quoted = false;
-  std::optional<Crs> found;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '"') quoted = !quoted;
     if (quoted) continue;
     if (c == '[' || c == '(') ++depth;
     if (c == ']' || c == ')') --depth;
-    if (depth != 1 || (c != 'A' && c != 'I')) continue;
-    const std::string_view rest = text.substr(i);
-    std::size_t at = 0;
-    if (rest.starts_with("AUTHORITY[")) at = 10;
-    if (rest.starts_with("ID[")) at = 3;
-    if (at == 0) continue;
-    std::string_view words = rest.substr(at, std::min(rest.find(']'), rest.size()) - std::min(at, rest.size()));
-    const std::size_t comma = words.find(',');
-    if (comma == std::string_view::npos) continue;
-    const auto bare = [](std::string_view word) {
-      while (!word.empty() && (word.front() == '"' || word.front() == ' ')) word.remove_prefix(1);
-      while (!word.empty() && (word.back() == '"' || word.back() == ' ')) word.remove_suffix(1);
-      return word;
-    };
-    found = crs_of(bare(words.substr(0, comma)), bare(words.substr(comma + 1)));
+    if (c != ',' || depth > 0) continue;
+    items.push_back(without_blanks_around(text.substr(begin, i - begin)));
+    begin = i + 1;
   }
-  if (found && text.substr(0, 3) == "GEO" && !text.starts_with("GEOCCS")) found->degrees = true;
-  return found;
+  items.push_back(without_blanks_around(text.substr(begin)));
+  return items;
+}
+
+WktNode node_of(std::string_view item) {
+  const std::size_t bracket = item.find_first_of("[(\"");
+  if (bracket == std::string_view::npos || item[bracket] == '"') return {};
+  const std::size_t end = std::min(item.find_last_of("])"), item.size());  // where it is cut off there may be none
+  return {upper(without_blanks_around(item.substr(0, bracket))), items_of(item.substr(bracket + 1, end - bracket - 1))};
+}
+
+std::string_view unquoted(std::string_view text) {
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return text;
+  return without_blanks_around(text.substr(1, text.size() - 2));
+}
+
+bool is_among(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// That of its AUTHORITY or ID, and of none deeper.
+std::optional<Crs> own_crs(const WktNode& node) {
+  for (const std::string_view item : node.items) {
+    const WktNode inner = node_of(item);
+    if (!is_among(inner.keyword, {"AUTHORITY", "ID"}) || inner.items.size() < 2) continue;
+    if (auto crs = plane(crs_of(unquoted(inner.items[0]), unquoted(inner.items[1])))) return crs;
+  }
+  return std::nullopt;
+}
+
+/// Of longitudes and latitudes; a geodetic one may be of earth-centered coordinates, with three axes of lengths.
+bool is_in_degrees(const WktNode& node) {
+  if (is_among(node.keyword, {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS"})) return true;
+  return is_among(node.keyword, {"GEODCRS", "GEODETICCRS"}) &&
+         std::none_of(node.items.begin(), node.items.end(), [](std::string_view part) {
+           const WktNode axes = node_of(part);
+           return axes.keyword == "CS" && !axes.items.empty() && upper(axes.items[0]) == "CARTESIAN";
+         });
+}
+
+/// The system of the plane among these items and in what is made of systems.
+struct PlaneSystem {
+  WktNode node = {};  ///< without a keyword where there is none
+  std::optional<Crs> crs = std::nullopt;
+};
+PlaneSystem find_plane(const std::vector<std::string_view>& items, int depth = 0) {
+  constexpr int deepest = 8;
+  for (const std::string_view item : items) {
+    const WktNode node = node_of(item);
+    PlaneSystem found{};
+    if (is_among(node.keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < deepest)
+      found = find_plane(node.items, depth + 1);
+    else if (is_among(node.keyword,
+                      {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS", "PROJCS", "PROJCRS",
+                       "PROJECTEDCRS", "DERIVEDPROJCRS", "GEOCCS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"}))
+      found.node = node;
+    if (found.node.keyword.empty()) continue;
+    if (!found.crs) found.crs = own_crs(node);
+    if (found.crs && is_in_degrees(found.node)) found.crs->degrees = true;
+    return found;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Crs> crs_of_wkt(std::string_view text) { return find_plane(items_of(text)).crs; }
+
+std::optional<double> unit_of_wkt(std::string_view text) {
+  const WktNode system = find_plane(items_of(text)).node;
+  if (!system.keyword.starts_with("PROJ")) return std::nullopt;
+  // That of all axes, or of the first.
+  for (const std::string_view item : system.items) {
+    WktNode node = node_of(item);
+    if (node.keyword == "AXIS")
+      for (const std::string_view part : node.items)
+        if (WktNode inner = node_of(part); inner.keyword == "LENGTHUNIT") node = std::move(inner);
+    if (!is_among(node.keyword, {"UNIT", "LENGTHUNIT"}) || node.items.size() < 2) continue;
+    double factor = 0;
+    const std::string_view text_of_factor = node.items[1];
+    if (std::from_chars(text_of_factor.data(), text_of_factor.data() + text_of_factor.size(), factor).ec == std::errc())
+      return factor;
+  }
+  return std::nullopt;
 }
 
 Crs parse_crs(const std::string& text) {
-  const std::optional<Crs> crs = crs_of_name(text);
+  const std::optional<Crs> crs = system_of_name(text);
   if (!crs) throw WrongUsage("--crs: found " + in_quotes(text) + ", expected an authority and a code: EPSG:28992");
+  if (is_vertical(*crs))
+    throw WrongUsage("--crs: found " + in_quotes(text) +
+                     ", a system of heights, expected one of the plane: EPSG:28992");
   // Codes of systems are given out from this range. Which of them there are only EPSG's tables know.
   constexpr int least = 1024, greatest = 32767;
   if (crs->authority == "EPSG" &&

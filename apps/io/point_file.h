@@ -35,7 +35,9 @@ struct PointFile {
   /// Of a table whose condition has a key, and of GeoJSON: its texts, which `fields` has the numbers of. An empty one is none.
   std::vector<std::string> keys = {};
   bool keys_are_texts = false;  ///< some are texts where others may be numbers, whatever they look like
-  bool degrees = false;         ///< x is a longitude and y a latitude, as a CRS or the names of columns say
+  /// Third coordinates, of each point, where they were asked for and any point has one; NaN where one has none.
+  std::vector<double> z = {};
+  bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
   /// That they have heights, which differ and are left out. Never of LAS, of which footprints are what is wanted.
   Heights heights = {};
   /// What was found by itself and might be meant otherwise, or was left out: a sentence each, for people.

@@ -86,10 +86,8 @@ class Run {
 
   void take_crs(const InputBlock& block) {
     const std::string& name = request_.sources[block.file].path;
-    const std::optional<Crs>& crs = block.about.crs;
-    if (crs && manifest_.facts.crs && crs->text() != manifest_.facts.crs->text())
-      bad_input(name, crs->text(), manifest_.facts.crs->text() + " as files before (--crs says one for all)");
-    if (crs) manifest_.facts.crs = crs;
+    if (block.file > 0) require_same_crs(block.about.crs, name, manifest_.facts.crs, request_.sources.front().path);
+    manifest_.facts.crs = block.about.crs;
     manifest_.facts.degrees = manifest_.facts.degrees || block.about.degrees;
     remark(block.about, name);
   }

@@ -140,7 +140,8 @@ TEST_SUITE("GeoJSON in") {
     CHECK(crs(R"("crs":null,)") == "none");
     CHECK(crs(R"("crs":{"type":"name","properties":{"name":"my yard"}},)") == "none");
     CHECK(read(features({}, R"("crs":{"type":"name","properties":{"name":"my yard"}},)")).remarks ==
-          std::vector<std::string>{"the system of coordinates is 'my yard', which is not understood (--crs says it)"});
+          std::vector<std::string>{
+              "the system of coordinates is 'my yard', which is not understood (--crs EPSG:CODE names it)"});
   }
 
   TEST_CASE("features without a geometry are counted") {

@@ -91,10 +91,10 @@ TEST_SUITE("heights") {
     says("p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 2}, {.y = 1}}}), false);
   }
 
-  TEST_CASE("all verbs of the plane say it, and info says what its duplicates are") {
+  TEST_CASE("all verbs of the plane without vertices say it, and info says what its duplicates are") {
     const Folder folder;
     folder.file("p.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,2\n0,1,3\n");
-    for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.off",
+    for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.svg",
                                    "shape p.csv --alpha 2 -o s.wkt", "report p.csv -o r.html"}) {
       CAPTURE(verb);
       CHECK(folder.rbpa(verb).err.starts_with(remark("p.csv", 4)));

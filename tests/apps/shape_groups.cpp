@@ -1,8 +1,15 @@
 // `rbpa shape --group-by`: a shape for each group of the points.
 #include <doctest/doctest.h>
 
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.h"
@@ -255,7 +262,8 @@ TEST_SUITE("shape groups") {
     outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q");
     CHECK(outcome.code == 3);
     CHECK(outcome.err ==
-          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs says it of all)\n");
+          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs EPSG:4326 says it of "
+          "all)\n");
   }
 
   TEST_CASE("radii of a column: one for each group, or a problem of the group; --stats counts groups") {
@@ -322,5 +330,48 @@ TEST_SUITE("shape groups") {
                            "bear,1,1,,,,,\"fewer than three distinct points\"\nlynx,3,3,1.118033988749895,"));
     CHECK(last("alpha p.csv --group-by animal -q").find("  wolf, grey\n") != std::string::npos);
     CHECK(folder.rbpa("alpha p.csv --group-by animal --persistence").code == 2);
+  }
+
+  TEST_CASE("pictures have a colour for each group, and show both where one lies on another") {
+    const Folder folder;
+    std::string points = "x,y,g\n";
+    constexpr int groups = 24;
+    for (int g = 0; g < groups; ++g)
+      for (const auto& [x, y] : {std::pair(0, 0), {40, 0}, {0, 40}, {40, 40}})
+        points += std::to_string(50 * (g % 6) + x) + "," + std::to_string(50 * (g / 6) + y) + ",g" +
+                  std::to_string(g + 10) + "\n";
+    folder.file("p.csv", points);
+    REQUIRE(folder.rbpa("shape p.csv --columns x,y --group-by g --alpha 40 -o g.svg -o g.png -q").code == 0);
+    const std::string svg = folder.content("g.svg");
+    std::set<std::string> fills;
+    for (std::size_t at = 0, g = 0; (at = svg.find("<path id=\"group-", at)) != std::string::npos; ++at, ++g) {
+      const std::size_t fill = svg.find("fill=\"#", at) + 6;
+      fills.insert(svg.substr(fill, 7));
+      CHECK(svg.find("<title>g" + std::to_string(g + 10) + "</title>", at) < svg.find("</path>", at));
+    }
+    CHECK(fills.size() == groups);
+    // The colours of the picture that cover much of it, but for the background.
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    REQUIRE(png_image_begin_read_from_file(&image, folder.path("g.png").c_str()) != 0);
+    image.format = PNG_FORMAT_RGB;
+    std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(image));
+    REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+    const auto common_colours = [](const std::vector<unsigned char>& rgb) {
+      std::map<std::array<unsigned char, 3>, std::size_t> count;
+      for (std::size_t i = 0; i < rgb.size(); i += 3) ++count[{rgb[i], rgb[i + 1], rgb[i + 2]}];
+      return std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second > rgb.size() / 3 / 100; });
+    };
+    CHECK(common_colours(pixels) == groups + 1);
+
+    folder.file("two.csv", "x,y,g\n0,0,a\n40,0,a\n0,40,a\n40,40,a\n20,20,b\n60,20,b\n20,60,b\n60,60,b\n");
+    REQUIRE(folder.rbpa("shape two.csv --columns x,y --group-by g --alpha 40 -o t.png -q").code == 0);
+    png_image two{};
+    two.version = PNG_IMAGE_VERSION;
+    REQUIRE(png_image_begin_read_from_file(&two, folder.path("t.png").c_str()) != 0);
+    two.format = PNG_FORMAT_RGB;
+    pixels.resize(PNG_IMAGE_SIZE(two));
+    REQUIRE(png_image_finish_read(&two, nullptr, pixels.data(), 0, nullptr) != 0);
+    CHECK(common_colours(pixels) == 4);  // the background, either alone, and both
   }
 }

@@ -194,3 +194,22 @@ def test_lost_workers_do_not_change_a_byte(tmp_path):
             killer.join()
     check(points, found, 0.004)
     assert 1 <= len(killed) <= kills
+
+
+def test_files_of_two_systems_of_coordinates_are_not_joined(tmp_path):
+    found = pathlib.Path(__file__).parents[1] / "data"
+    named, unnamed = str(found / "findings/gis_las_compound_crs/e_comp3.las"), str(found / "las_autzen_thin.las")
+    for files, systems in [
+        ([named, unnamed], ("no system", "EPSG:6339")),
+        ([unnamed, named], ("EPSG:6339", "no system")),
+        ([named, str(found / "findings/gis_las_compound_crs/i_compft.las")], ("EPSG:2229", "EPSG:6339")),
+    ]:
+        with pytest.raises(rbpa.InvalidInput) as refusal:
+            rbpa.dask.alpha_shape(files, 100, storage=tmp_path)
+        assert str(refusal.value).startswith(f"{files[1]}: found points in {systems[0]}, expected {systems[1]}, as in {files[0]}")
+    assert rbpa.dask.alpha_shape([named, named], 10, storage=tmp_path).points == 2 * len(rbpa.read_points(named).points)
+
+    def read(path):
+        return rbpa.read_points(path).points
+
+    assert rbpa.dask.alpha_shape([named, unnamed], 10, storage=tmp_path, reader=read).points > 10653

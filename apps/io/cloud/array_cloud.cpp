@@ -13,8 +13,12 @@ namespace {
 class ArrayCloud final : public Cloud {
  public:
   /// `content` at the array's first number.
-  ArrayCloud(Content content, const NpyLayout& array, bool in_space, bool is_whole)
-      : array_(array), is_whole_(is_whole), looks_at_heights_(!in_space && array.columns == 3) {
+  ArrayCloud(Content content, const NpyLayout& array, const CloudRequest& request, bool is_whole)
+      : array_(array),
+        is_whole_(is_whole),
+        keeps_heights_(request.heights),
+        looks_at_heights_(!request.in_space && array.columns == 3) {
+    const bool in_space = request.in_space;
     facts_.normals = in_space && array.columns == 6;
     facts_.expected = is_whole ? array.rows : 0;
     const std::size_t wanted = in_space ? array.columns : 2;
@@ -31,7 +35,7 @@ class ArrayCloud final : public Cloud {
 
   bool next(CloudBlock& block) override {
     stop_if_interrupted();
-    if (looks_at_heights_ && facts_.file.heights.differ()) leave_out_heights();
+    if (looks_at_heights_ && !keeps_heights_ && facts_.file.heights.differ()) leave_out_heights();
     const std::size_t step = array_.columns_first ? array_.item() : array_.row();
     std::size_t count = std::min(points_at_once, array_.rows - first_);
     block.column[CloudBlock::z].clear();
@@ -46,6 +50,7 @@ class ArrayCloud final : public Cloud {
     block.count = count;
     if (looks_at_heights_) {
       for (const double z : block.column[CloudBlock::z]) facts_.file.heights.take(z);
+      if (keeps_heights_) block.heights.swap(block.column[CloudBlock::z]);
       block.column[CloudBlock::z].clear();
     }
     require_finite(block, first_, sources_.front().name());
@@ -79,7 +84,7 @@ class ArrayCloud final : public Cloud {
 
   NpyLayout array_;
   bool is_whole_;  // it is known how many rows there are
-  bool looks_at_heights_;
+  bool keeps_heights_, looks_at_heights_;
   std::vector<std::size_t> columns_ = {};
   std::vector<Content> sources_ = {};  // one, or one of each column
   std::size_t first_ = 0;
@@ -94,7 +99,7 @@ std::unique_ptr<Cloud> open_raw(Content content, const CloudRequest& request) {
     bad_input(content.name(), counted(size, "byte"), "a multiple of 16 (pairs of float64)");
   const bool is_whole = !content.is_packed();
   const NpyLayout pairs{size / row, 2, Scalar::float64, std::endian::little, false, 0};
-  return std::make_unique<ArrayCloud>(std::move(content), pairs, request.in_space, is_whole);
+  return std::make_unique<ArrayCloud>(std::move(content), pairs, request, is_whole);
 }
 
 std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
@@ -102,7 +107,7 @@ std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
   const std::size_t fits[] = {request.in_space ? 3U : 2U, request.in_space ? 6U : 3U};
   const NpyLayout array = read_npy_layout(content.ahead(most_header), content.size(), content.name(), fits);
   content.skip(array.data);
-  return std::make_unique<ArrayCloud>(std::move(content), array, request.in_space, true);
+  return std::make_unique<ArrayCloud>(std::move(content), array, request, true);
 }
 
 double claimed_npy_size(std::string_view first, const std::string& name) {

@@ -108,12 +108,14 @@ void select_points(Selection& selection, CloudBlock& block, std::span<const std:
       if (!column.empty()) column[i] = 0;  // whatever it was
   }
   require_finite(block, first, name);
-  for (std::vector<double>& column : block.column) {
+  const auto select = [&](std::vector<double>& column) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < column.size(); ++i)
       if (kept[i] != 0) column[count++] = column[i];
     column.resize(count);
-  }
+  };
+  for (std::vector<double>& column : block.column) select(column);
+  select(block.heights);
   block.count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
 }
 

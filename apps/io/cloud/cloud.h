@@ -31,6 +31,7 @@ struct CloudRequest {
   /// Of a table: x, y, or x, y, z, or these and the normal's. Absent: as its header names them, else the first.
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< which points count, by fields beside them
+  bool heights = false;                           ///< in the plane: z as well, where there is one
   bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no point
   bool vertices = false;                          ///< those of lines and polygons in a column of geometries
   bool last_are_normals = false;                  ///< columns 4 to 6 of a table that nothing names, whatever is in them
@@ -41,6 +42,7 @@ struct CloudBlock {
   static constexpr std::size_t x = 0, y = 1, z = 2, normal = 3, color = 6, columns = 9;
   std::size_t count = 0;
   std::array<std::vector<double>, columns> column = {};
+  std::vector<double> heights = {};  ///< as CloudRequest::heights has it: of each point, NaN where it has none
   std::vector<std::vector<double>> fields = {};  ///< of the columns() of CloudRequest::where
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "io/bytes/number.h"
@@ -38,7 +39,8 @@ class ElementCloud final : public Cloud {
         header_(std::move(header)),
         layout_(std::move(layout)),
         vertex_(header_.elements[layout_.element]),
-        fields_(layout_.condition.size()) {
+        fields_(layout_.condition.size()),
+        keeps_heights_(request.heights) {
     facts_ = std::move(layout_.facts);
     facts_.expected = vertex_.count;
     if (request.where) selection_.emplace(*request.where);
@@ -62,6 +64,8 @@ class ElementCloud final : public Cloud {
       stop_if_interrupted();
       block.count = std::min(points_at_once, vertex_.count - first_);
       for (const auto& [column, property] : layout_.columns) block.column[column].resize(block.count);
+      block.heights.assign(keeps_heights_ && layout_.height ? block.count : 0,
+                           std::numeric_limits<double>::quiet_NaN());
       for (std::vector<double>& field : fields_) field.resize(block.count);
       if (layout_.color || layout_.colors_behind) clear_colors(block);
       if (text_)
@@ -83,7 +87,11 @@ class ElementCloud final : public Cloud {
   }
 
  private:
-  bool looks_at_heights() const { return layout_.height && !facts_.file.heights.differ(); }
+  bool looks_at_heights() const { return layout_.height && (keeps_heights_ || !facts_.file.heights.differ()); }
+  void take_height(CloudBlock& block, std::size_t i, double z) {
+    facts_.file.heights.take(z);
+    if (keeps_heights_) block.heights[i - first_] = z;
+  }
 
   /// Where the values of a property begin, of some vertices, and how far each is from the one before.
   struct Strip {
@@ -119,7 +127,7 @@ class ElementCloud final : public Cloud {
     if (!looks_at_heights()) return;
     std::vector<double> heights;
     load_all(heights, *layout_.height);
-    for (const double z : heights) facts_.file.heights.take(z);
+    for (std::size_t i = 0; i < block.count; ++i) take_height(block, first_ + i, heights[i]);
   }
 
   void read_with_lists(CloudBlock& block) {
@@ -129,7 +137,7 @@ class ElementCloud final : public Cloud {
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
       for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.condition[k]);
-      if (looks_at_heights()) facts_.file.heights.take(number(*layout_.height));
+      if (looks_at_heights()) take_height(block, i, number(*layout_.height));
     });
   }
 
@@ -139,6 +147,8 @@ class ElementCloud final : public Cloud {
     for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.condition[k]] = fields_[k].data();
     if (layout_.color) target[*layout_.color] = color.data();
     for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
+    const bool takes_z = keeps_heights_ && layout_.height && *layout_.height < target.size();
+    if (takes_z) target[*layout_.height] = block.heights.data();
     std::vector<char> is_channel(target.size(), 0);
     for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
     while (!layout_.whole_lines && target.back() == nullptr) target.pop_back();
@@ -154,8 +164,9 @@ class ElementCloud final : public Cloud {
       if (layout_.color)
         append_color(color_bits(color[i - first], vertex_.properties[*layout_.color].type, here()), block);
       if (layout_.colors_behind) colors_.take(rest.substr(0, rest.find('#')), text_->lines().number(), block);
-      if (looks_at_heights()) take_height();
+      if (looks_at_heights() && !takes_z) find_height(block, i);
     });
+    for (const double z : block.heights) facts_.file.heights.take(z);
     for (std::size_t k = 0; k < fields_.size(); ++k)  // which may be a column as well
       std::copy_n(target[layout_.condition[k]], block.count, fields_[k].data());
   }
@@ -168,12 +179,12 @@ class ElementCloud final : public Cloud {
   }
 
   /// Lists before it are none of a file with heights that we would know.
-  void take_height() {
+  void find_height(CloudBlock& block, std::size_t i) {
     if (vertex_.has_lists()) return layout_.height.reset();
     std::string_view line = text_->lines().line();
     for (std::size_t k = 0; k < *layout_.height; ++k) take_word(line);
     const ParsedNumber z = parse_whole_number(take_word(line));
-    if (z.fault == NumberFault::none) facts_.file.heights.take(z.value);
+    if (z.fault == NumberFault::none) take_height(block, i, z.value);
   }
 
   /// The elements behind the vertices of a binary file.
@@ -191,6 +202,7 @@ class ElementCloud final : public Cloud {
   PointLayout layout_;
   const PlyElement& vertex_;
   std::vector<std::vector<double>> fields_;  // columns of what the condition asks for
+  bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;
   std::optional<PlyBinary> binary_ = std::nullopt;
   std::optional<PlyText> text_ = std::nullopt;

@@ -25,7 +25,10 @@ void require_range(const LasHeader& header, std::size_t axis, const std::string&
 class LasCloud final : public Cloud {
  public:
   LasCloud(Content content, const CloudRequest& request)
-      : content_(std::move(content)), in_space_(request.in_space), skip_invalid_(request.skip_invalid) {
+      : content_(std::move(content)),
+        in_space_(request.in_space),
+        has_z_(request.in_space || request.heights),
+        skip_invalid_(request.skip_invalid) {
     constexpr std::size_t most_header = 65536, signature = 2;
     const std::string& name = content_.name();
     header_ = read_las_header(content_.ahead(most_header), content_.size(), name);
@@ -38,9 +41,11 @@ class LasCloud final : public Cloud {
       selection_.emplace(*request.where);
       places_ = find_las_places(*request.where, header_.format, header_.minor, name);
     }
-    if (in_space_) {
+    if (has_z_) {
       require_las_axis(header_, 2, name);
       require_range(header_, 2, name);
+    }
+    if (in_space_) {
       red_ = find_las_field("red", header_.format, header_.minor);
       if (red_) facts_.colors = Channels::bytes;
     }
@@ -105,7 +110,9 @@ class LasCloud final : public Cloud {
     for (std::size_t axis = 0; axis < dimension; ++axis) block.column[axis].resize(count);
     double* const x = block.column[CloudBlock::x].data();
     double* const y = block.column[CloudBlock::y].data();
-    double* const z = in_space_ ? block.column[CloudBlock::z].data() : nullptr;
+    std::vector<double>& heights = in_space_ ? block.column[CloudBlock::z] : block.heights;
+    if (has_z_) heights.resize(count);
+    double* const z = has_z_ ? heights.data() : nullptr;
     for (std::size_t k = 0; red_ && k < 3; ++k) block.column[CloudBlock::color + k].resize(count);
     if (selection_) clear_fields(block, selection_->column_values().size());
     std::size_t taken = 0;
@@ -126,6 +133,7 @@ class LasCloud final : public Cloud {
     }
     if (taken < count)
       for (std::vector<double>& column : block.column) column.resize(std::min(column.size(), taken));
+    block.heights.resize(std::min(block.heights.size(), taken));
     block.count = taken;
   }
 
@@ -149,7 +157,7 @@ class LasCloud final : public Cloud {
   }
 
   Content content_;
-  bool in_space_, skip_invalid_;
+  bool in_space_, has_z_, skip_invalid_;
   LasHeader header_ = {};
   std::vector<ScaledInteger> axes_ = {};
   std::optional<Selection> selection_ = std::nullopt;

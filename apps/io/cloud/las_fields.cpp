@@ -73,6 +73,7 @@ std::string folded(std::string_view name) {
     if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   // As PDAL and LAStools call them.
   if (result == "nir") return "infrared";
+  if (result == "class") return "classification";
   if (result == "scananglerank") return "scanangle";
   if (result == "keypoint" || result == "modelkeypoint") return "keypoint";
   return result;

@@ -1,6 +1,7 @@
 #include "io/cloud/las_header.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -164,7 +165,42 @@ struct Found {
 };
 
 LasCrs named(const std::optional<Crs>& crs) {
-  return {crs, crs ? "" : "the system of coordinates has no EPSG code and is not carried over (--crs says one)"};
+  return {crs,
+          crs ? "" : "the system of coordinates has no EPSG code and is not carried over (--crs EPSG:CODE names it)"};
+}
+
+constexpr unsigned metre = 9001, foot = 9002, us_survey_foot = 9003;
+
+std::string text_of_unit(unsigned unit) {
+  if (unit == metre) return "meters";
+  if (unit == foot) return "feet";
+  return unit == us_survey_foot ? "US survey feet" : "another unit, number " + std::to_string(unit) + " of EPSG";
+}
+
+/// The system if `unit` is its own. Some write the code of the system in meters beside a unit of their own, feet.
+LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
+  unsigned code = 0;
+  if (crs && crs->authority == "EPSG") std::from_chars(crs->code.data(), crs->code.data() + crs->code.size(), code);
+  const unsigned own = feet_of_epsg(code).value_or(metre);
+  if (code == 0 || unit == 0 || unit == own) return named(crs);
+  return {std::nullopt, "the system of coordinates is " + crs->text() + ", which is in " + text_of_unit(own) +
+                            ", but the file names " + text_of_unit(unit) +
+                            ", and it is not carried over (--crs EPSG:CODE " + "names the right one, --crs " +
+                            crs->text() + " takes this one nevertheless)"};
+}
+
+/// The unit of EPSG with this factor to meters; 0 where it is another.
+unsigned unit_of_factor(double factor) {
+  constexpr double places = 1e8;  // in which feet of both kinds differ, and few texts have more
+  const auto is = [&](double known) { return std::round(factor * places) == std::round(known * places); };
+  if (is(1)) return metre;
+  if (is(0.3048)) return foot;
+  return is(1200. / 3937) ? us_survey_foot : 0;
+}
+
+LasCrs crs_of_text(std::string_view text) {
+  const std::optional<double> factor = unit_of_wkt(text);
+  return in_unit(crs_of_wkt(text), factor ? unit_of_factor(*factor) : 0);
 }
 
 /// GeoTIFF: four numbers, of which the last counts the keys; then four for each key.
@@ -183,19 +219,14 @@ LasCrs crs_of_keys(std::string_view data) {
     if (number(i, 0) == 3072) projected = number(i, 3);
     if (number(i, 0) == 3076) unit = number(i, 3);
   }
-  constexpr unsigned of_the_user = 32767, model_projected = 1, model_geographic = 2, metre = 9001;
+  constexpr unsigned of_the_user = 32767, model_projected = 1, model_geographic = 2;
   const auto is_code = [](unsigned code) { return code > 0 && code < of_the_user; };
-  if (is_code(projected) && model != model_geographic) {
-    const std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(projected));
-    const unsigned own = feet_of_epsg(projected).value_or(metre);
-    if (unit == 0 || unit == own) return named(crs);
-    // Some write the code of the system in metres beside a unit of their own, feet.
-    return {std::nullopt, "the system of coordinates is " + crs->text() + " in the unit " + std::to_string(unit) +
-                              " of EPSG, and not its own, "
-                              "and is not carried over (--crs says which it is)"};
-  }
-  if (!is_code(geographic) || model == model_projected || projected != 0) return named(std::nullopt);
-  std::optional<Crs> crs = crs_of_name("EPSG:" + std::to_string(geographic));
+  const bool is_projected = is_code(projected) && model != model_geographic;
+  if (!is_projected && (!is_code(geographic) || model == model_projected || projected != 0)) return named(std::nullopt);
+  const std::string name = "EPSG:" + std::to_string(is_projected ? projected : geographic);
+  std::optional<Crs> crs = crs_of_name(name);
+  if (!crs) return {std::nullopt, remark_on_crs(name)};
+  if (is_projected) return in_unit(crs, unit);
   crs->degrees = true;
   return named(crs);
 }
@@ -204,7 +235,7 @@ std::string_view without_zeros(std::string_view text) { return text.substr(0, st
 
 void take_note(Found& found, std::string_view user, unsigned number, std::string_view data) {
   if (without_zeros(user) != "LASF_Projection") return;
-  if (number == 2112) found.text = named(crs_of_wkt(without_zeros(data)));
+  if (number == 2112) found.text = crs_of_text(without_zeros(data));
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 

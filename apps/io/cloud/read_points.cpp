@@ -35,6 +35,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     file.degrees = true;
   }
   if (file.degrees) remark_on_degrees(file);
+  if (!source.heights) file.z = {};  // which geometries have
   return file;
 }
 
@@ -45,6 +46,7 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
   return cloud_format(source.format)
       ->open(std::move(content), {.columns = source.columns,
                                   .where = source.where,
+                                  .heights = source.heights,
                                   .skip_invalid = source.skip_invalid,
                                   .vertices = source.vertices});
 }
@@ -52,16 +54,19 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
 PointFile read_plane_points(Cloud& cloud) {
   std::vector<Point> points;
   std::vector<std::vector<double>> fields;
+  std::vector<double> z;
   points.reserve(cloud.facts().expected);
   CloudBlock block;
   while (cloud.next(block)) {
     append_points(block, points);
     append_fields(block, fields);
+    z.insert(z.end(), block.heights.begin(), block.heights.end());
   }
   cloud.finish();
   PointFile file = std::move(cloud.facts().file);
   file.points = std::move(points);
   file.fields = std::move(fields);
+  file.z = std::move(z);
   return file;
 }
 

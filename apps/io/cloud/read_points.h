@@ -21,6 +21,7 @@ struct PointSource {
   std::optional<std::vector<Column>> columns =
       std::nullopt;                                 ///< of text; absent: as its header says, else the first two
   PixelRule pixels = {};                            ///< of images
+  bool heights = false;                             ///< PointFile::z
   bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no point
   bool vertices = false;                            ///< take those of lines and polygons as points
   std::optional<Condition> where = std::nullopt;    ///< of formats with fields: which points count

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "io/bytes/number.h"
@@ -43,6 +44,7 @@ class TableCloud final : public Cloud {
       has_line_ = lines_.next();
     }
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
+    block.heights.resize(has_heights_ ? block.count : 0);
     any_points_ = any_points_ || block.count > 0;
     if (separator_ != ',') all_whole_ = all_whole_ && is_whole(block);
     if (block.count == 0 && announced_) require_announced();
@@ -60,7 +62,7 @@ class TableCloud final : public Cloud {
  private:
   /// What a column is: a number by its place in a block, and others.
   static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
-  static constexpr double greatest_channel = 65535;
+  static constexpr double greatest_channel = 65535, none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
 
   std::string here() const { return at_line(name_, lines_.number()); }
@@ -111,6 +113,7 @@ class TableCloud final : public Cloud {
       for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
     for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
     if (layout.height) is(*layout.height, height);
+    has_heights_ = request_.heights && (layout.height || wkt_);
     facts_.normals = numbers_ == 6;
     if (!layout.colors.empty()) facts_.colors = Channels::bytes;
     facts_.file.degrees = layout.degrees;
@@ -129,6 +132,7 @@ class TableCloud final : public Cloud {
   void make_room(CloudBlock& block) const {
     block.count = 0;
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(points_at_once);
+    if (has_heights_) block.heights.resize(points_at_once);
     clear_colors(block);
     clear_fields(block, selection_.column_values().size());
   }
@@ -137,6 +141,7 @@ class TableCloud final : public Cloud {
     if (is_by_content_) look_at_last({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
     append_fields(selection_.column_values(), block);
+    if (has_heights_) block.heights[block.count] = z_;
     ++block.count;
   }
 
@@ -158,6 +163,7 @@ class TableCloud final : public Cloud {
 
   /// Where the next line ends, when it is plain and a point; else null.
   const char* read_plain_line(Numbers& value) {
+    z_ = none;
     const char* at = lines_.rest().data();
     const char* const end = at + lines_.rest().size();
     const auto skip_blanks = [&](char but) {
@@ -210,6 +216,7 @@ class TableCloud final : public Cloud {
   }
 
   void read_point(CloudBlock& block) {
+    z_ = none;
     Fields fields(lines_.line(), separator_);
     Numbers value{};
     std::array<std::string_view, 3> color;
@@ -233,8 +240,8 @@ class TableCloud final : public Cloud {
   /// A field that is no number is no height. That two differ is enough.
   void take_height(std::string_view field) {
     const ParsedNumber number = parse_whole_number(field);
-    if (number.fault == NumberFault::none) facts_.file.heights.take(number.value);
-    if (facts_.file.heights.differ()) std::replace(role_.begin(), role_.end(), height, nothing);
+    if (number.fault == NumberFault::none) facts_.file.heights.take(z_ = number.value);
+    if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
 
   void take_width(std::size_t count) {
@@ -267,10 +274,16 @@ class TableCloud final : public Cloud {
     if (crs && geometries.crs() && crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), crs->text() + " as in lines before");
     if (geometries.crs()) crs = geometries.crs();
+    if (!geometries.crs_remark().empty() && std::exchange(is_crs_remarked_, true) == false)
+      facts_.file.remarks.push_back(geometries.crs_remark());
     facts_.file.heights.take(geometries.heights());
     const std::size_t size = std::max(block.column[CloudBlock::x].size(), block.count + points.size());
     for (const std::size_t axis : {CloudBlock::x, CloudBlock::y}) block.column[axis].resize(size);
-    for (const Point& p : points) append({p.x, p.y}, block);
+    if (has_heights_) block.heights.resize(size);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      z_ = geometries.z()[i];
+      append({points[i].x, points[i].y}, block);
+    }
   }
 
   /// `where`, for messages, is empty for what is read of a point.
@@ -377,6 +390,9 @@ class TableCloud final : public Cloud {
   bool all_channels_ = true;    // they are whole numbers of a channel so far
   bool no_direction_ = false;   // one of them is no normal
   double greatest_ = 0;
+  bool is_crs_remarked_ = false;
+  bool has_heights_ = false;  // they are asked for, and there may be some
+  double z_ = none;           // of the point that is being read
 };
 
 }  // namespace

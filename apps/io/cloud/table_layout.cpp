@@ -145,9 +145,12 @@ TableLayout lay_out_plane(const FieldTexts& fields, const TableLines& lines, Tab
   if (x == y) refuse_one_column(fields[x]);  // under two names, or by name and by number
   layout.header = is_by_name(request.columns) || is_header(fields, layout.numbers);
   if (!layout.header) {
-    // Only the ending .xyz makes a third number a height; elsewhere it may be anything.
+    // Only the ending .xyz makes a third number a height; elsewhere it may be anything, unless heights are asked for.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
-    if (has_number && !request.columns && fields.size() > 2 && input_ending(lines.name()) == "xyz") layout.height = 2;
+    const bool is_xyz = input_ending(lines.name()) == "xyz",
+               may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
+    if (has_number && !request.columns && fields.size() > 2 && (is_xyz || may_be_z)) layout.height = 2;
+    if (layout.height && !is_xyz) remarks.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
     return layout;
   }
   layout.degrees = is_longitude(fields[x]) && is_latitude(fields[y]);

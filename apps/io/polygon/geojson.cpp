@@ -313,7 +313,7 @@ class Events {
     if (polygons_ == nullptr && !vertices_ && !kind->points)
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
     const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
-    if (!frame.geometry->finish(*kind, file_.points, polygons_))
+    if (!frame.geometry->finish(*kind, file_, polygons_))
       refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
     if (polygons_ != nullptr) polygons_->end_geometry(before, no_feature);
   }
@@ -342,9 +342,7 @@ class Events {
     if (!crs_name_ && !crs_is_unknown_) file_.crs = wgs84();
     if (!crs_name_) return;
     file_.crs = crs_of_name(*crs_name_);
-    if (!file_.crs)
-      file_.remarks.push_back("the system of coordinates is " + in_quotes(*crs_name_) +
-                              ", which is not understood (--crs says it)");
+    if (!file_.crs) file_.remarks.push_back(remark_on_crs(*crs_name_));
   }
 
   static constexpr std::size_t no_feature = std::numeric_limits<std::size_t>::max();

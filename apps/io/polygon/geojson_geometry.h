@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,7 @@ class GeoJsonGeometry {
       if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
       depth_ = open_;
       file.points.push_back({position_[0], position_[1]});
+      file.z.push_back(coordinates_ > 2 ? position_[2] : std::numeric_limits<double>::quiet_NaN());
       if (coordinates_ > 2) file.heights.take(position_[2]);
       coordinates_ = 0;
     } else if (depth_ == open_ + 1) {
@@ -62,18 +64,23 @@ class GeoJsonGeometry {
 
   /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
   /// positions lay in other brackets than the kind has.
-  bool finish(const GeoJsonKind& kind, std::vector<Point>& points, PolygonFile* polygons) {
+  bool finish(const GeoJsonKind& kind, PointFile& file, PolygonFile* polygons) {
     if (depth_ != 0 && depth_ != kind.depth) return false;
     if (!kind.rings) return true;
+    std::vector<Point>& points = file.points;
     std::size_t begin = first_, kept = first_;
     for (std::size_t& end : ends_) {
       const std::size_t next = end;
       if (end > begin + 1 && points[end - 1] == points[begin]) --end;
-      for (; begin < end; ++begin) points[kept++] = points[begin];
+      for (; begin < end; ++begin, ++kept) {
+        points[kept] = points[begin];
+        file.z[kept] = file.z[begin];
+      }
       begin = next;
       end = kept;
     }
     points.resize(kept);
+    file.z.resize(kept);
     if (polygons == nullptr) return true;
     std::size_t ring = 0, at = first_;
     for (const std::size_t last : lists_) {

@@ -87,6 +87,10 @@ void WktGeometries::take_srid() {
   expect_sign(';');
   if (code.find_first_not_of('0') == std::string::npos) return;  // unknown
   const std::optional<Crs> crs = crs_of_name("EPSG:" + code);
+  if (!crs) {
+    crs_remark_ = remark_on_crs("EPSG:" + code);
+    return;
+  }
   if (crs_ && crs_->code != crs->code)
     throw WktFault{before.data(), "SRID=" + code, "one system for all points, SRID=" + crs_->code};
   crs_ = crs;
@@ -164,7 +168,10 @@ void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool ri
 void WktGeometries::take_ring(std::vector<Point>& points) {
   const std::size_t first = points.size();
   take_list(points);
-  if (points.size() > first + 1 && points.back() == points[first]) points.pop_back();
+  if (points.size() > first + 1 && points.back() == points[first]) {
+    points.pop_back();
+    z_.pop_back();
+  }
   if (polygons_ == nullptr) return;
   polygons_->add_ring(first, points.size(), polygons_->polygons.back().shell.points.empty());
 }
@@ -194,7 +201,7 @@ void WktGeometries::take_list(std::vector<Point>& points) {
 
 /// Two to four numbers, of which the first two count.
 void WktGeometries::take_position(std::vector<Point>& points) {
-  double coordinate[2] = {0, 0};
+  double coordinate[2] = {0, 0}, z = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 4; ++i) {
     skip_space();
     if (i >= 2 && (text_.empty() || text_.front() == ',' || text_.front() == ')')) break;
@@ -206,12 +213,13 @@ void WktGeometries::take_position(std::vector<Point>& points) {
       refuse("a number");
     }
     if (i < 2) coordinate[i] = number.value;
-    if (i == 2 && !measured_) heights_.take(number.value);
+    if (i == 2 && !measured_) heights_.take(z = number.value);
     text_.remove_prefix(static_cast<std::size_t>(number.end - text_.data()));
     if (!text_.empty() && !is_space(text_.front()) && text_.front() != ',' && text_.front() != ')')
       refuse("a blank, ',' or ')' behind a number");
   }
   points.push_back({coordinate[0], coordinate[1]});
+  z_.push_back(z);
 }
 
 namespace {
@@ -226,7 +234,9 @@ PointFile read_all(WktGeometries& geometries, std::string_view text, const std::
     bad_input(at_line(name, before + 1), fault.found, fault.expected);
   }
   file.crs = geometries.crs();
+  if (!geometries.crs_remark().empty()) file.remarks.push_back(geometries.crs_remark());
   file.heights = geometries.heights();
+  file.z = geometries.z();
   return file;
 }
 

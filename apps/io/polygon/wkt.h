@@ -37,9 +37,13 @@ class WktGeometries {
 
   /// Third coordinates so far, but for measures.
   const Heights& heights() const { return heights_; }
+  /// Of each point that next() has appended; NaN where it has none.
+  const std::vector<double>& z() const { return z_; }
 
   /// The system that an SRID has named, if any.
   const std::optional<Crs>& crs() const { return crs_; }
+  /// What there is to say of an SRID that names none of the plane.
+  const std::string& crs_remark() const { return crs_remark_; }
 
  private:
   void take_srid();
@@ -59,8 +63,10 @@ class WktGeometries {
   bool vertices_;
   PolygonFile* polygons_ = nullptr;
   std::optional<Crs> crs_ = std::nullopt;
+  std::string crs_remark_ = {};
   bool measured_ = false;  // the third coordinate of the current geometry is a measure
   Heights heights_ = {};
+  std::vector<double> z_ = {};
 };
 
 /// Those of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput naming the line.

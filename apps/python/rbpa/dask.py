@@ -100,8 +100,9 @@ def alpha_shape(
     run = _Run(client, folder.name)
     try:
         counts = run.compute([run.task("count", i, _count, c) for i, c in enumerate(chunks)])
-        first = np.concatenate([[0], np.cumsum([n for n, _ in counts])]).astype(np.int64)
-        tree = halved(united([cells for _, cells in counts]), most, radius)
+        _require_one_crs(chunks, [crs for _, _, crs in counts])
+        first = np.concatenate([[0], np.cumsum([n for n, _, _ in counts])]).astype(np.int64)
+        tree = halved(united([cells for _, cells, _ in counts]), most, radius)
         pieces = run.compute(
             [
                 run.task("cut", i, _cut, chunk, int(first[i]), counts[i][0], tree, str(folder / f"points-{i}"))
@@ -144,16 +145,21 @@ class _File:
     first: int = 0
     count: Optional[int] = None  # to the end
 
-    def read(self) -> Floats:
+    def read(self) -> tuple[Floats, Optional[str]]:
+        """The points, and the name of their system of coordinates where the file has one."""
+        if self.reader is None and not self.path.endswith((".npy", ".f64xy")):
+            file = read_points(self.path)
+            return file.points, file.crs
+        return self._rows(), None
+
+    def _rows(self) -> Floats:
         if self.reader is not None:
             return as_points(self.reader(self.path), self.path)
         if self.path.endswith(".npy"):
             mapped = np.load(self.path, mmap_mode="r")
             return as_points(mapped[self.first : None if self.count is None else self.first + self.count], self.path)
-        if self.path.endswith(".f64xy"):
-            count = -1 if self.count is None else 2 * self.count
-            return np.fromfile(self.path, np.float64, count, offset=16 * self.first).reshape(-1, 2)
-        return read_points(self.path).points
+        count = -1 if self.count is None else 2 * self.count
+        return np.fromfile(self.path, np.float64, count, offset=16 * self.first).reshape(-1, 2)
 
 
 def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
@@ -198,18 +204,29 @@ def _parts(path: str, reader: Optional[Reader]) -> Iterable[_File]:
     return [_File(path, None, first, min(at_once, points - first)) for first in range(0, max(points, 1), at_once)]
 
 
-def _read(chunk: Any) -> Floats:
-    return chunk.read() if isinstance(chunk, _File) else as_points(chunk)
+def _read(chunk: Any) -> tuple[Floats, Optional[str]]:
+    return chunk.read() if isinstance(chunk, _File) else (as_points(chunk), None)
 
 
-def _count(chunk: Any) -> tuple[int, Cells]:
-    points = _read(chunk)
-    return len(points), cells_of(points)
+def _count(chunk: Any) -> tuple[int, Cells, Optional[str]]:
+    points, crs = _read(chunk)
+    return len(points), cells_of(points), crs
+
+
+def _require_one_crs(chunks: Sequence[Any], systems: Sequence[Optional[str]]) -> None:
+    """Coordinates of two systems have nothing in common; a reader answers for its own."""
+    files = [(chunk.path, crs) for chunk, crs in zip(chunks, systems) if isinstance(chunk, _File) and chunk.reader is None]
+    for path, crs in files[1:]:
+        if crs != files[0][1]:
+            found, expected = (name or "no system" for name in (crs, files[0][1]))
+            raise InvalidInput(
+                f"{path}: found points in {found}, expected {expected}, as in {files[0][0]} (reader= takes them as they are)"
+            )
 
 
 def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tuple[int, str, int, int]]:
     """Writes the points of a chunk tile by tile, each with its halo: of each tile the file, where, and how many."""
-    points = _read(chunk)
+    points, _ = _read(chunk)
     if len(points) != count:
         raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count} as when they were counted")
     pieces: list[tuple[int, str, int, int]] = []
