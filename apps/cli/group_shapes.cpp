@@ -43,7 +43,8 @@ void write_targets(GroupRun& run) {
       else if (target.format == Format::csv)
         write_groups_csv(out, result);
       else
-        write_picture(out, target.format, drawing_of(result.points, run.shapes.polygons, {}),
+        write_picture(out, target.format,
+                      drawing_of(result.points, run.shapes.polygons, run.shapes.polygon_begin, result.names),
                       run.request.complex.width);
     });
   }

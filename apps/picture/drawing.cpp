@@ -59,4 +59,16 @@ Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polyg
   return drawing;
 }
 
+Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
+                   std::span<const std::uint64_t> polygon_begin, std::span<const std::string> names) {
+  Drawing drawing = drawing_of(points, polygons, {});
+  std::size_t curves = 0, polygon = 0;
+  for (const std::uint64_t begin : polygon_begin) {
+    for (; polygon < begin; ++polygon) curves += 1 + polygons[polygon].holes.size();
+    drawing.groups.push_back(curves);
+  }
+  drawing.group_names = names;
+  return drawing;
+}
+
 }  // namespace rbpa::app

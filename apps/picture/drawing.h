@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "io/mesh/write_triangles.h"
@@ -20,6 +21,9 @@ struct Drawing {
   std::vector<std::vector<std::uint32_t>> curves;  ///< around the solid, each from its least edge, sorted; or rings
   std::span<const std::uint32_t> isolated;
   std::span<const Edge> dangling = {};  ///< in no triangle
+  /// Where the curves of each group begin, and their end; of groups with names. Empty: there are none, and one colour.
+  std::vector<std::size_t> groups = {};
+  std::span<const std::string> group_names = {};
 };
 
 /// Requires: `points` are those of the complex, which has neighbours. What it returns looks into both. Of a full complex the
@@ -29,5 +33,9 @@ Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, 
 /// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint32_t> isolated);
+
+/// The polygons of groups, each in a colour: those of group g are numbers polygon_begin[g] to [g + 1] - 1.
+Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
+                   std::span<const std::uint64_t> polygon_begin, std::span<const std::string> names);
 
 }  // namespace rbpa::app

@@ -2,8 +2,10 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,13 +27,14 @@ class Canvas {
       bytes_[i + 2] = background_colour.blue;
     }
   }
-  void paint(const std::vector<float>& coverage, const Colour& colour) {
+  void paint(const std::vector<float>& coverage, const Colour& colour, float opacity = 1) {
     stop_if_interrupted();
     for (std::size_t i = 0; i < coverage.size(); ++i) {
       if (coverage[i] <= 0) continue;
-      mix(bytes_[3 * i], colour.red, coverage[i]);
-      mix(bytes_[3 * i + 1], colour.green, coverage[i]);
-      mix(bytes_[3 * i + 2], colour.blue, coverage[i]);
+      const float share = opacity * std::min(coverage[i], 1.0F);  // outlines of groups may overlap
+      mix(bytes_[3 * i], colour.red, share);
+      mix(bytes_[3 * i + 1], colour.green, share);
+      mix(bytes_[3 * i + 2], colour.blue, share);
     }
   }
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
@@ -44,15 +47,37 @@ class Canvas {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Calls visit(from, to) for every piece of every boundary curve.
+/// Calls visit(from, to) for every piece of some boundary curves.
 template <typename Visit>
-void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
+void for_each_boundary_piece(const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, Visit&& visit) {
   std::size_t done = 0;
-  for (const std::vector<std::uint32_t>& curve : scene.drawing->curves)
+  for (const std::vector<std::uint32_t>& curve : curves)
     for (std::size_t i = 0; i < curve.size(); ++i) {
       if (++done % 4096 == 0) stop_if_interrupted();
       visit(scene.at[curve[i]], scene.at[curve[i + 1 == curve.size() ? 0 : i + 1]]);
     }
+}
+template <typename Visit>
+void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
+  for_each_boundary_piece(scene, scene.drawing->curves, visit);
+}
+
+/// Groups of one colour at a time.
+void draw_groups(Canvas& canvas, const Scene& scene) {
+  const std::vector<std::size_t>& begin = scene.drawing->groups;
+  const std::size_t count = begin.size() - 1;
+  for (std::size_t k = 0; k < std::min(count, group_colour_count); ++k) {
+    AreaCoverage solid(scene.width, scene.height);
+    LineCoverage boundary(scene.width, scene.height);
+    for (std::size_t g = k; g < count; g += group_colour_count)
+      for_each_boundary_piece(scene, std::span(scene.drawing->curves).subspan(begin[g], begin[g + 1] - begin[g]),
+                              [&](const Pixel& a, const Pixel& b) {
+                                solid.add_piece(a, b);
+                                boundary.add_line(a, b, scene.strokes.boundary_width);
+                              });
+    canvas.paint(solid.take(), group_colours(k).fill, static_cast<float>(group_opacity));
+    canvas.paint(boundary.values(), group_colours(k).boundary);
+  }
 }
 
 void add_lines(LineCoverage& to, const Scene& scene, std::span<const Edge> edges, double width) {
@@ -65,6 +90,10 @@ void add_lines(LineCoverage& to, const Scene& scene, std::span<const Edge> edges
 
 Canvas draw(const Scene& scene) {
   Canvas canvas(scene);
+  if (!scene.drawing->groups.empty()) {
+    draw_groups(canvas, scene);
+    return canvas;
+  }
   AreaCoverage solid(scene.width, scene.height);
   for_each_boundary_piece(scene, [&](const Pixel& a, const Pixel& b) { solid.add_piece(a, b); });
   canvas.paint(solid.take(), fill_colour);

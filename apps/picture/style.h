@@ -2,6 +2,7 @@
 // Why:  blue against orange and dark against light stay apart for every kind of colour vision, and in grey.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace rbpa::app {
@@ -15,6 +16,26 @@ constexpr Colour fill_colour{0xCF, 0xE3, 0xF1};
 constexpr Colour edge_colour{0x4A, 0x86, 0xB4};
 constexpr Colour boundary_colour{0x10, 0x33, 0x5C};
 constexpr Colour isolated_colour{0xD5, 0x5E, 0x00};
+
+/// Of a group of polygons, which may lie upon others.
+struct GroupColours {
+  Colour fill, boundary;
+};
+constexpr double group_opacity = 0.6;  ///< of fills
+constexpr std::size_t group_colour_count = 24;
+
+/// Those of group k; from group_colour_count on they come again. Eight hues that stay apart for every kind of colour vision (Okabe and
+/// Ito), then lighter and darker ones.
+constexpr GroupColours group_colours(std::size_t k) {
+  constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
+                             {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
+  constexpr int shades[] = {60, 35, 85};  // percent of the hue, the rest is white
+  const Colour hue = hues[k % 8];
+  const int shade = shades[k / 8 % 3];
+  const auto lit = [shade](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) * shade / 100); };
+  const auto dark = [](std::uint8_t value) { return static_cast<std::uint8_t>(value * 2 / 3); };
+  return {{lit(hue.red), lit(hue.green), lit(hue.blue)}, {dark(hue.red), dark(hue.green), dark(hue.blue)}};
+}
 
 /// Sizes in pixels. They shrink with the triangles, so that lines never hide what they bound.
 struct Strokes {

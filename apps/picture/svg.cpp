@@ -4,7 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <string>
+
+#include "io/text/markup.h"
 
 namespace rbpa::app {
 namespace {
@@ -79,9 +82,9 @@ std::string stroke(const Colour& colour, double width) {
 }
 
 /// `dots`: a curve smaller than a hundredth of a pixel is still a dot when stroked.
-void write_curves(OutputFile& file, const Scene& scene, bool dots) {
+void write_curves(OutputFile& file, const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, bool dots) {
   Path path(file);
-  for (const std::vector<std::uint32_t>& curve : scene.drawing->curves) {
+  for (const std::vector<std::uint32_t>& curve : curves) {
     const Step first = step_of(scene.at[curve[0]]);
     bool begun = false;
     for (std::size_t i = 1; i < curve.size(); ++i) {
@@ -96,6 +99,20 @@ void write_curves(OutputFile& file, const Scene& scene, bool dots) {
       file.write("h0");
     }
     if (begun) file.write("z");
+  }
+}
+
+/// A path for each group, with its name, in its colours.
+void write_groups(OutputFile& file, const Scene& scene) {
+  const std::vector<std::size_t>& begin = scene.drawing->groups;
+  for (std::size_t g = 0; g + 1 < begin.size(); ++g) {
+    const auto [fill, boundary] = group_colours(g);
+    begin_path(file, "group-" + std::to_string(g),
+               "fill=\"" + hex(fill) + "\" fill-opacity=\"" + decimal(std::lround(group_opacity * 100)) +
+                   "\" stroke=\"" + hex(boundary) + "\" stroke-width=\"" +
+                   decimal(std::lround(scene.strokes.boundary_width * 100)) + "\" stroke-linejoin=\"round\"");
+    write_curves(file, scene, std::span(scene.drawing->curves).subspan(begin[g], begin[g + 1] - begin[g]), true);
+    file.write("\"><title>" + markup_escaped(scene.drawing->group_names[g]) + "</title></path>\n");
   }
 }
 
@@ -123,14 +140,20 @@ void write_svg(OutputFile& file, const Scene& scene) {
              "\" viewBox=\"0 0 " + width + " " + height + "\">\n");
   file.write("<rect width=\"100%\" height=\"100%\" fill=\"" + hex(background_colour) + "\"/>\n");
 
+  if (!scene.drawing->groups.empty()) {
+    write_groups(file, scene);
+    file.write("</svg>\n");
+    return;
+  }
+  const std::span<const std::vector<std::uint32_t>> curves = scene.drawing->curves;
   begin_path(file, "solid", "fill=\"" + hex(fill_colour) + "\"");
-  write_curves(file, scene, false);
+  write_curves(file, scene, curves, false);
   end_path(file);
   begin_path(file, "edges", stroke(edge_colour, scene.strokes.edge_width));
   write_edges(file, scene, scene.drawing->inner_edges, false);
   end_path(file);
   begin_path(file, "boundary", stroke(boundary_colour, scene.strokes.boundary_width));
-  write_curves(file, scene, true);
+  write_curves(file, scene, curves, true);
   end_path(file);
   if (!scene.drawing->dangling.empty()) {
     begin_path(file, "dangling", stroke(boundary_colour, scene.strokes.boundary_width));
