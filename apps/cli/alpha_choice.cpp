@@ -115,6 +115,23 @@ std::string name_of(const AlphaChoice& choice) {
   return "given";
 }
 
+std::string remark_on_density(const std::vector<Plateau>& plateaus) {
+  constexpr double much_larger = 1.25;
+  if (plateaus.empty() || plateaus.front().kind != PlateauKind::one_piece) return "";
+  const FiltrationStep& best = plateaus.front().step;
+  for (std::size_t i = 1; i < plateaus.size(); ++i) {
+    const FiltrationStep& other = plateaus[i].step;
+    if (plateaus[i].kind != PlateauKind::one_piece || other.solid_components >= best.solid_components) continue;
+    if (!(other.area >= much_larger * best.area)) continue;
+    const std::string choice = "plateau:" + std::to_string(i + 1);
+    return "at " + rounded(plateaus.front().alpha, 4) + " there are " + counted(best.solid_components, "part") +
+           ", as points are not evenly dense, and at " + choice + ", which is " + rounded(plateaus[i].alpha, 4) + ", " +
+           counted(other.solid_components, "part") + " of " + rounded(other.area / best.area, 3) +
+           " times the area: for the footprint of a scan take --alpha " + choice;
+  }
+  return "";
+}
+
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run) {
   if (choice.rule == AlphaRule::given) return choice.radius;
   const Delaunay delaunay = build_delaunay(points, run);
@@ -134,6 +151,8 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
     say("rbpa", "--alpha " + name_of(choice) +
                     ": no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS shows the "
                     "choices, and recommends auto)");
+  if (const std::string remark = remark_on_density(found); choice.rank == 1 && !remark.empty() && !run.quiet)
+    say("rbpa", "--alpha plateau: " + remark);
   return found[choice.rank - 1].alpha;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/run.h"
 #include "rbpa/base/point.h"
 #include "rbpa/covering.h"
+#include "rbpa/plateaus.h"
 
 namespace rbpa::app {
 
@@ -57,6 +58,10 @@ std::string name_of(const AlphaChoice& choice);
 /// Requires: no column. A rule that asks the points triangulates them, with a progress line unless quiet. Throws Cancelled after a signal,
 /// WrongUsage when there are fewer plateaus than the rank.
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
+
+/// What is to be said where the best plateau is one piece of dense points, such as the lines of a scanner, and another one also of
+/// what is between them; "" where it is not.
+std::string remark_on_density(const std::vector<Plateau>& plateaus);
 
 /// ", alpha auto = 0.25" for a summary, in digits that read back to the radius; "" where the command line has given it.
 std::string said(const AlphaChoice& choice, std::optional<double> alpha);

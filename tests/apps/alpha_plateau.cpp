@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.h"
@@ -37,6 +38,34 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("alpha plateau") {
+  TEST_CASE("where points are unevenly dense, the plateau of the footprint is named; where they are not, nothing is") {
+    const Folder folder;
+    std::mt19937 random(1);
+    const auto jitter = [&] { return static_cast<double>(random() % 1000) / 4000; };
+    std::string even, uneven;
+    for (int x = 0; x < 60; ++x)
+      for (int y = 0; y < 60; ++y) even += std::to_string(x + jitter()) + " " + std::to_string(y + jitter()) + "\n";
+    uneven = even;
+    for (int x = 0; x < 10; ++x)  // far apart, as between the lines of a scanner
+      for (int y = 0; y < 4; ++y)
+        for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {0, 1}})
+          uneven += std::to_string(68 + 12 * x + i) + " " + std::to_string(12 * y + j) + "\n";
+    folder.file("even.xy", even);
+    folder.file("uneven.xy", uneven);
+    const std::string advice = "for the footprint of a scan take --alpha plateau:2\n";
+    const Outcome shape = folder.rbpa("shape uneven.xy --alpha plateau -o u.wkt");
+    CHECK(shape.err.starts_with("rbpa: --alpha plateau: at "));
+    CHECK(shape.err.find(" there are 41 parts, as points are not evenly dense, and at plateau:2, which is ") !=
+          std::string::npos);
+    CHECK(shape.err.find(advice) != std::string::npos);
+    CHECK(folder.rbpa("alpha uneven.xy").out.find("for the footprint of a scan take --alpha plateau:2.\n") !=
+          std::string::npos);
+    CHECK(folder.rbpa("shape uneven.xy --alpha plateau -o u.wkt -q").err.empty());
+    CHECK(folder.rbpa("shape uneven.xy --alpha plateau:2 -o u.wkt").err.find("evenly") == std::string::npos);
+    CHECK(folder.rbpa("shape even.xy --alpha plateau -o u.wkt").err.find("evenly") == std::string::npos);
+    CHECK(folder.rbpa("alpha even.xy").out.find("evenly") == std::string::npos);
+  }
+
   TEST_CASE("--alpha plateau says when none stands out, and nothing when one does") {
     const Folder folder;
     folder.file("p.xy", corner);
