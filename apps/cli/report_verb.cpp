@@ -40,6 +40,7 @@ void run_space_report(const ReportArguments& arguments) {
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
+  const std::vector<SolidPlateau> plateaus = run.find_plateaus();
   std::vector<SolidPair> pairs;
   std::vector<SolidRepresentative> found;
   {
@@ -55,6 +56,7 @@ void run_space_report(const ReportArguments& arguments) {
                                 .filtration = run.filtration,
                                 .least_covering = run.least,
                                 .least_connected = run.automatic,
+                                .plateau = plateaus.empty() ? std::nullopt : std::optional(plateaus.front().alpha),
                                 .pairs = run.pairs,
                                 .shown = pairs,
                                 .representatives = found});

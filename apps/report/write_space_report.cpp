@@ -54,7 +54,7 @@ std::vector<double> steps_of(const SpaceReport& report) {
   const auto add = [&](double alpha) {
     if (alpha > 0 && std::isfinite(alpha)) steps.push_back(alpha);
   };
-  for (const double alpha : {report.least_covering, report.least_connected}) add(alpha);
+  for (const double alpha : {report.least_covering, report.least_connected, report.plateau.value_or(0)}) add(alpha);
   for (const SolidPair& pair : report.shown) {
     add(pair.birth);
     add(pair.death.value_or(0));
@@ -167,6 +167,7 @@ void write_space_report(OutputFile& file, const SpaceReport& report) {
                 {"dots", in_diagram.size()},
                 {"min", radius(report.least_covering)},
                 {"auto", radius(report.least_connected)},
+                {"plateau", report.plateau ? radius(*report.plateau) : Json()},
                 {"representatives", Json::array()}};
   for (std::size_t i = 0; i < report.shown.size(); ++i)
     facts["representatives"].push_back(representative_of(report, number, i));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -21,6 +22,7 @@ struct SpaceReport {
   std::span<const Point3> points;
   const SolidFiltration& filtration;
   double least_covering, least_connected;  ///< "min" and "auto"
+  std::optional<double> plateau;           ///< the best; none where there is no tetrahedron
   std::span<const SolidPair> pairs;        ///< all
   std::span<const SolidPair> shown;        ///< those with representatives
   std::span<const SolidRepresentative> representatives;

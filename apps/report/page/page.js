@@ -40,8 +40,10 @@ class Page {
     this.listPairs("component-pairs", 0);
     listen(this);
     this.resize();
-    const { recommended } = this.complex.data.facts;
-    if (recommended !== null) this.goToAlpha(radiusOf(recommended.alpha));
+    const { plateaus, facts } = this.complex.data;
+    // No single point far from the others decides the best plateau.
+    if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
+    else if (facts.recommended !== null) this.goToAlpha(radiusOf(facts.recommended.alpha));
     else this.goTo(this.complex.steps - 1);
     this.fitShape();
   }

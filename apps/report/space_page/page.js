@@ -23,8 +23,8 @@ class SpacePage {
     for (const dimension of [1, 2]) this.listPairs(dimension);
     this.listen();
     this.takeColours();
-    const { auto, min } = this.data.facts;
-    this.goToAlpha(radiusOf(min) < Infinity ? radiusOf(min) : radiusOf(auto));
+    const { auto, min, plateau } = this.data.facts;
+    this.goToAlpha([plateau, min, auto].map(radiusOf).find((alpha) => alpha !== null && alpha < Infinity) ?? Infinity);
     this.resize();
   }
 
@@ -49,6 +49,7 @@ class SpacePage {
 
   listChoices() {
     const choices = [
+      ["plateau", this.data.facts.plateau, "parts and voids hardly change around it"],
       ["min", this.data.facts.min, "the least alpha that covers every point"],
       ["auto", this.data.facts.auto, "the least alpha that has every point in one piece"],
     ];
