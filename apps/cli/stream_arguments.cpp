@@ -1,11 +1,16 @@
 #include "cli/stream_arguments.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <system_error>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/formats.h"
+#include "io/polygon/ogr.h"
 #include "stream/budget.h"
 
 namespace rbpa::app {
@@ -23,7 +28,88 @@ std::optional<StreamFormat> stream_format(std::string_view name) {
   return std::nullopt;
 }
 
+namespace fs = std::filesystem;
+
+/// "a.las, b.las and 12 more".
+std::string some_of(std::vector<std::string> names) {
+  constexpr std::size_t shown = 5;
+  std::sort(names.begin(), names.end());
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return text + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " more" : "");
+}
+
+std::string name_in_folder(const std::string& path) { return fs::path(path).filename().string(); }
+
+/// Beside tiles of LAS: an index, a footprint, a picture. Anything else of points is points.
+bool is_about_tiles(const std::string& path, Format format) {
+  constexpr Format about[] = {Format::text, Format::geojson, Format::wkt, Format::png, Format::pgm, Format::ogr};
+  return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
+}
+
+/// What a folder has; names without the folder, but for files of points.
+struct FolderContent {
+  std::map<Format, std::vector<std::string>> points = {};
+  std::vector<std::string> left_out = {}, clouds = {};  ///< and those of points in formats that are not read
+};
+
+FolderContent content_of(const std::string& folder) {
+  FolderContent content;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string path = entry.path().string(), name = name_in_folder(path);
+    const std::optional<Format> format = find_format(Use::points, input_ending(path));
+    std::error_code unknown;
+    if (entry.is_directory(unknown))
+      content.left_out.push_back(name + "/");
+    else if (!entry.is_regular_file(unknown))
+      content.left_out.push_back(name + " (no regular file)");
+    else if (!cloud_conversion(path).empty())
+      content.clouds.push_back(path);
+    else if (format && (format != Format::ogr || has_gdal()))
+      content.points[*format].push_back(path);
+    else
+      content.left_out.push_back(name);
+  }
+  if (error) throw Failure(folder + ": cannot read the folder: " + error.message());
+  return content;
+}
+
 }  // namespace
+
+std::vector<std::string> files_in(const std::string& folder, const PointArguments& arguments, bool quiet) {
+  FolderContent content = content_of(folder);
+  std::sort(content.clouds.begin(), content.clouds.end());
+  if (!content.clouds.empty())
+    bad_input(content.clouds.front(), "points in a format that is not read, in a folder of which all are meant",
+              "a folder without them, or the names of files (" + cloud_conversion(content.clouds.front()) + ")");
+  const bool has_tiles = !arguments.format && content.points.contains(Format::las);
+  std::vector<std::string> found, formats;
+  for (auto& [format, paths] : content.points) {
+    std::sort(paths.begin(), paths.end());
+    const bool all_are_beside =
+        has_tiles && std::all_of(paths.begin(), paths.end(),
+                                 [format = format](const std::string& path) { return is_about_tiles(path, format); });
+    if (all_are_beside) {
+      for (const std::string& path : paths) content.left_out.push_back(name_in_folder(path));
+      continue;
+    }
+    formats.push_back(name_in_folder(paths.front()));
+    found.insert(found.end(), paths.begin(), paths.end());
+  }
+  if (formats.size() > 1 && !arguments.format)
+    bad_input(folder, "points in files of several formats, such as " + some_of(formats),
+              "one format, or the names of files");
+  if (found.empty())
+    bad_input(folder, "a folder without files of points", "some by their endings: " + std::string(point_formats));
+  std::sort(found.begin(), found.end());
+  if (quiet) return found;
+  std::vector<std::string> names;
+  for (const std::string& path : found) names.push_back(name_in_folder(path));
+  say("rbpa", folder + ": " + counted(found.size(), "file") + (found.size() == 1 ? " is" : " are") + " read: " +
+                  some_of(names) + (content.left_out.empty() ? "" : "; not read: " + some_of(content.left_out)));
+  return found;
+}
 
 std::uint64_t parse_memory(const std::string& text) {
   constexpr std::string_view units = "KMGT";

@@ -11,7 +11,6 @@
 #include "io/bytes/output_file.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
-#include "io/formats.h"
 #include "io/progress_line.h"
 #include "stream/run_stream.h"
 #include "tasks/write_lists.h"
@@ -39,20 +38,6 @@ double parse_finite_alpha(const RadiusArguments& arguments) {
   return choice.radius;
 }
 
-/// All files of points in a folder, sorted by name.
-std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> found;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.is_regular_file(error) && find_format(Use::points, input_ending(entry.path().native())))
-      found.push_back(entry.path().string());
-  if (error) throw Failure(folder + ": cannot read the folder: " + error.message());
-  if (found.empty())
-    bad_input(folder, "a folder without files of points", "some by their endings: " + std::string(point_formats));
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   std::vector<std::string> paths;
   for (const std::string& path : arguments.inputs) {
@@ -62,7 +47,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
       paths.push_back(path);
       continue;
     }
-    const std::vector<std::string> files = files_in(path);
+    const std::vector<std::string> files = files_in(path, arguments, arguments.run.quiet);
     paths.insert(paths.end(), files.begin(), files.end());
   }
   std::vector<PointSource> sources;
@@ -122,6 +107,13 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
+  for (const auto& [value, option] :
+       {std::pair(arguments.min_hole_area, "--min-hole-area"), std::pair(arguments.min_part_area, "--min-part-area")})
+    if (value)
+      throw WrongUsage(std::string(option) +
+                       ": found it with rbpa stream, which writes all holes and parts, expected it with rbpa shape, of "
+                       "points that fit into memory (of the result, qgis_process run native:deleteholes --INPUT=OUT "
+                       "--MIN_AREA=A --OUTPUT=FILE fills small holes; a larger --alpha has fewer)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.tasks) ask_for_tasks(arguments, request);

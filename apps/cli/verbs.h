@@ -144,6 +144,7 @@ struct StreamArguments : PointArguments, OutputArguments {
   std::string program = "rbpa";  ///< as it was called
   bool keep_tiles = false;
   bool resume = false;
+  std::optional<std::string> min_hole_area, min_part_area;  ///< which are refused
   RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);

@@ -1,6 +1,7 @@
 // What: the command lines of the verbs that work tile by tile, on more points than fit into memory.
 #include <CLI/App.hpp>
 #include <string>
+#include <utility>
 
 #include "cli/shared_options.h"
 #include "cli/stream_arguments.h"
@@ -12,7 +13,10 @@ namespace rbpa::app {
 CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
       "stream", "The same triangles and polygons of more points than fit into memory, by way of tiles on a disk");
-  verb.add_option("POINTS", arguments.inputs, "Files of points, .gz or not, and folders of such files")->required();
+  verb.add_option(
+          "POINTS", arguments.inputs,
+          "Files of points, .gz or not, and folders of such files, of which a note lists what is read and what is not")
+      ->required();
   add_format_options(verb, arguments);
   verb.add_option(
           "--alpha", arguments.radius.alpha,
@@ -37,6 +41,10 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
           "Cut only, and write to this folder, new or empty, the lists of commands (rbpa tile, rbpa merge) that do "
           "the rest, on any machines that see it; --memory is for each of them")
       ->type_name("DIR");
+  // Of rbpa shape, and not in the help: the refusal names what has them.
+  for (const auto& [name, value] :
+       {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
+    verb.add_option(name, *value)->group("");
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(
       "Examples:\n"

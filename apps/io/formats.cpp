@@ -50,15 +50,15 @@ constexpr Named formats[] = {
     {"wkt", Format::wkt, Use::points | Use::polygons | Use::shape},
     {"ewkt", Format::wkt, Use::points | Use::polygons},
     {"ewkt", Format::ewkt, only(Use::shape)},
-    {"geojson json", Format::geojson, Use::points | Use::polygons | Use::shape},
+    {"geojson json", Format::geojson, Use::points | Use::polygons | Use::shape | Use::triangles},
     {"geojsonl geojsons ndjson", Format::geojson, Use::points | Use::polygons},
     {"poly", Format::poly, only(Use::polygons)},
     {"csv", Format::csv, Use::shape | Use::levels | Use::voids},
     {"json", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
     {"ogr gpkg fgb shp kml gpx gml", Format::ogr, only(Use::points)},
-    {"gpkg", Format::gpkg, only(Use::shape)},
-    {"fgb", Format::fgb, only(Use::shape)},
-    {"shp", Format::shp, only(Use::shape)}};
+    {"gpkg", Format::gpkg, Use::shape | Use::triangles},
+    {"fgb", Format::fgb, Use::shape | Use::triangles},
+    {"shp", Format::shp, Use::shape | Use::triangles}};
 
 bool is_among(std::string_view name, std::string_view names) {
   while (!names.empty()) {
@@ -71,13 +71,18 @@ bool is_among(std::string_view name, std::string_view names) {
 
 /// The command that makes of a file with that ending one that is read; empty when there is none.
 std::string conversion(std::string_view ending, const std::string& path) {
-  if (is_among(ending, "laz e57 pcd ptx bpf rdb copc")) return "pdal translate " + path + " points.las";
+  if (const std::string command = cloud_conversion(path); !command.empty()) return command;
   if (is_among(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";
 }
 
 }  // namespace
+
+std::string cloud_conversion(const std::string& path) {
+  return is_among(input_ending(path), "laz zlas e57 pcd ptx bpf rdb copc") ? "pdal translate " + path + " points.las"
+                                                                           : "";
+}
 
 std::optional<Format> find_format(Use use, std::string_view name) {
   for (const Named& known : formats)

@@ -79,6 +79,8 @@ std::string_view input_ending(std::string_view path);
 /// Throw WrongUsage: `option` was given a name, `path` has an ending, that is none of `known`.
 [[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
+/// The command that makes points that are read of a point cloud in a format that is not, by the ending; empty of others.
+std::string cloud_conversion(const std::string& path);
 /// The same of a file that is read: where a program is known that makes something of it that we read, it is named.
 [[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
@@ -91,7 +93,7 @@ constexpr std::string_view mesh_formats = "off, ply, obj, stl";
 constexpr std::string_view polyline_formats = "obj, json";
 constexpr std::string_view void_formats = "obj, json, csv";
 constexpr std::string_view cycle_formats = "obj, json, vtu";
-constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, svg, png";
+constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, geojson, json, svg, png";
 constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
 constexpr std::string_view surface_formats = "ply, off, obj, stl, glb, vtu, npy, png";
 constexpr std::string_view solid_formats = "vtu, msh, mesh, npy, png";

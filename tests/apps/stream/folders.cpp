@@ -1,0 +1,104 @@
+// Folders of points: what is read of them, and what is not, is said.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/las_file.h"
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+std::string tile(int x) { return bytes_of(LasFile{.points = {{.x = x}, {.x = x + 90}, {.x = x, .y = 90}}}); }
+
+struct Listing {
+  std::vector<std::string> names;  ///< a name that ends in / is a folder with a tile in it
+  std::string said;                ///< behind "rbpa: t: "; of a refusal what is found and expected
+  int code = 0;
+};
+
+const std::string several = "found points in files of several formats, such as ",
+                  one = ", expected one format, or the names of files\n";
+
+const std::vector<Listing> listings = {
+    {{"a.las", "b.LAS"}, "2 files are read: a.las, b.LAS\n"},
+    {{"a.las"}, "1 file is read: a.las\n"},
+    {{"a.las", "index.csv", "sub/", "readme.md", "preview.png", "outline.geojson", "a.prj"},
+     "1 file is read: a.las; not read: a.prj, index.csv, outline.geojson, preview.png, readme.md and 1 more\n"},
+    {{"a.las", "b.las", "c.las", "d.las", "e.las", "f.las", "g.las", "sub/"},
+     "7 files are read: a.las, b.las, c.las, d.las, e.las and 2 more; not read: sub/\n"},
+    {{"a.csv", "b.txt", "c.xyz"}, "3 files are read: a.csv, b.txt, c.xyz\n"},
+    {{"a.csv", "notes.md"}, "1 file is read: a.csv; not read: notes.md\n"},
+    {{"a.las", "a.laz"},
+     "t/a.laz: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "without "
+     "them, or the names of files (pdal translate t/a.laz points.las)\n",
+     3},
+    {{"a.las", "B.LAZ"},
+     "t/B.LAZ: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "without "
+     "them, or the names of files (pdal translate t/B.LAZ points.las)\n",
+     3},
+    {{"a.laz"},
+     "t/a.laz: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "without "
+     "them, or the names of files (pdal translate t/a.laz points.las)\n",
+     3},
+    {{"a.las", "b.e57"},
+     "t/b.e57: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "without "
+     "them, or the names of files (pdal translate t/b.e57 points.las)\n",
+     3},
+    {{"a.las", "b.xyz"}, "t: " + several + "a.las, b.xyz" + one, 3},
+    {{"a.las", "b.ply"}, "t: " + several + "a.las, b.ply" + one, 3},
+    {{"a.csv", "b.geojson"}, "t: " + several + "a.csv, b.geojson" + one, 3},
+    {{"readme.md", "sub/"}, "", 3}};
+
+}  // namespace
+
+TEST_SUITE("stream folders") {
+  TEST_CASE("what is read of a folder and what is not is listed, and points that cannot be read are refused") {
+    for (const Listing& listing : listings) {
+      const Folder folder;
+      std::filesystem::create_directory(folder.path("t"));
+      int x = 0;
+      for (const std::string& name : listing.names) {
+        CAPTURE(name);
+        if (name.back() == '/') {
+          std::filesystem::create_directory(folder.path("t/" + name));
+          folder.file("t/" + name + "inner.las", tile(x += 100));
+        } else {
+          const bool is_las = name.ends_with(".las") || name.ends_with(".LAS");
+          folder.file("t/" + name, is_las ? tile(x += 100) : "0 0\n0.9 0\n0 0.9\n");
+        }
+      }
+      CAPTURE(listing.said);
+      const Outcome outcome = folder.rbpa("stream t --alpha 9 -o o.wkt");
+      CHECK(outcome.code == listing.code);
+      if (listing.code == 0) {
+        CHECK(outcome.err.starts_with("rbpa: t: " + listing.said));
+        CHECK(folder.rbpa("stream t --alpha 9 -o o.wkt -q").err.empty());
+      } else {
+        CHECK(folder.names() == std::vector<std::string>{"t"});
+        if (!listing.said.empty()) CHECK(outcome.err == "rbpa: " + listing.said);
+      }
+    }
+  }
+
+  TEST_CASE("a filter of rbpa shape is refused with what has it") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    for (const std::string option : {"--min-hole-area", "--min-part-area"}) {
+      const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt " + option + " 1000");
+      CHECK(outcome.code == 2);
+      CHECK(
+          outcome.err.starts_with("rbpa: " + option + ": found it with rbpa stream, which writes all holes and parts"));
+      CHECK(outcome.err.find("native:deleteholes") != std::string::npos);
+      CHECK_FALSE(folder.has("o.wkt"));
+    }
+    CHECK(folder.rbpa("stream --help").out.find("--min-hole-area") == std::string::npos);
+  }
+}
