@@ -101,8 +101,9 @@ void run_alpha(const AlphaArguments& arguments) {
       if (!arguments.persistence) report.pairs.reset();
     }
     if (request_of_pairs)
-      run.add(request_of_pairs->target.path,
-              [&](OutputFile& out) { write_representatives(out, run.file.points, run.file.crs, found); });
+      run.add(request_of_pairs->target.path, [&](OutputFile& out) {
+        write_representatives(out, run.file.points, run.file.crs, run.file.degrees, found);
+      });
     write(run.files().add("-"), report, arguments);
     run.stats.write_seconds = run.lap();
     if (stats_file != nullptr) {

@@ -51,7 +51,8 @@ std::string beside(const std::string& path, const std::string& part) {
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
-    if (target.format == Format::off || target.format == Format::ply)
+    if (target.format == Format::off || target.format == Format::ply || target.format == Format::geojson ||
+        is_ogr(target.format))
       throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
                        ", which have a place for edges and points in no triangle");
     all.push_back(target);
@@ -113,8 +114,7 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 std::string target_formats(Use use) {
   if (use == Use::surface) return std::string(surface_formats);
   if (use == Use::solid) return std::string(solid_formats);
-  if (use == Use::triangles) return std::string(output_formats);
-  return std::string(shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
+  return std::string(use == Use::triangles ? output_formats : shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
 }
 
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
@@ -133,6 +133,13 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   files.insert(files.end(), others.begin(), others.end());
   require_different(files, input, "points");
   return targets;
+}
+
+bool any_has_vertices(const std::vector<Target>& targets) {
+  constexpr Format without[] = {Format::svg, Format::png, Format::npy, Format::npy_edges, Format::npy_points};
+  return std::any_of(targets.begin(), targets.end(), [&](const Target& target) {
+    return std::find(std::begin(without), std::end(without), target.format) == std::end(without);
+  });
 }
 
 std::vector<std::string> ogr_paths(const Target& target) {

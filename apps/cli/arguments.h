@@ -48,6 +48,9 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
 /// The formats of its targets, for help: with GDAL's where this program has them.
 std::string target_formats(Use use);
 
+/// Whether a target has vertices, with three coordinates: it is neither a picture nor an array of indices.
+bool any_has_vertices(const std::vector<Target>& targets);
+
 /// The files of a target of GDAL, in the order of their endings.
 std::vector<std::string> ogr_paths(const Target& target);
 

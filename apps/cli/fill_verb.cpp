@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/run.h"
 #include "cli/stats.h"
+#include "cli/triangle_outputs.h"
 #include "cli/valid_features.h"
 #include "cli/verbs.h"
 #include "io/bytes/available_memory.h"
@@ -21,6 +22,7 @@
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
+#include "rbpa/filling_values.h"
 
 namespace rbpa::app {
 namespace {
@@ -127,6 +129,15 @@ TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid,
   return features;
 }
 
+/// Of the points of the filling, where polygons have heights and a target has a place for them.
+std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
+                               const Filling& filling, const ValidFeatures& valid) {
+  std::vector<double> z = file.vertices.z;
+  if (!any_has_vertices(request.targets)) return {};
+  run.complete_heights(z);
+  return z.empty() ? z : values_on_filling(filling, z, valid.groups, until_interrupted());
+}
+
 /// What pictures and counts are made of.
 Triangulation arrays_of(const Filling& filling) {
   Triangulation arrays{.triangles = filling.triangles,
@@ -161,14 +172,17 @@ void run_fill(const FillArguments& arguments) {
   stats.build_seconds = run.lap();
 
   const TriangleFeatures features = features_of(filling, valid, file);
+  const std::vector<double> z = heights_of(run, request, file, filling, valid);
   {
     const ProgressLine line = run.writing();
-    run.add(request.targets, [&](OutputFile& out, const Target& target) {
+    for (const Target& target : request.targets) {
       if (is_picture(target.format))
-        write_picture(out, target.format, drawing_of(filling.points, arrays, Complex::solid), request.width);
+        run.add(target.path, [&](OutputFile& out) {
+          write_picture(out, target.format, drawing_of(filling.points, arrays, Complex::solid), request.width);
+        });
       else
-        write_triangles(out, target.format, {filling.points, filling.triangles, {}, {}, &features});
-    });
+        add_triangles(run, target, {filling.points, filling.triangles, {}, {}, &features, {}, z}, file.vertices);
+    }
   }
   stats.write_seconds = run.lap();
   const PolygonTotals totals = total(filling.polygons);
@@ -188,6 +202,7 @@ void run_fill(const FillArguments& arguments) {
     run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
   }
   run.publish();
+  caution(request.targets, filling.points, file.vertices);
 
   if (filling.triangles.empty()) say("rbpa", "there is no triangle: there is no polygon");
   const std::string left_out =

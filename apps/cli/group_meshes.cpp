@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/group_run.h"
+#include "cli/triangle_outputs.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -34,6 +35,8 @@ struct GroupNumbers {
   explicit GroupNumbers(const GroupRun& run) {
     const GroupShapes& shapes = run.shapes;
     features.name = "group";
+    features.names = run.named.names;
+    features.names_are_numbers = run.named.are_numbers;
     for (std::size_t g = 0; g < run.sizes.size(); ++g) {
       features.of_triangle.insert(features.of_triangle.end(), shapes.triangle_begin[g + 1] - shapes.triangle_begin[g],
                                   static_cast<std::uint32_t>(g));
@@ -54,13 +57,14 @@ struct GroupNumbers {
 void write_targets(GroupRun& run, bool compacted) {
   const ProgressLine line = run.writing();
   const GroupNumbers numbers(run);
-  const TriangleMesh whole{run.named.file.points, run.shapes.triangles, {}, {}, &numbers.features};
+  const TriangleMesh whole{run.named.file.points, run.shapes.triangles, {}, {}, &numbers.features, {},
+                           run.named.file.z};
   std::optional<CompactMesh> compact;
   if (compacted) compact.emplace(whole);
-  run.add(run.request.targets, [&](OutputFile& file, const Target& target) {
+  for (const Target& target : run.request.targets) {
     const bool is_array = target.format == Format::npy;
-    write_triangles(file, target.format, compact && !is_array ? compact->mesh() : whole);
-  });
+    add_triangles(run, target, compact && !is_array ? compact->mesh() : whole, run.named.file);
+  }
 }
 
 }  // namespace
@@ -68,13 +72,15 @@ void write_targets(GroupRun& run, bool compacted) {
 void run_group_meshes(const MeshArguments& arguments) {
   const std::vector<Target> targets =
       parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}));
-  const GroupRequest request = parse_group_request(arguments, targets);
+  GroupRequest request = parse_group_request(arguments, targets);
+  for (PointSource& source : request.sources.files) source.heights = any_has_vertices(targets);
   require_of_groups(arguments, request.complex, targets);
   GroupShapesOptions options;
   options.triangles = true;
   GroupRun run(request, arguments, options);
   write_targets(run, arguments.compact);
   run.finish();
+  caution(targets, run.named.file.points, run.named.file);
   run.summarize(counted(run.triangles(), "triangle"));
 }
 

@@ -51,6 +51,7 @@ GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments
       request(wanted),
       stats_file(arguments.stats),
       named(read_groups(*this, request.sources)) {
+  complete_heights(named.file.z);
   stats.points = named.file.points.size();
   stats.read_seconds = lap();
   {
@@ -66,7 +67,7 @@ GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments
 }
 
 NamedShapes GroupRun::named_shapes() const {
-  return {named.file.points, named.names, named.are_numbers, sizes, shapes, named.file.crs};
+  return {named.file.points, named.names, named.are_numbers, sizes, shapes, named.file.crs, named.file.degrees};
 }
 
 void GroupRun::finish() {

@@ -6,6 +6,7 @@
 #include "cli/arguments.h"
 #include "cli/complex_run.h"
 #include "cli/levels.h"
+#include "cli/triangle_outputs.h"
 #include "cli/verbs.h"
 #include "io/failure.h"
 #include "io/mesh/write_triangles.h"
@@ -38,28 +39,29 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
                    bool compacted) {
   const ProgressLine line = run.writing();
   const Triangulation& made = built.complex;
-  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points, nullptr, built.level};
+  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points, nullptr, built.level, run.file.z};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
-  run.add(targets, [&](OutputFile& file, const Target& target) {
+  for (const Target& target : targets) {
+    stop_if_interrupted();
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(run.points(), made, kind);
-      write_picture(file, target.format, *drawing, run.request.width);
+      run.add(target.path, [&](OutputFile& file) { write_picture(file, target.format, *drawing, run.request.width); });
     } else if (compacted && !is_array(target.format)) {
       if (!compact) compact.emplace(whole);
-      write_triangles(file, target.format, compact->mesh());
+      add_triangles(run, target, compact->mesh(), run.file);
     } else {
       // An .npy file has no vertices: its indices mean input points whatever other files hold.
-      write_triangles(file, target.format, whole);
+      add_triangles(run, target, whole, run.file);
     }
-  });
+  }
 }
 
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
   if (arguments.ask_for_groups()) return run_group_meshes(arguments);
-  const ComplexRequest request = parse_request(arguments);
+  ComplexRequest request = parse_request(arguments);
   const Complex kind = parse_complex(arguments, request.method);
   std::optional<Format> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
@@ -68,6 +70,7 @@ void run_mesh(const MeshArguments& arguments) {
   const bool any_picture =
       std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
 
+  request.source.heights = any_has_vertices(targets);
   ComplexRun run(request, arguments);
   const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
   const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
@@ -86,6 +89,7 @@ void run_mesh(const MeshArguments& arguments) {
     run.stats.count_seconds = run.lap();
   }
   run.finish();
+  caution(targets, run.points(), run.file);
 
   if (made.triangles.empty()) {
     const std::string what = kind == Complex::full ? "there is no triangle: " : "the complex is empty: ";

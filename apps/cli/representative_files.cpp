@@ -47,21 +47,43 @@ class Between {
   std::string_view before_ = "\n";
 };
 
-Json coordinates(std::span<const Point> points, const Ring& ring) {
+/// A geometry, and with several parts one of the same with Multi before its name.
+Json geometry(const std::string& type, const std::vector<Json>& parts) {
+  if (parts.size() == 1) return {{"type", type}, {"coordinates", parts.front()}};
+  return {{"type", "Multi" + type}, {"coordinates", parts}};
+}
+
+Json coordinates(const std::vector<Point3>& line) {
   Json list = Json::array();
-  for (const std::uint32_t i : ring.points) list.push_back({points[i].x, points[i].y});
-  list.push_back({points[ring.points.front()].x, points[ring.points.front()].y});
+  for (const Point3& p : line) list.push_back({p.x, p.y});
   return list;
 }
 
-Json polygon_feature(std::span<const Point> points, std::size_t number, const PersistencePair& pair, const char* when,
-                     const Polygon& polygon) {
-  std::vector<std::uint32_t> indices = polygon.shell.points;
-  Json rings = Json::array({coordinates(points, polygon.shell)});
-  for (const Ring& hole : polygon.holes) {
-    indices.insert(indices.end(), hole.points.begin(), hole.points.end());
-    rings.push_back(coordinates(points, hole));
+Json geometry(std::span<const Point> points, const Polygon& polygon, bool cuts) {
+  std::vector<PositionRing> rings;
+  const auto add = [&](const Ring& ring) {
+    rings.emplace_back();
+    for (const std::uint32_t i : ring.points) rings.back().push_back({points[i].x, points[i].y, 0});
+  };
+  add(polygon.shell);
+  for (const Ring& hole : polygon.holes) add(hole);
+  std::vector<std::vector<PositionRing>> all = {rings};
+  if (cuts) all = within_antimeridian(rings);
+  std::vector<Json> parts;
+  for (std::vector<PositionRing>& part : all) {
+    Json& closed = parts.emplace_back(Json::array());
+    for (PositionRing& ring : part) {
+      ring.push_back(ring.front());
+      closed.push_back(coordinates(ring));
+    }
   }
+  return geometry("Polygon", parts);
+}
+
+Json polygon_feature(std::span<const Point> points, std::size_t number, const PersistencePair& pair, const char* when,
+                     const Polygon& polygon, bool cuts) {
+  std::vector<std::uint32_t> indices = polygon.shell.points;
+  for (const Ring& hole : polygon.holes) indices.insert(indices.end(), hole.points.begin(), hole.points.end());
   return {{"type", "Feature"},
           {"properties",
            {{"pair", number},
@@ -71,17 +93,20 @@ Json polygon_feature(std::span<const Point> points, std::size_t number, const Pe
             {"when", when},
             {"area", polygon.area},
             {"points", indices}}},
-          {"geometry", {{"type", "Polygon"}, {"coordinates", rings}}}};
+          {"geometry", geometry(points, polygon, cuts)}};
 }
 
 Json line_feature(std::span<const Point> points, std::size_t number, const PersistencePair& pair,
-                  const std::array<std::uint32_t, 2>& edge) {
-  const Point &a = points[edge[0]], &b = points[edge[1]];
+                  const std::array<std::uint32_t, 2>& edge, bool cuts) {
+  const Point3 a{points[edge[0]].x, points[edge[0]].y, 0}, b{points[edge[1]].x, points[edge[1]].y, 0};
+  std::vector<Json> parts;
+  for (const std::vector<Point3>& part : cuts ? within_antimeridian(a, b) : std::vector<std::vector<Point3>>{{a, b}})
+    parts.push_back(coordinates(part));
   return {
       {"type", "Feature"},
       {"properties",
        {{"pair", number}, {"dimension", 0}, {"birth", pair.birth}, {"death", or_null(pair.death)}, {"points", edge}}},
-      {"geometry", {{"type", "LineString"}, {"coordinates", Json::array({{a.x, a.y}, {b.x, b.y}})}}}};
+      {"geometry", geometry("LineString", parts)}};
 }
 
 void write_json(OutputFile& file, const SpaceRepresentatives& all) {
@@ -250,18 +275,19 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
   return request;
 }
 
-void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs,
+void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
                            std::span<const Representative> representatives) {
   file.write(geojson_collection(crs));
+  const bool cuts = is_cut_in_geojson(points, crs, degrees);
   Between write(file);
   std::size_t number = 0;
   for (const Representative& one : representatives) {
     ++number;
     if (one.pair.dimension == 1) {
-      write(polygon_feature(points, number, one.pair, "birth", one.at_birth));
-      write(polygon_feature(points, number, one.pair, "death", one.before_death));
+      write(polygon_feature(points, number, one.pair, "birth", one.at_birth, cuts));
+      write(polygon_feature(points, number, one.pair, "death", one.before_death, cuts));
     } else if (one.joined_at) {
-      write(line_feature(points, number, one.pair, *one.joined_at));
+      write(line_feature(points, number, one.pair, *one.joined_at, cuts));
     }
   }
   file.write("\n]}\n");

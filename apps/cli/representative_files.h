@@ -33,7 +33,7 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
 
 /// GeoJSON: of each hole two Features, Polygons with "pair", from 1, "dimension", "birth", "death", null where it is left, "when", which is "birth" or "death", "area" and
 /// "points", the indices of those on its rings; of each component that ends one, a LineString with the same but "when" and "area".
-void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs,
+void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
                            std::span<const Representative> representatives);
 
 struct SpaceRepresentatives {

@@ -1,6 +1,7 @@
 #include "cli/run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "io/bytes/number.h"
@@ -24,9 +25,19 @@ PointFile Run::read_points(const PointSource& source) const {
   PointFile file = read([&] { return rbpa::app::read_points(source); });
   const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
   for (const std::string& text : file.remarks) remark_on(text);
-  if (file.heights.differ())
+  if (file.heights.differ() && !source.heights)
     remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
   return file;
+}
+
+void Run::complete_heights(std::vector<double>& z) const {
+  const auto has_none = [](double height) { return !std::isfinite(height); };
+  const auto without = static_cast<std::size_t>(std::count_if(z.begin(), z.end(), has_none));
+  std::replace_if(z.begin(), z.end(), has_none, 0.0);
+  if (without == z.size())
+    z.clear();
+  else if (without > 0)
+    remark(counted(without, "point") + (without == 1 ? " has" : " have") + " no z, and 0 is written");
 }
 
 void Run::summarize(const std::string& text) const {

@@ -60,8 +60,10 @@ class Run {
   void remark(const std::vector<std::string>& texts) const {
     for (const std::string& text : texts) remark(text);
   }
-  /// The points, with what there is to remark, and that heights are left out.
+  /// The points, with what there is to remark, and that heights are left out where they are not asked for.
   PointFile read_points(const PointSource& source) const;
+  /// Gives points without a height, where others have one, the height 0, and says how many they are.
+  void complete_heights(std::vector<double>& z) const;
 
   /// While files are written.
   ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }

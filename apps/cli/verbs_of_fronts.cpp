@@ -49,7 +49,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
              "Leave the edges of the polygons whole; by default those that are longer than the size are cut");
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
              "Go on without features that are not valid, and say how many");
-  add_output_options(verb, arguments, output_formats);
+  add_output_options(verb, arguments, target_formats(Use::triangles));
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
   add_switch(verb, "-q,--quiet", arguments.quiet, "Neither progress nor summary");

@@ -14,7 +14,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "mesh", "Triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_group_options(verb, arguments, "Triangles");
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, output_formats);
+  add_output_options(verb, arguments, target_formats(Use::triangles));
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
   verb.add_option("--complex", arguments.complex,
                   "solid, or full (with the edges and points of the alpha complex that are in no triangle)")
@@ -36,11 +36,13 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
+      "  rbpa mesh lidar.las --where \"classification == 2\" --alpha inf -o tin.ply -o tin.geojson\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
       "  rbpa mesh trees.csv --columns x,y --group-by crown --alpha auto -o crowns.vtu\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
-      "Vertices of a mesh file are the input points in input order: an index means the same in both.\n"
+      "Vertices of a mesh file are the input points in input order: an index means the same in both. They keep z,\n"
+      "where the input has one.\n"
       "The full complex is lines f, l and p of an .obj; of arrays.npy, which has the triangles, there are\n"
       "arrays.edges.npy and arrays.points.npy beside it. Of groups .vtu and .ply have the number of each triangle's\n"
       "group, from 0 in the order in which rbpa shape --group-by lists them.\n" +
@@ -102,7 +104,8 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "shape",
       "The alpha solid as polygons with holes, valid under OGC Simple Features\n\n"
       "Which alpha to choose: plateau first. It is a radius around which the shape hardly changes, and single points "
-      "far from the others do not decide it. A number, where you know which gaps are to stay open. min covers every "
+      "far from the others do not decide it; of a scan that is dense along lines and sparse between them it may be that "
+      "of the lines, and a note says which plateau is the footprint. A number, where you know which gaps are to stay open. min covers every "
       "point, and auto does so in one piece, so that the loneliest point decides them; with --cover 0.99 they leave "
       "out 1 point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_group_options(verb, arguments, "Shapes");

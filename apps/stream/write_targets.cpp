@@ -51,12 +51,13 @@ void write_rows(OutputFile& file, const std::string& path, const TriangleRows& r
 void write_polygons(OutputFile& file, StreamFormat format, const PointsFacts& facts, const PolygonLog& polygons,
                     std::uint64_t sort_bytes, StreamResult& result) {
   const bool is_wkt = format == StreamFormat::wkt;
-  PolygonWriter writer(file, is_wkt ? Format::wkt : Format::geojson, facts.crs);
+  const std::array<Point, 2> corners = {facts.least, facts.greatest};
+  PolygonWriter writer(file, is_wkt ? Format::wkt : Format::geojson, facts.crs,
+                       is_cut_in_geojson(corners, facts.crs, facts.degrees));
   Adding adding(writer);
   polygons.sorted(sort_bytes, adding);
   adding.report_to(result);
   if (is_wkt) return;
-  const std::array<Point, 2> corners = {facts.least, facts.greatest};
   const Shape box{corners, {}, {}, facts.crs, facts.degrees};
   if (const std::optional<std::string> why = geojson_caution(box)) result.caution = file.name() + ": " + *why;
 }

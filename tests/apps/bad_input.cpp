@@ -238,7 +238,8 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     folder.file("p.foo", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o m.foo", 2,
-            "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, vtu, svg, png, or --output-format");
+            "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "
+            "--output-format");
     const Outcome outcome = folder.rbpa("mesh p.foo --alpha 1 -o m.off");
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("npy") != std::string::npos);

@@ -250,7 +250,8 @@ TEST_SUITE("fill") {
     refuses(folder, "- --size 1 -o m.off", 2, "-: found no --format, expected one of " + formats);
     refuses(folder, "p.wkt --size 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.wkt --size 1 -o m.abc", 2,
-            "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, svg, png, or --output-format");
+            "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "
+            "--output-format");
     CHECK(folder.rbpa("fill p.wkt --size 1 --size-at s.txt -o s.txt --output-format off").code == 2);
     CHECK(folder.rbpa("fill p.wkt --size 1 -o p.wkt --output-format off").code == 2);
     CHECK(folder.rbpa("fill - --format wkt --size-at - --size 1 -o m.off").code == 2);

@@ -34,6 +34,7 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
     if (!used[i]) continue;
     renumbered[i] = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back(mesh.vertices[i]);
+    if (!mesh.z.empty()) z_.push_back(mesh.z[i]);
   }
   for_each_index(triangles_, edges_, points_, [&](std::uint32_t& i) { i = renumbered[i]; });
 }
@@ -46,7 +47,7 @@ struct InSpace {
 
   std::size_t points() const { return mesh.vertices.size(); }
   std::size_t faces() const { return mesh.triangles.size(); }
-  std::array<double, 3> point(std::size_t i) const { return {mesh.vertices[i].x, mesh.vertices[i].y, 0}; }
+  std::array<double, 3> point(std::size_t i) const { return mesh.position(i); }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
   std::string face_properties() const {
     return mesh.features == nullptr ? "" : "property uint " + mesh.features->name + "\n";
@@ -70,6 +71,45 @@ void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees) {
+  TriangleList list{.count = mesh.triangles.size(),
+                    .corners =
+                        [mesh](std::size_t t) {
+                          std::array<Point3, 3> corners;
+                          for (std::size_t k = 0; k < 3; ++k) {
+                            const auto [x, y, z] = mesh.position(mesh.triangles[t][k]);
+                            corners[k] = {x, y, z};
+                          }
+                          return corners;
+                        },
+                    .has_z = !mesh.z.empty(),
+                    .attributes = {},
+                    .points = mesh.vertices,
+                    .crs = crs,
+                    .degrees = degrees};
+  if (!mesh.levels.empty())
+    list.attributes.push_back({.name = "level", .number = [levels = mesh.levels](std::size_t t) { return levels[t]; }});
+  if (mesh.features == nullptr) return list;
+  const TriangleFeatures& features = *mesh.features;
+  TriangleAttribute& which = list.attributes.emplace_back();
+  which.name = features.name;
+  if (features.names.empty())
+    which.number = [&features](std::size_t t) { return features.of_triangle[t]; };
+  else if (features.names_are_numbers)
+    which.number = [&features](std::size_t t) {
+      return parse_whole_number(features.names[features.of_triangle[t]]).value;
+    };
+  else
+    which.text = [&features](std::size_t t) { return features.names[features.of_triangle[t]]; };
+  for (const FeatureNumbers& numbers : features.numbers) {
+    if (!features.names.empty() && numbers.name == "name") continue;  // which the feature is called by already
+    list.attributes.push_back({.name = numbers.name, .number = [&features, values = numbers.values](std::size_t t) {
+                                 return values[features.of_triangle[t]];
+                               }});
+  }
+  return list;
+}
 
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) {
   switch (format) {

@@ -41,8 +41,8 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
   VtuGrid grid{.points = mesh.vertices.size(),
                .write_positions =
                    [&](OutputFile& out) {
-                     for (const Point& p : mesh.vertices) {
-                       const std::array<double, 3> position = {p.x, p.y, 0};
+                     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+                       const std::array<double, 3> position = mesh.position(i);
                        out.write_binary(std::span<const double>(position));
                      }
                    },

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -83,16 +84,18 @@ class OgrReader {
   }
 
   void take_crs(const OGRLayer& layer) {
-    const OGRSpatialReference* system = const_cast<OGRLayer&>(layer).GetSpatialRef();  // which changes nothing
-    if (system == nullptr || system->IsEmpty()) return;
-    const char* authority = system->GetAuthorityName(nullptr);
-    const char* code = system->GetAuthorityCode(nullptr);
-    file_.degrees = system->IsGeographic() != 0;
-    if (authority != nullptr && code != nullptr)
+    const OGRSpatialReference* const whole = const_cast<OGRLayer&>(layer).GetSpatialRef();  // which changes nothing
+    if (whole == nullptr || whole->IsEmpty()) return;
+    OGRSpatialReference system(*whole);
+    if (system.IsCompound() != 0) system.StripVertical();
+    const char* authority = system.GetAuthorityName(nullptr);
+    const char* code = system.GetAuthorityCode(nullptr);
+    file_.degrees = system.IsGeographic() != 0;
+    if (authority != nullptr && code != nullptr && system.IsVertical() == 0)
       file_.crs = Crs{.authority = authority, .code = code, .degrees = file_.degrees};
     else
-      file_.remarks.push_back("the system of coordinates, " + in_quotes(system->GetName()) +
-                              ", has no code and is not carried over (--crs says one)");
+      file_.remarks.push_back("the system of coordinates, " + in_quotes(whole->GetName()) +
+                              ", has no code of the plane and is not carried over (--crs EPSG:CODE names it)");
   }
 
   void take(const OGRPoint& p) {
@@ -100,14 +103,21 @@ class OgrReader {
     const Point point{p.getX(), p.getY()};
     if (!is_finite(point))
       bad_input(source_ + ": feature " + std::to_string(features_), "a coordinate that is not finite", "numbers");
+    const bool has_z = p.Is3D() != 0;
     file_.points.push_back(point);
+    file_.z.push_back(has_z ? p.getZ() : std::numeric_limits<double>::quiet_NaN());
+    if (has_z) file_.heights.take(p.getZ());
   }
 
   void take(const OGRSimpleCurve& line, bool ring) {
     int count = line.getNumPoints();
     const bool closes = count > 1 && line.getX(0) == line.getX(count - 1) && line.getY(0) == line.getY(count - 1);
     if (ring && closes) --count;
-    for (int i = 0; i < count; ++i) take(OGRPoint(line.getX(i), line.getY(i)));
+    for (int i = 0; i < count; ++i) {
+      OGRPoint point;
+      line.getPoint(i, &point);
+      take(point);
+    }
   }
 
   void take(const OGRGeometry& geometry) {
@@ -230,6 +240,33 @@ class OgrWriter {
     }
   }
 
+  void write_triangles(const TriangleList& triangles) {
+    OGRLayer& layer = create_layer("triangles", triangles.has_z ? wkbPolygon25D : wkbPolygon);
+    add_field(layer, "number", OFTInteger64);
+    for (const TriangleAttribute& attribute : triangles.attributes)
+      add_field(layer, attribute.name.c_str(), attribute.text ? OFTString : OFTReal);
+    for (std::size_t i = 0; i < triangles.count; ++i) {
+      OGRFeature feature(layer.GetLayerDefn());
+      set(feature, "number", i + 1);
+      for (std::size_t k = 0; k < triangles.attributes.size(); ++k) {
+        const TriangleAttribute& attribute = triangles.attributes[k];
+        const int place = static_cast<int>(k) + 1;  // names may be shortened
+        if (attribute.text)
+          feature.SetField(place, attribute.text(i).c_str());
+        else if (const double value = attribute.number(i); std::isfinite(value))
+          feature.SetField(place, value);
+      }
+      auto ring = std::make_unique<OGRLinearRing>();
+      const auto corners = triangles.corners(i);
+      for (const std::size_t k : {0U, 1U, 2U, 0U})
+        triangles.has_z ? ring->addPoint(corners[k].x, corners[k].y, corners[k].z)
+                        : ring->addPoint(corners[k].x, corners[k].y);
+      OGRPolygon geometry;
+      geometry.addRingDirectly(ring.release());
+      add(layer, feature, geometry, i);
+    }
+  }
+
   std::vector<OgrFile> files() {
     if (in_transaction_ && dataset_->CommitTransaction() != OGRERR_NONE) fail(gdal_.reason());
     dataset_.reset();  // writes what is left
@@ -311,6 +348,12 @@ std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape) {
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups) {
   OgrWriter writer(format, groups.crs);
   writer.write_groups(groups);
+  return writer.files();
+}
+
+std::vector<OgrFile> ogr_triangles(Format format, const TriangleList& triangles) {
+  OgrWriter writer(format, triangles.crs);
+  writer.write_triangles(triangles);
   return writer.files();
 }
 

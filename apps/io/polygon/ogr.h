@@ -11,6 +11,7 @@
 #include "io/formats.h"
 #include "io/point_file.h"
 #include "io/polygon/shape_files.h"
+#include "io/polygon/triangle_features.h"
 
 namespace rbpa::app {
 
@@ -42,6 +43,8 @@ std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape);
 /// A multipolygon for each group, with its group, points, alpha, area, perimeter, polygons and problem, as GeoJSON has them; without a
 /// geometry where there is no polygon, which a FlatGeobuf leaves out.
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups);
+/// Triangles with their number and attributes, and with heights where they have some.
+std::vector<OgrFile> ogr_triangles(Format format, const TriangleList& triangles);
 /// The points in no polygon, with their indices.
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape);
 

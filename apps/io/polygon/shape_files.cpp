@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "io/interrupt.h"
 
@@ -37,6 +38,10 @@ std::optional<std::string> geojson_caution(const Shape& shape) {
          ", and GeoJSON means degrees of WGS 84 (--crs EPSG:... says what they are)";
 }
 
+bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees) {
+  return (degrees || (crs && crs->degrees)) && is_beyond_antimeridian(points);
+}
+
 /// How a format writes lists of polygons, of rings and of points.
 struct PolygonSigns {
   std::string_view first, next;  ///< before a polygon
@@ -50,7 +55,7 @@ struct PolygonSigns {
 
 namespace {
 
-constexpr PolygonSigns geojson{"\n", ",\n", true, "[", "]", "[", ",", "]", ",", "}}", "\n]}\n", "\n]}\n"};
+constexpr PolygonSigns geojson{"\n", ",\n", true, "[", "]", "[", ",", "]", ",", "}", "\n]}\n", "\n]}\n"};
 constexpr PolygonSigns wkt{"MULTIPOLYGON (",      ", ", false, "(", ")", "", " ", "", ", ", "", ")\n",
                            "MULTIPOLYGON EMPTY\n"};
 
@@ -75,7 +80,7 @@ void write_properties(OutputFile& file, std::uint64_t number, const PolygonFacts
   file.write_number(facts.holes);
   file.write(",\"points\":");
   file.write_number(facts.points);
-  file.write("},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":");
+  file.write("},\"geometry\":");
 }
 
 void write_pair(OutputFile& file, const Point& p, std::string_view between) {
@@ -112,8 +117,58 @@ std::string geojson_collection(const std::optional<Crs>& crs) {
   return "{\"type\":\"FeatureCollection\"," + crs_member(crs) + "\"features\":[";
 }
 
-PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs)
-    : file_(file), signs_(format == Format::geojson ? geojson : wkt) {
+namespace {
+
+void write_positions(OutputFile& file, const std::vector<PositionRing>& polygon, bool has_z) {
+  std::string_view before_ring = "[";
+  for (const PositionRing& ring : polygon) {
+    file.write(std::exchange(before_ring, ","));
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Point3& p = ring[i % ring.size()];
+      file.write(i == 0 ? "[[" : ",[");
+      write_pair(file, {p.x, p.y}, ",");
+      if (has_z) {
+        file.write(",");
+        file.write_number(p.z);
+      }
+      file.write("]");
+    }
+    file.write("]");
+  }
+  file.write("]");
+}
+
+/// Lists of rings, with commas between them.
+void write_parts(OutputFile& file, const std::vector<PositionRing>& polygon, bool has_z) {
+  std::string_view before = "";
+  for (const std::vector<PositionRing>& part : within_antimeridian(polygon)) {
+    file.write(std::exchange(before, ","));
+    write_positions(file, part, has_z);
+  }
+}
+
+PositionRing positions_of(std::span<const Point> ring) {
+  PositionRing positions;
+  for (const Point& p : ring) positions.push_back({p.x, p.y, 0});
+  return positions;
+}
+
+}  // namespace
+
+void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& polygon, bool cuts, bool has_z) {
+  std::vector<std::vector<PositionRing>> parts = {polygon};
+  if (cuts) parts = within_antimeridian(polygon);
+  const bool is_one = parts.size() == 1;
+  file.write(is_one ? "{\"type\":\"Polygon\",\"coordinates\":" : "{\"type\":\"MultiPolygon\",\"coordinates\":[");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) file.write(",");
+    write_positions(file, parts[i], has_z);
+  }
+  file.write(is_one ? "}" : "]}");
+}
+
+PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts)
+    : file_(file), signs_(format == Format::geojson ? geojson : wkt), cuts_(cuts && format == Format::geojson) {
   if (format == Format::geojson) file_.write(geojson_collection(crs));
 }
 
@@ -121,25 +176,34 @@ void PolygonWriter::begin(const PolygonFacts& facts) {
   file_.write(number_ == 0 ? signs_.first : signs_.next);
   ++number_;
   if (signs_.has_properties) write_properties(file_, number_, facts);
-  file_.write(signs_.open_list);
+  rings_.clear();
   any_ring_ = false;
+  if (cuts_) return;
+  if (signs_.has_properties) file_.write("{\"type\":\"Polygon\",\"coordinates\":");
+  file_.write(signs_.open_list);
 }
 
 void PolygonWriter::ring(std::span<const Point> points) {
+  if (cuts_) return rings_.push_back(positions_of(points));
   if (any_ring_) file_.write(signs_.between);
   any_ring_ = true;
   write_closed(file_, signs_, points);
 }
 
 void PolygonWriter::end() {
-  file_.write(signs_.close_list);
+  if (cuts_) {
+    write_geojson_polygon(file_, rings_, true, false);
+  } else {
+    file_.write(signs_.close_list);
+    if (signs_.has_properties) file_.write("}");
+  }
   file_.write(signs_.close_polygon);
 }
 
 void PolygonWriter::finish() { file_.write(number_ == 0 ? signs_.end_of_none : signs_.end); }
 
 void write_polygons(OutputFile& file, Format format, const Shape& shape) {
-  PolygonWriter writer(file, format, shape.crs);
+  PolygonWriter writer(file, format, shape.crs, is_cut_in_geojson(shape.points, shape.crs, shape.degrees));
   const std::vector<std::size_t> counts = points_in_polygons(shape);
   std::vector<Point> corners;
   const auto write = [&](const Ring& ring) { writer.ring(gather(ring, shape.points, corners)); };
@@ -168,15 +232,22 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
 
 namespace {
 
-/// The lists of rings of the polygons of a group.
-void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group) {
+/// The lists of rings of the polygons of a group, or of their parts.
+void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
+                       bool cuts) {
   std::vector<Point> corners;
   const auto write = [&](const Ring& ring) { write_closed(file, signs, gather(ring, groups.points, corners)); };
   const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];
   for (std::uint64_t i = first; i < last; ++i) {
     if (i > first) file.write(signs.between);
-    file.write(signs.open_list);
     const Polygon& polygon = groups.shapes.polygons[i];
+    if (cuts) {
+      std::vector<PositionRing> rings = {positions_of(gather(polygon.shell, groups.points, corners))};
+      for (const Ring& hole : polygon.holes) rings.push_back(positions_of(gather(hole, groups.points, corners)));
+      write_parts(file, rings, false);
+      continue;
+    }
+    file.write(signs.open_list);
     write(polygon.shell);
     for (const Ring& hole : polygon.holes) {
       file.write(signs.between);
@@ -223,6 +294,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
     std::isfinite(value) ? file.write_number(value) : file.write("null");
   };
   file.write(geojson_collection(groups.crs));
+  const bool cuts = is_cut_in_geojson(groups.points, groups.crs, groups.degrees);
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
     const PolygonTotals& totals = groups.shapes.totals[g];
     file.write(g == 0 ? "\n" : ",\n");
@@ -240,7 +312,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
     file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
     if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
-    write_polygons_of(file, geojson, groups, g);
+    write_polygons_of(file, geojson, groups, g, cuts);
     file.write("]}}");
   });
   file.write("\n]}\n");
@@ -265,7 +337,7 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
     file.write(",");
     if (problem.empty()) {
       file.write("\"MULTIPOLYGON (");
-      write_polygons_of(file, wkt, groups, g);
+      write_polygons_of(file, wkt, groups, g, false);
       file.write(")\"\n");
     } else {
       file.write("MULTIPOLYGON EMPTY\n");
@@ -296,14 +368,16 @@ void write_isolated_csv(OutputFile& file, const Shape& shape) {
 
 void write_isolated_geojson(OutputFile& file, const Shape& shape) {
   file.write(geojson_collection(shape.crs));
+  const bool cuts = is_cut_in_geojson(shape.points, shape.crs, shape.degrees);
   std::string_view before = "\n";
   for_each_isolated(shape, [&](std::size_t i) {
+    const Point& p = shape.points[i];
     file.write(before);
     before = ",\n";
     file.write("{\"type\":\"Feature\",\"properties\":{\"index\":");
     file.write_number(std::uint64_t{i});
     file.write("},\"geometry\":{\"type\":\"Point\",\"coordinates\":[");
-    write_pair(file, shape.points[i], ",");
+    write_pair(file, {cuts ? within_antimeridian(p.x) : p.x, p.y}, ",");
     file.write("]}}");
   });
   file.write("\n]}\n");

@@ -13,6 +13,7 @@
 #include "io/bytes/output_file.h"
 #include "io/crs.h"
 #include "io/formats.h"
+#include "io/polygon/antimeridian.h"
 #include "rbpa/base/point.h"
 #include "rbpa/groups.h"
 #include "rbpa/shape.h"
@@ -30,6 +31,9 @@ struct Shape {
 
 /// How many points are in each polygon: each point counts in one.
 std::vector<std::size_t> points_in_polygons(const Shape& shape);
+
+/// Whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian: GeoJSON has them cut there.
+bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees);
 
 /// Why readers may take the coordinates for something else, if they may.
 std::optional<std::string> geojson_caution(const Shape& shape);
@@ -63,14 +67,19 @@ class PolygonSink {
 
 struct PolygonSigns;
 
+/// The geometry of GeoJSON of a polygon, or of its parts where `cuts`: Polygon or MultiPolygon, as an object. With
+/// `has_z` positions have three numbers.
+void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& polygon, bool cuts, bool has_z);
+
 /// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
 /// "area", "perimeter", "holes", how many, and "points", how many are in it and in none before it. An area beyond the
-/// range of double is null. A system other than WGS 84 is a member "crs".
+/// range of double is null. A system other than WGS 84 is a member "crs". A polygon on both sides of longitude 180 is cut
+/// there, where coordinates are degrees (antimeridian.h): its geometry is a MultiPolygon.
 /// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
 class PolygonWriter final : public PolygonSink {
  public:
-  /// Requires: geojson or wkt.
-  PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs);
+  /// Requires: geojson or wkt. `cuts`: longitudes are beyond the antimeridian.
+  PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts);
   void begin(const PolygonFacts& facts) override;
   void ring(std::span<const Point> points) override;
   void end() override;
@@ -80,7 +89,8 @@ class PolygonWriter final : public PolygonSink {
   OutputFile& file_;
   const PolygonSigns& signs_;
   std::uint64_t number_ = 0;
-  bool any_ring_ = false;
+  bool any_ring_ = false, cuts_ = false;
+  std::vector<PositionRing> rings_ = {};  ///< of the polygon, where it may be cut
 };
 
 /// All polygons of a shape by a PolygonWriter.
@@ -99,6 +109,7 @@ struct NamedShapes {
   std::span<const std::size_t> sizes;  ///< points in each group
   const GroupShapes& shapes;
   std::optional<Crs> crs = std::nullopt;
+  bool degrees = false;
 };
 
 /// Of each group, why it has no polygon; empty where it has one.
