@@ -74,12 +74,13 @@ Places vertices(const Folder& folder, const std::string& name) {
   Places places;
   const std::string content = folder.content(name);
   const auto words = [](const std::string& line) {
-    std::vector<std::string> words = {""};
-    for (const char c : line) c == ' ' ? words.emplace_back() : words.back() += c;
-    return words;
+    std::vector<std::string> all = {""};
+    for (const char c : line) c == ' ' ? all.emplace_back() : all.back() += c;
+    return all;
   };
   if (name.ends_with(".geojson")) {
-    for (const Json& feature : Json::parse(content).at("features"))
+    const Json file = Json::parse(content);
+    for (const Json& feature : file.at("features"))
       for (const Json& p : feature.at("geometry").at("coordinates")[0]) places.push_back({p[0], p[1], p.at(2)});
     return places;
   }

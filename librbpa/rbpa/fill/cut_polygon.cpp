@@ -16,13 +16,104 @@ using Corners = std::vector<std::uint32_t>;
 
 int side_of(const Point& p, double x) { return p.x < x ? -1 : p.x > x ? 1 : 0; }
 
+/// Edges with an inside on their left, as rings.
+class Boundary {
+ public:
+  explicit Boundary(std::span<const Point> points) : points_(points) {}
+
+  /// Of corners that follow each other at one place one is kept.
+  void add(const Corners& closed) {
+    Corners corners;
+    for (const std::uint32_t i : closed) {
+      const std::uint32_t corner = first_at_.emplace(points_[i], i).first->second;
+      if (corners.empty() || corners.back() != corner) corners.push_back(corner);
+    }
+    if (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    for (std::size_t k = 0; corners.size() > 1 && k < corners.size(); ++k) {
+      const auto edge = static_cast<std::uint32_t>(edges_.size());
+      edges_.push_back({corners[k], corners[(k + 1) % corners.size()]});
+      at_[edges_.back().from].push_back({edges_.back().to, edge, true});
+      at_[edges_.back().to].push_back({edges_.back().from, edge, false});
+    }
+  }
+
+  /// Each walk is around one piece of the inside; where it comes back to a place, what lies between is a ring of its own.
+  std::vector<Ring> rings() {
+    Corners next(edges_.size());
+    for (auto& [corner, ends] : at_) pair(corner, ends, next);
+    std::vector<bool> done(edges_.size(), false);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      Corners walk;
+      for (std::uint32_t at = e; !done[at]; at = next[at]) {
+        done[at] = true;
+        walk.push_back(edges_[at].from);
+      }
+      split(walk);
+    }
+    return std::move(rings_);
+  }
+
+ private:
+  struct DirectedEdge {
+    std::uint32_t from, to;
+  };
+  /// An edge at a corner, by its other end.
+  struct End {
+    std::uint32_t other, edge;
+    bool leaves;
+  };
+
+  /// Of the edges at a corner, which follows which: between them, from the one that leaves counter-clockwise, is the inside.
+  void pair(std::uint32_t corner, std::vector<End>& ends, Corners& next) const {
+    const Point& p = points_[corner];
+    const auto is_below = [&](const End& end) {
+      const Point& q = points_[end.other];
+      return q.y < p.y || (q.y == p.y && q.x < p.x);
+    };
+    std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+      if (is_below(a) != is_below(b)) return is_below(b);
+      return plane_orientation(p, points_[a.other], points_[b.other]) > 0;
+    });
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const End &leaving = ends[k], &coming = ends[(k + 1) % ends.size()];
+      if (leaving.leaves == coming.leaves)
+        throw InvalidInput(
+            "a polygon: found rings that cross, expected a valid polygon whose shell turns counter-clockwise");
+      if (leaving.leaves) next[coming.edge] = leaving.edge;
+    }
+  }
+
+  void split(const Corners& walk) {
+    Corners open;
+    std::map<std::uint32_t, std::size_t> place;
+    const auto end_ring = [&](std::size_t first) {
+      const auto begin = open.begin() + static_cast<std::ptrdiff_t>(first);
+      for (auto i = begin; i != open.end(); ++i) place.erase(*i);
+      if (open.end() - begin >= 3) rings_.push_back({{begin, open.end()}});
+      open.erase(begin, open.end());
+    };
+    for (const std::uint32_t corner : walk) {
+      if (const auto before = place.find(corner); before != place.end()) end_ring(before->second);
+      place.emplace(corner, open.size());
+      open.push_back(corner);
+    }
+    end_ring(0);
+  }
+
+  std::span<const Point> points_;
+  std::map<Point, std::uint32_t> first_at_ = {};
+  std::vector<DirectedEdge> edges_ = {};
+  std::map<std::uint32_t, std::vector<End>> at_ = {};
+  std::vector<Ring> rings_ = {};
+};
+
 /// The rings around what is left of the line.
 class LeftRings {
  public:
   /// Rings as PolygonCut has them, the interior on their left, with a corner at each crossing. `right_end`: of the points
   /// from `first_crossing` on, the end right of the line of the edge that they are on.
   LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
-      : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end) {}
+      : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end), boundary_(points) {}
 
   std::vector<Ring> find(const std::vector<Corners>& rings) {
     for (const Corners& ring : rings) take(ring);
@@ -42,9 +133,9 @@ class LeftRings {
         done[at] = true;
         joined.insert(joined.end(), chains_[at].begin(), chains_[at].end());
       }
-      split(joined);
+      boundary_.add(joined);
     }
-    return std::move(found_);
+    return boundary_.rings();
   }
 
  private:
@@ -61,7 +152,7 @@ class LeftRings {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);
     if (first == ring.end()) {
-      if (side(ring.front()) < 0) found_.push_back({ring});
+      if (side(ring.front()) < 0) boundary_.add(ring);
       return;
     }
     const auto begin = static_cast<std::size_t>(first - ring.begin());
@@ -95,31 +186,13 @@ class LeftRings {
     return (turn != 0 ? turn : plane_orientation(q, points_[b.outer], points_[a.outer])) < 0;
   }
 
-  /// Where it comes back to a place, what lies between is a ring of its own.
-  void split(const Corners& joined) {
-    Corners open;
-    std::map<Point, std::size_t> at;
-    const auto end_ring = [&](std::size_t first) {
-      const auto begin = open.begin() + static_cast<std::ptrdiff_t>(first);
-      for (auto i = begin; i != open.end(); ++i) at.erase(points_[*i]);
-      if (open.end() - begin >= 3) found_.push_back({{begin, open.end()}});
-      open.erase(begin, open.end());
-    };
-    for (const std::uint32_t i : joined) {
-      if (const auto before = at.find(points_[i]); before != at.end()) end_ring(before->second);
-      at.emplace(points_[i], open.size());
-      open.push_back(i);
-    }
-    end_ring(0);
-  }
-
   std::span<const Point> points_;
   double x_;
   std::uint32_t first_crossing_;
   const Corners& right_end_;
   std::vector<Corners> chains_ = {};
   std::vector<End> ends_ = {};
-  std::vector<Ring> found_ = {};
+  Boundary boundary_;
 };
 
 /// Each ring from its least point on.
