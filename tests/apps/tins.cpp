@@ -188,6 +188,9 @@ TEST_SUITE("heights of triangles") {
     CHECK(folder.rbpa("mesh p.csv --alpha 2 -o t.npy -o t.svg").err.find("z of 3 points was ignored") !=
           std::string::npos);
     CHECK(folder.rbpa("shape p.csv --alpha 2 -o s.wkt").err.find("z of 3 points was ignored") != std::string::npos);
+    const std::string flat = "p.csv: meshes of tiles have z = 0 (rbpa mesh keeps heights";
+    CHECK(folder.rbpa("stream p.csv --alpha 2 -o 't*.ply'").err.find(flat) != std::string::npos);
+    CHECK(folder.rbpa("stream p.csv --alpha 2 -o t.wkt").err.find("z = 0") == std::string::npos);
   }
 
   TEST_CASE("fill keeps heights of polygons, and what is new lies on the surface between them") {
