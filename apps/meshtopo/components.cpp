@@ -13,7 +13,7 @@ KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choi
   // In a repaired surface all faces agree, which takes no piece apart.
   const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
   const FaceFans fans(repaired, mesh.positions);
-  const SurfaceComponents components = surface_components(fans.points, fans.surface);
+  const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());
   const std::vector<bool> kept = kept_components(components, {}, choice);
   KeptComponents result;
   result.faces.assign(mesh.soup.faces(), false);

@@ -57,8 +57,9 @@ Obstacles obstacles_of(const meshops::PolygonSoup& soup, const std::vector<Point
 std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::span<const std::uint32_t> stands_on,
                                                      const CurveChoice& choice,
                                                      std::array<std::size_t, 3>& not_chosen) {
-  const std::vector<Hole> curves = surface_curves(fans.points, fans.surface);
-  const std::vector<CurveKind> kinds = curve_kinds(fans.points, surface_components(fans.points, fans.surface), curves);
+  const std::vector<Hole> curves = surface_curves(fans.points, fans.surface, until_interrupted());
+  const std::vector<CurveKind> kinds =
+      curve_kinds(fans.points, surface_components(fans.points, fans.surface, until_interrupted()), curves);
   std::vector<std::vector<std::uint32_t>> loops;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     std::vector<std::uint32_t> loop, points;

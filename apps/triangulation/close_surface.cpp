@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "rbpa/base/going_on.h"
 #include "rbpa/close_surface.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/refine_filling.h"
@@ -32,12 +33,13 @@ double area_of(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 /// Another surface in place of one. Requires: the curves have numbers of its triangles.
-void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface surface,
-             const std::vector<bool>& is_new) {
+void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface surface, const std::vector<bool>& is_new,
+             const SurfaceOptions& options) {
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
   bounded.surface = std::move(surface);
   bounded.filled = is_new;
-  bounded.curves = with_causes(surface_curves(points, bounded.surface), bounded.curves);
-  bounded.components = surface_components(points, bounded.surface);
+  bounded.curves = with_causes(surface_curves(points, bounded.surface, go_on), bounded.curves);
+  bounded.components = surface_components(points, bounded.surface, go_on);
   bounded.kinds = curve_kinds(points, bounded.components, bounded.curves);
 }
 
@@ -81,7 +83,7 @@ AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, Fill
   counts.points = refined.points.size();
   counts.smooth = refined.smooth;
   renumber(bounded.curves, number);
-  replace(all, bounded, std::move(refined.surface), refined.is_new);
+  replace(all, bounded, std::move(refined.surface), refined.is_new, options);
   return {std::move(refined.points), std::move(refined.between)};
 }
 
@@ -94,7 +96,7 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
   FilledSurface filled = fill_holes(points, bounded.surface, chosen, options);
   const FillingCounts counts = count(filled.holes);
   renumber(bounded.curves, old_ones(filled.is_new));
-  replace(points, bounded, std::move(filled.surface), filled.is_new);
+  replace(points, bounded, std::move(filled.surface), filled.is_new, options);
   return counts;
 }
 
@@ -104,7 +106,7 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
   counts.given_up = closed.given_up;
   if (closed.given_up > 0) bounded.curves.clear();  // it is closed
   renumber(bounded.curves, old_ones(closed.is_new));
-  replace(points, bounded, std::move(closed.surface), closed.is_new);
+  replace(points, bounded, std::move(closed.surface), closed.is_new, options);
   return counts;
 }
 

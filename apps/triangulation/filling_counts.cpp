@@ -12,8 +12,8 @@ namespace rbpa::app {
 namespace {
 
 constexpr std::array texts{"filled", "where any filling crosses the surface",
-                           "where any filling has an edge that two triangles have already",
-                           "with all points on a line"};
+                           "where any filling has an edge that two triangles have already", "with all points on a line",
+                           "where more is near than the limit of work allows to try"};
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::string filled_text(const FillingCounts& counts) {
 }
 
 std::string left_text(const FillingCounts& counts) {
-  std::array<std::size_t, 4> left = counts.holes;
+  std::array<std::size_t, outcome_names.size()> left = counts.holes;
   left[0] = 0;
   return counted(counts.left(), "hole") + " not filled: " + list_of_causes(left, texts);
 }

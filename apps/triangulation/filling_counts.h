@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <numeric>
 #include <span>
 #include <string>
 
@@ -12,18 +13,18 @@
 namespace rbpa::app {
 
 /// By HoleOutcome.
-inline constexpr std::array outcome_names{"filled", "crosses", "edge_taken", "no_area"};
+inline constexpr std::array outcome_names{"filled", "crosses", "edge_taken", "no_area", "too_much_work"};
 
 struct FillingCounts {
-  std::array<std::size_t, 4> holes = {};  ///< by HoleOutcome
-  std::size_t triangles = 0;              ///< new
-  double area = 0;                        ///< theirs
-  std::size_t given_up = 0;               ///< triangles around holes, so that these can be filled
-  std::size_t points = 0;                 ///< that are added, where fillings are refined
-  std::size_t smooth = 0;                 ///< fillings of which these are moved as well
+  std::array<std::size_t, outcome_names.size()> holes = {};  ///< by HoleOutcome
+  std::size_t triangles = 0;                                 ///< new
+  double area = 0;                                           ///< theirs
+  std::size_t given_up = 0;                                  ///< triangles around holes, so that these can be filled
+  std::size_t points = 0;                                    ///< that are added, where fillings are refined
+  std::size_t smooth = 0;                                    ///< fillings of which these are moved as well
 
   std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
-  std::size_t left() const { return holes[1] + holes[2] + holes[3]; }
+  std::size_t left() const { return std::accumulate(holes.begin() + 1, holes.end(), std::size_t{0}); }
 };
 
 /// The same in any order of the holes.
@@ -34,7 +35,7 @@ std::string filled_text(const FillingCounts& counts);
 /// "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some are left.
 std::string left_text(const FillingCounts& counts);
 
-/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area"}}.
+/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area", "too_much_work"}}.
 nlohmann::ordered_json as_json(const FillingCounts& counts);
 
 }  // namespace rbpa::app

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,7 @@ RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surfa
                                      const SurfaceOptions& options = {});
 
 /// Of each point, whether several fans of triangles meet there: the surface touches itself. Throws: as split_fans().
-RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface);
+RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
+                                           const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

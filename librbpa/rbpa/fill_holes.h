@@ -6,13 +6,15 @@
 //         around an island.
 // Law:    a function of the mesh as a set of points and triangles: of no order and no number of threads. No point is added.
 // Cost:   for a loop of n edges n³/6 steps of nanoseconds up to 256 edges, about n times a thousand beyond; and a tree of the
-//         triangles' boxes.
+//         triangles' boxes. Pairs of triangles whose boxes meet are compared; where there are more than thousands for each
+//         triangle, the holes that come then stay open.
 // Source: Liepa, Filling holes in meshes (2003); Barequet and Sharir, Filling gaps in the boundary of a polyhedron (1995).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,7 +30,8 @@ enum class HoleOutcome : std::uint8_t {
   filled,
   crosses,  ///< each triangulation that was tried crosses the mesh, or itself
   edge_taken,  ///< each triangulation has an edge between points that an edge joins already, which would have a third triangle
-  no_area,  ///< each triangulation has a triangle without an area: all corners are on a line
+  no_area,        ///< each triangulation has a triangle without an area: all corners are on a line
+  too_much_work,  ///< not all was tried: too many triangles are near each other
 };
 
 struct HoleFill {
@@ -71,6 +74,8 @@ RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface&
                                   const SurfaceOptions& options = {});
 
 /// The boundary curves of any surface as holes() has them, without causes.
-RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface);
+/// Throws: as surface_components(). `go_on`: as there.
+RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
+                                          const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

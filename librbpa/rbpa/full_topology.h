@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,16 +25,17 @@ struct FullCounts {
   std::size_t components = 0, tunnels = 0, voids = 0;                ///< Betti numbers 0 to 2
 };
 
-/// Requires: as dangling_faces() does. Throws: as dangling_faces() does.
+/// Requires: as dangling_faces() does. Throws: as dangling_faces() does; Cancelled when `go_on`, which here and below is called every few
+///           milliseconds, by one thread at a time, returns false.
 RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                               double alpha, unsigned threads = 0);
+                               double alpha, unsigned threads = 0, const std::function<bool()>& go_on = {});
 
 /// The voids: tetrahedra of the triangulation that are not in the complex, and cannot be left through triangles that are not. Its components
 /// through triangles (solid_components()) are the voids, each with its volume; its boundary (solid_boundary()) is what is around them, seen from there,
 /// where a triangle with a void on both sides comes twice. Points of no void are isolated.
 /// Requires: as dangling_faces() does. Throws: as dangling_faces() does.
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                          double alpha, unsigned threads = 0);
+                          double alpha, unsigned threads = 0, const std::function<bool()>& go_on = {});
 
 struct FullVoids {
   Surface boundary;  ///< around all of them, seen from within; a triangle with a void on both sides comes twice

@@ -5,6 +5,8 @@
 // Cost: a sort of the shells, and for each triangle a search among them.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,8 +19,16 @@ namespace rbpa {
 
 /// Of each component, whether it is outer: then neither another one nor it itself encloses the ball that rolls on it. A scan
 /// of a closed object has one shell that is, and one that is not, on which the ball rolls inside.
-/// Requires: the exposed_triangles() of these points and radius, and its components. Throws: ContractViolation on others.
+/// Requires: the exposed_triangles() of these points and radius, and its components.
+/// Throws:   ContractViolation on others; Cancelled when `go_on`, which is called every few milliseconds, returns false.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
-                                        const SurfaceComponents& components);
+                                        const SurfaceComponents& components, const std::function<bool()>& go_on = {});
+
+/// Of each component, how many other closed ones wind around a corner of it that they do not have, exactly: 0 of a body beside others,
+/// 1 of the wall of a cavity, or of a body within a body; 0 of those that are not closed.
+/// Requires: a surface of these points, and its components. Throws: as outer_shells().
+RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
+                                                 const SurfaceComponents& components,
+                                                 const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -1,13 +1,13 @@
 // What:   the fillings of holes as fine as the surface around them, and as smooth: points are added inside them.
 // How:    triangles that are large for the edges at their corners are split, and edges flipped until they are Delaunay (Liepa
-//         2003); then the new points are moved to where the surface bends least, the old ones lying still: the least sum of
-//         squared second differences, by two rounds of a sparse system.
+//         2003); then the new points are moved, the old ones lying still, to where the mean curvature at them and along the rim is that of
+//         the two rings outside, harmonic in between: the least sum of squared differences, by up to twenty rounds of a sparse system.
 // Law:    a function of the points and triangles, of no order and no number of threads. Nothing new crosses anything, which
 //         is tested exactly: where it would, the new points of that filling are not moved, and where that crosses as well,
 //         there are none.
 // Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
-// Source: Liepa, Filling holes in meshes (2003); Kobbelt, Campagna, Vorsatz, Seidel, Interactive multi-resolution modeling on
-//         arbitrary meshes (1998) for the energy.
+// Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for free-form surface
+//         design (2001).
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,15 @@ struct SurfaceComponents {
 };
 
 /// Requires: a surface of these points.
-/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbour of its neighbour.
-RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface);
+/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbour of its neighbour; Cancelled
+///           when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
+                                              const std::function<bool()>& go_on = {});
 
 /// The genus of each component: its handles, with a vertex for each fan of triangles.
 /// Requires: the components of this surface. Throws: ContractViolation on other sizes, and as split_fans(). Cost: that of split_fans().
-RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components);
+RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
+                                           const std::function<bool()>& go_on = {});
 
 /// The triangles of the components that are kept, glued as they were, in the same order.
 /// Requires: the components of this surface, and for each whether it is kept. Throws: ContractViolation on other sizes.

@@ -10,7 +10,9 @@
 namespace rbpa {
 FillingMesh filling_mesh(const Filling& filling) {
   require_linked(filling, filling.points.size());
-  meshops::DisjointSets fans = fans_of(filling);
+  const meshops::GoOn never;
+  Steps step(never);
+  meshops::DisjointSets fans = fans_of(filling, step);
   // Each fan is a point of its own for the builder, so that none is glued to another that runs along the same edge.
   std::vector<std::uint32_t> point(filling.points.size()), own(fans.size());
   std::iota(point.begin(), point.end(), 0U);

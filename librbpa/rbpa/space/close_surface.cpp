@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "rbpa/base/going_on.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"
@@ -14,11 +15,12 @@ namespace {
 std::ptrdiff_t count_of(const std::vector<bool>& which) { return std::count(which.begin(), which.end(), true); }
 
 /// Some triangles of a surface, without the islands that they make. Requires: all `kept` but of triangles; clears islands there.
-Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept) {
+Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept,
+                const std::function<bool()>& go_on) {
   for (;;) {
-    Surface part = indexable_surface(keep_triangles(whole, kept));
-    const SurfaceComponents components = surface_components(points, part);
-    const std::vector<Hole> curves = surface_curves(points, part);
+    Surface part = indexable_surface(keep_triangles(whole, kept), go_on);
+    const SurfaceComponents components = surface_components(points, part, go_on);
+    const std::vector<Hole> curves = surface_curves(points, part, go_on);
     const std::vector<CurveKind> kinds = curve_kinds(points, components, curves);
     std::vector<bool> is_island(components.all.size(), false);
     for (std::size_t i = 0; i < curves.size(); ++i)
@@ -37,8 +39,9 @@ std::vector<bool> points_of(std::span<const Point3> points, std::span<const Hole
   return is_open;
 }
 
-ClosedSurface fill_all(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options) {
-  FilledSurface filled = fill_holes(points, surface, surface_curves(points, surface), options);
+ClosedSurface fill_all(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options,
+                       const std::function<bool()>& go_on) {
+  FilledSurface filled = fill_holes(points, surface, surface_curves(points, surface, go_on), options);
   return {.surface = std::move(filled.surface),
           .is_new = std::move(filled.is_new),
           .kept = std::vector<bool>(surface.triangles.size(), true),
@@ -48,9 +51,10 @@ ClosedSurface fill_all(std::span<const Point3> points, const Surface& surface, c
 
 }  // namespace
 
-std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface) {
+std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
+                                  const std::function<bool()>& go_on) {
   std::vector<bool> touching(points.size(), false);
-  const std::vector<std::uint32_t> fans = split_fans(surface).point;  // ascending
+  const std::vector<std::uint32_t> fans = split_fans(surface, go_on).point;  // ascending
   for (auto at = fans.begin(); (at = std::adjacent_find(at, fans.end())) != fans.end(); ++at) touching[*at] = true;
   return touching;
 }
@@ -59,12 +63,13 @@ ClosedSurface close_surface(std::span<const Point3> points, const Surface& surfa
   constexpr int rounds = 4;
   constexpr double most = 0.05;         // of the triangles that are given up
   constexpr std::size_t longest = 256;  // edges of a curve around which triangles are given up
-  ClosedSurface best = fill_all(points, surface, options);
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  ClosedSurface best = fill_all(points, surface, options, go_on);
   // Triangles are given up around what is open, and once nothing is, around what touches.
-  std::vector<Hole> open = surface_curves(points, best.surface);
-  std::vector<bool> wrong = open.empty() ? touching_points(points, best.surface) : points_of(points, open);
+  std::vector<Hole> open = surface_curves(points, best.surface, go_on);
+  std::vector<bool> wrong = open.empty() ? touching_points(points, best.surface, go_on) : points_of(points, open);
   auto least_touching = open.empty() ? count_of(wrong) : std::numeric_limits<std::ptrdiff_t>::max();
-  const std::size_t components = surface_components(points, surface).all.size();
+  const std::size_t components = surface_components(points, surface, go_on).all.size();
   std::vector<bool> kept(surface.triangles.size(), true);
   for (int round = 0; round < rounds && count_of(wrong) > 0; ++round) {
     const auto is_too_long = [](const Hole& curve) { return curve.edges.size() > longest; };
@@ -73,14 +78,15 @@ ClosedSurface close_surface(std::span<const Point3> points, const Surface& surfa
       const auto& corners = surface.triangles[t];
       if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t p) { return wrong[p]; })) kept[t] = false;
     }
-    const Surface part = part_of(points, surface, kept);
+    const Surface part = part_of(points, surface, kept, go_on);
     const std::ptrdiff_t given_up = std::count(kept.begin(), kept.end(), false);
     if (static_cast<double>(given_up) > most * static_cast<double>(kept.size())) break;
-    ClosedSurface trial = fill_all(points, part, options);
-    open = surface_curves(points, trial.surface);
-    wrong = open.empty() ? touching_points(points, trial.surface) : points_of(points, open);
+    ClosedSurface trial = fill_all(points, part, options, go_on);
+    open = surface_curves(points, trial.surface, go_on);
+    wrong = open.empty() ? touching_points(points, trial.surface, go_on) : points_of(points, open);
     if (!open.empty()) continue;
-    if (surface_components(points, trial.surface).all.size() > components) break;  // the surface must not fall apart
+    if (surface_components(points, trial.surface, go_on).all.size() > components)
+      break;  // the surface must not fall apart
     const std::ptrdiff_t touching = count_of(wrong);
     if (touching >= least_touching) break;
     least_touching = touching;

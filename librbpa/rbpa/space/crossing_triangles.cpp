@@ -30,13 +30,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_triangles(
     boxes.push_back(space::box_of(of));
     number.push_back(t);
   }
-  const space::BoxTree tree(boxes);
   Threads threads(options.threads);
   std::mutex mutex;
   const meshops::GoOn go_on = [&] {
     const std::lock_guard<std::mutex> lock(mutex);
     return !options.progress || options.progress({triangles.size(), points.size()});
   };
+  meshops::Steps build_step(go_on);
+  const space::BoxTree tree(boxes, build_step);
   constexpr std::size_t part = 4096;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> found((corners.size() + part - 1) / part);
   for_each_part(threads, corners.size(), part, [&](std::size_t first, std::size_t last) {

@@ -8,6 +8,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/progress.h"
+#include "rbpa/base/going_on.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort_unique.h"
 #include "rbpa/space/cells/check_input.h"
@@ -16,6 +17,7 @@
 #include "rbpa/space/closing/mesh_around.h"
 #include "rbpa/space/closing/simple_loops.h"
 #include "rbpa/space/closing/triangle_sides.h"
+#include "rbpa/space/closing/work.h"
 #include "rbpa/space/predicate/crossing.h"
 #include "rbpa/space/predicate/orientation.h"
 
@@ -34,6 +36,12 @@ std::size_t attempts_for(std::size_t corners) {
   return std::clamp(steps / each, least, most);
 }
 
+/// Pairs of triangles that may be compared.
+std::size_t most_pairs(std::size_t triangles) {
+  constexpr std::size_t always = std::size_t{1} << 24U, each = 4096;
+  return always + each * triangles;
+}
+
 template <typename Value>
 void add_sorted(std::vector<Value>& to, const std::vector<Value>& values) {
   to.insert(to.end(), values.begin(), values.end());
@@ -46,14 +54,15 @@ class Closing {
           std::span<const std::vector<std::uint32_t>> loops, const space::BoundarySides& sides,
           const SurfaceOptions& options)
       : points_(points),
-        loops_(space::simple_loops(points, loops)),
-        around_(points, triangles, loops_),
-        vertices_(points.size()),
-        threads_(loops_.size() < 2 ? 1 : options.threads),
         go_on_([this, &options] {
           const std::lock_guard<std::mutex> lock(asking_);
           return !options.progress || options.progress({made_, points_.size()});
-        }) {
+        }),
+        work_(most_pairs(triangles.size()), go_on_),
+        loops_(space::simple_loops(points, loops)),
+        around_(points, triangles, loops_, work_.steps()),
+        vertices_(points.size()),
+        threads_(loops_.size() < 2 ? 1 : options.threads) {
     for (const SimpleLoop& loop : loops_) {
       std::vector<Point3> corners, across;
       for (const space::LoopCorner& corner : loop.corners) {
@@ -73,9 +82,10 @@ class Closing {
     std::vector<std::vector<Chord>> taken(loops_.size());
     for_each_index(threads_, loops_.size(), [&](std::size_t i) {
       if (rims_[i].size() < 3) return;
+      if (!go_on_()) throw meshops::Cancelled();
       meshops::Steps step(go_on_);
       taken[i] = around_.taken_chords(loops_[i]);
-      first[i] = space::least_triangulation(rims_[i], taken[i], {}, step);
+      first[i] = space::least_triangulation(rims_[i], space::candidate_chords(rims_[i], step), taken[i], {}, step);
     });
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       if (!go_on_()) throw meshops::Cancelled();
@@ -90,12 +100,15 @@ class Closing {
     const space::Rim& rim = rims_[i];
     HoleFill& fill = result_.loops[loops_[i].loop];
     if (rim.size() < 3) return merge(loops_[i]);  // two edges that lie on each other
-    meshops::Steps step(go_on_);
-    std::vector<Chord> chords = taken;
+    std::vector<Chord> candidates, chords = taken;
     std::vector<RimTriangle> triangles;
     bool has_crossed = false;
     for (std::size_t left = attempts_for(rim.size()); filling; --left) {
-      const space::Faults faults = around_.faults(i, rim, filling->triangles);
+      if (work_.is_over()) {
+        fill.outcome = HoleOutcome::too_much_work;
+        return;
+      }
+      const space::Faults faults = around_.faults(i, rim, filling->triangles, work_);
       if (faults.none()) return accept(i, *filling);
       has_crossed = has_crossed || !faults.crossing.empty() || !faults.triangles.empty();
       add_sorted(taken, faults.taken);
@@ -103,7 +116,8 @@ class Closing {
       add_sorted(chords, faults.crossing);
       add_sorted(triangles, faults.triangles);
       if (left == 0) break;
-      filling = space::least_triangulation(rim, chords, triangles, step);
+      if (candidates.empty()) candidates = space::candidate_chords(rim, work_.steps());
+      filling = space::least_triangulation(rim, candidates, chords, triangles, work_.steps());
     }
     if (fill.outcome != HoleOutcome::filled) return;  // of a part that came first
     fill.outcome = has_crossed ? HoleOutcome::crosses : !taken.empty() ? HoleOutcome::edge_taken : HoleOutcome::no_area;
@@ -138,6 +152,10 @@ class Closing {
   }
 
   std::span<const Point3> points_;
+  std::mutex asking_;
+  std::size_t made_ = 0;  // triangles
+  meshops::GoOn go_on_;
+  space::Work work_;
   std::vector<SimpleLoop> loops_;
   std::vector<space::Rim> rims_;
   space::MeshAround around_;
@@ -145,9 +163,6 @@ class Closing {
   std::vector<std::vector<RimTriangle>> filled_;
   HoleFilling result_;
   Threads threads_;
-  std::mutex asking_;
-  std::size_t made_ = 0;  // triangles
-  meshops::GoOn go_on_;
 };
 
 /// Loops that cannot be closed one by one, as an island lies in the hole: closed together. Strips of two triangles join them to one
@@ -159,12 +174,22 @@ class Joining {
   /// Keeps all but the result of closing them one by one.
   Joining(std::span<const Point3> points, std::span<const Loop> loops, const SurfaceOptions& options,
           HoleFilling result)
-      : points_(points), loops_(loops), options_(options), result_(std::move(result)) {}
+      : points_(points),
+        loops_(loops),
+        options_(options),
+        result_(std::move(result)),
+        go_on_(going_on(options.progress, points.size(), result_.triangles.size())),
+        work_(most_pairs(result_.triangles.size()) / 16, go_on_) {}
 
   HoleFilling run() {
     std::vector<Open> open = open_loops();
-    for (std::size_t i = 0; i + 1 < open.size() && left_ > 0; ++i)
+    if (open.size() > 1) index();
+    for (std::size_t i = 0; i + 1 < open.size() && left_ > 0; ++i) {
       if (!open[i].is_closed) close_with_others(open, i);
+      for (std::size_t j = i; j < open.size() && work_.is_over(); ++j)
+        if (!open[j].is_closed) result_.loops[open[j].number].outcome = HoleOutcome::too_much_work;
+      if (work_.is_over()) break;
+    }
     return std::move(result_);
   }
 
@@ -177,11 +202,12 @@ class Joining {
   };
 
   /// Those that are boundary still and come to no point twice, the longest first.
-  std::vector<Open> open_loops() const {
+  std::vector<Open> open_loops() {
     std::vector<Open> open;
     if (std::count_if(result_.loops.begin(), result_.loops.end(), crosses) < 2) return open;
-    const std::vector<space::TriangleSide> sides = space::sorted_sides(result_.triangles, {});
+    const std::vector<space::TriangleSide> sides = space::sorted_sides(result_.triangles, {}, work_.steps());
     for (std::uint32_t l = 0; l < loops_.size(); ++l) {
+      work_.steps()(loops_[l].size());
       const Loop& loop = loops_[l];
       if (!crosses(result_.loops[l]) || !is_boundary(loop, sides)) continue;
       Open& of = open.emplace_back();
@@ -222,7 +248,8 @@ class Joining {
     space::Box box = open[first].box;
     std::vector<std::size_t> members = {first};
     std::vector<Triangle> strips;
-    for (std::size_t j = 0; j < open.size() && left_ > 0; ++j) {
+    for (std::size_t j = 0; j < open.size() && left_ > 0 && !work_.is_over(); ++j) {
+      work_();
       if (j == first || open[j].is_closed || !open[j].box.meets(box)) continue;
       const Loop& other = loops_[open[j].number];
       const std::optional<space::Bridge> bridge = free_bridge(joined, other);
@@ -241,23 +268,39 @@ class Joining {
   }
 
   /// The best of which no triangle crosses what is there.
-  std::optional<space::Bridge> free_bridge(const Loop& loop, const Loop& other) const {
+  std::optional<space::Bridge> free_bridge(const Loop& loop, const Loop& other) {
     constexpr std::size_t most = 8;
-    for (const space::Bridge& bridge : space::nearest_bridges(points_, loop, other, most)) {
+    for (const space::Bridge& bridge : space::nearest_bridges(points_, loop, other, most, work_)) {
       const auto strip = space::strip_of(bridge, loop, other);
       if (std::none_of(strip.begin(), strip.end(), [&](const Triangle& t) { return is_in_the_way(t); })) return bridge;
     }
     return std::nullopt;
   }
 
-  bool is_in_the_way(const Triangle& triangle) const {
+  /// The triangles that there are now, those with an area.
+  void index() {
+    triangles_.clear();
+    std::vector<space::Box> boxes;
+    for (const Triangle& t : result_.triangles) {
+      work_.steps()();
+      const space::Corners corners = corners_of(t);
+      if (space::are_collinear(corners[0], corners[1], corners[2])) continue;
+      triangles_.push_back(corners);
+      boxes.push_back(space::box_of(corners));
+    }
+    tree_ = space::BoxTree(boxes, work_.steps());
+  }
+
+  /// Counts all that are near as work, found or not, so that their order does not matter.
+  bool is_in_the_way(const Triangle& triangle) {
     const space::Corners own = corners_of(triangle);
     if (space::are_collinear(own[0], own[1], own[2])) return true;
-    return std::any_of(result_.triangles.begin(), result_.triangles.end(), [&](const Triangle& t) {
-      const space::Corners other = corners_of(t);
-      return space::box_of(other).meets(space::box_of(own)) && !space::are_collinear(other[0], other[1], other[2]) &&
-             space::triangles_cross(own, other);
+    bool found = false;
+    tree_.for_each_meeting(space::box_of(own), [&](std::uint32_t t) {
+      work_();
+      found = found || space::triangles_cross(own, triangles_[t]);
     });
+    return found;
   }
 
   space::Corners corners_of(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
@@ -268,19 +311,20 @@ class Joining {
     with_strips.insert(with_strips.end(), strips.begin(), strips.end());
     if (has_common_side(with_strips)) return false;
     const std::vector<Loop> loop = {joined};
-    const space::BoundarySides sides(with_strips, loop);
+    const space::BoundarySides sides(with_strips, loop, work_.steps());
     HoleFilling filling = Closing(points_, with_strips, loop, sides, options_).run();
     if (filling.loops.front().outcome != HoleOutcome::filled) return false;
     HoleFill& fill = result_.loops[number];
     fill.triangles = strips.size() + filling.loops.front().triangles;
     fill.area = filling.loops.front().area + area_of(strips);
     result_.triangles = std::move(filling.triangles);
+    index();
     return true;
   }
 
   /// Two triangles have a side from one vertex to the same other.
-  static bool has_common_side(std::span<const Triangle> triangles) {
-    const std::vector<space::TriangleSide> sides = space::sorted_sides(triangles, {});
+  bool has_common_side(std::span<const Triangle> triangles) {
+    const std::vector<space::TriangleSide> sides = space::sorted_sides(triangles, {}, work_.steps());
     return std::adjacent_find(sides.begin(), sides.end(), [](const auto& s, const auto& t) {
              return s.from == t.from && s.to == t.to;
            }) != sides.end();
@@ -301,13 +345,19 @@ class Joining {
   std::span<const Loop> loops_;
   const SurfaceOptions& options_;
   HoleFilling result_;
+  meshops::GoOn go_on_;
+  space::Work work_;
+  std::vector<space::Corners> triangles_;
+  space::BoxTree tree_;
   int left_ = 16;  // attempts
 };
 
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> boundary_loops(std::span<const Triangle> triangles) {
-  return space::loops_of(triangles);
+  const meshops::GoOn never;
+  meshops::Steps step(never);
+  return space::loops_of(triangles, step);
 }
 
 HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle> triangles,
@@ -316,7 +366,9 @@ HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle>
   for (const Triangle& t : triangles)
     for (const std::uint32_t vertex : t)
       meshops::require(vertex < points.size(), "fill_holes: expected triangles of these points");
-  const space::BoundarySides sides(triangles, loops);
+  const meshops::GoOn go_on = going_on(options.progress, points.size(), triangles.size());
+  meshops::Steps step(go_on);
+  const space::BoundarySides sides(triangles, loops, step);
   return Joining(points, loops, options, Closing(points, triangles, loops, sides, options).run()).run();
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/going_on.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/space/closing/linked_triangles.h"
 #include "rbpa/split_fans.h"
@@ -24,7 +25,8 @@ std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint
 
 FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                          const SurfaceOptions& options) {
-  const SplitFans fans = split_fans(surface);
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const SplitFans fans = split_fans(surface, go_on);
   std::vector<Point3> places;
   places.reserve(fans.point.size());
   for (const std::uint32_t point : fans.point) {
@@ -45,7 +47,8 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
   result.holes = std::move(filling.loops);
   result.surface.duplicates = surface.duplicates;
   result.surface.distinct = surface.distinct;
-  space::LinkedTriangles linked = space::linked_triangles(filling.triangles, fans.point);
+  meshops::Steps step(go_on);
+  space::LinkedTriangles linked = space::linked_triangles(filling.triangles, fans.point, step);
   result.surface.triangles = std::move(linked.triangles);
   result.surface.neighbors = std::move(linked.neighbors);
   for (const std::uint32_t t : linked.order) result.is_new.push_back(t >= surface.triangles.size());

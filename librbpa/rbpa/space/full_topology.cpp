@@ -8,6 +8,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/simplices_at.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
 #include "rbpa/solid_filtration.h"
@@ -19,11 +20,14 @@ namespace rbpa {
 namespace {
 
 /// Which tetrahedra that are not in the complex are connected outside of it, and the outside of all, which comes after them.
-meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces) {
+meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces,
+                                        const std::function<bool()>& go_on) {
+  Steps step(go_on);
   const auto count = static_cast<std::uint32_t>(delaunay.simplices.size());
   meshops::DisjointSets sets(std::size_t{count} + 1);
   for (std::uint32_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 4; ++k) {
+      step();
       if (!faces.is_first(t, k) || faces.has_triangle(t, k)) continue;
       const std::uint32_t beyond = delaunay.neighbors[t][k], a = sets.find(t),
                           b = sets.find(beyond == Solid::none ? count : beyond);
@@ -34,7 +38,8 @@ meshops::DisjointSets connected_outside(const Solid& delaunay, const space::Face
 
 /// Edges in the complex, and components of the points through them.
 std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid& delaunay,
-                                                const space::FacesWithin& faces, Threads& threads) {
+                                                const space::FacesWithin& faces, Threads& threads,
+                                                const std::function<bool()>& go_on) {
   const std::size_t bound = corner_bound<4>(delaunay.simplices);
   const TetrahedraAt stars(delaunay.simplices, bound);
   meshops::DisjointSets sets(points);
@@ -50,7 +55,8 @@ std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid&
         if (c == d) return;
         sets.link(c, d);
         ++joined;
-      });
+      },
+      go_on);
   return {edges, delaunay.distinct - joined};
 }
 
@@ -95,13 +101,13 @@ std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
 }  // namespace
 
 FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                      double alpha, unsigned wanted) {
+                      double alpha, unsigned wanted, const std::function<bool()>& go_on) {
   Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
   if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
-  const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
+  const space::FacesWithin faces(points, delaunay, radii, alpha, threads, go_on);
   FullCounts counts;
   counts.points = delaunay.distinct;
-  meshops::DisjointSets sets = connected_outside(delaunay, faces);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
   const auto outside = static_cast<std::uint32_t>(radii.size());
   for (std::uint32_t t = 0; t < outside; ++t) {
     const bool is_in = faces.has_tetrahedron(t);
@@ -109,7 +115,7 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
     for (std::size_t k = 0; k < 4; ++k) counts.triangles += faces.is_first(t, k) && faces.has_triangle(t, k) ? 1U : 0U;
     counts.voids += !is_in && sets.is_least(t) && sets.find(outside) != t ? 1U : 0U;
   }
-  std::tie(counts.edges, counts.components) = count_edges(points.size(), delaunay, faces, threads);
+  std::tie(counts.edges, counts.components) = count_edges(points.size(), delaunay, faces, threads, go_on);
   // Euler: points − edges + triangles − tetrahedra = components − tunnels + voids.
   counts.tunnels =
       counts.components + counts.voids + counts.edges + counts.tetrahedra - counts.points - counts.triangles;
@@ -117,10 +123,10 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
 }
 
 Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
-                 unsigned wanted) {
+                 unsigned wanted, const std::function<bool()>& go_on) {
   Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
-  const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
-  meshops::DisjointSets sets = connected_outside(delaunay, faces);
+  const space::FacesWithin faces(points, delaunay, radii, alpha, threads, go_on);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
   const auto outside = static_cast<std::uint32_t>(radii.size());
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < outside; ++t)

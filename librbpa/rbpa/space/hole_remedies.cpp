@@ -13,6 +13,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
+#include "rbpa/base/going_on.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort_unique.h"
 #include "rbpa/space/cells/check_input.h"
@@ -297,8 +298,9 @@ class Remedies {
     for (std::uint32_t i = 0; i < holes_.size(); ++i)
       if (remedies_[i].kind == RemedyKind::none) left.push_back(i);
     if (left.empty()) return;
-    const Surface surface = indexable_surface(surface_);
-    const std::vector<Hole> curves = surface_curves(points_, surface);
+    const std::function<bool()> go_on = going_on(options_.progress, points_.size(), surface_.triangles.size());
+    const Surface surface = indexable_surface(surface_, go_on);
+    const std::vector<Hole> curves = surface_curves(points_, surface, go_on);
     const auto first = [](const Hole& hole) {
       const RimEdge& edge = hole.edges.front();
       return std::tuple(edge.from, edge.to, edge.triangle);

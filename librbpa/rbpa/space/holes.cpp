@@ -9,6 +9,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/boundary_walk.h"
+#include "rbpa/base/going_on.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/space/cells/check_input.h"
@@ -24,16 +26,18 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// The boundary curves, without causes and lengths.
-std::vector<Hole> curves_of(const Surface& surface) {
+std::vector<Hole> curves_of(const Surface& surface, Steps& step) {
   std::vector<Hole> curves;
   BoundaryWalk walk(space::arrays_of(surface));
   const auto place = [](const RimEdge& e) { return std::tie(e.from, e.to, e.triangle); };
   const auto is_before = [&](const RimEdge& e, const RimEdge& f) { return place(e) < place(f); };
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    step();
     for (std::size_t across = 0; across < 3; ++across) {
       if (!walk.is_new({t, across})) continue;
       auto& edges = curves.emplace_back().edges;
       walk.walk_from({t, across}, [&](const BoundarySide& side) {
+        step();
         const Triangle& corners = surface.triangles[side.triangle];
         RimEdge& edge = edges.emplace_back();
         edge.from = corners[(side.across + 2) % 3];
@@ -42,6 +46,7 @@ std::vector<Hole> curves_of(const Surface& surface) {
       });
       std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end(), is_before), edges.end());
     }
+  }
   std::sort(curves.begin(), curves.end(),
             [&](const Hole& h, const Hole& i) { return is_before(h.edges.front(), i.edges.front()); });
   return curves;
@@ -111,10 +116,15 @@ void explain(RimEdge& edge, const space::Agreement& agreement, const std::option
 
 }  // namespace
 
-std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface) {
-  require_linked(space::arrays_of(surface), points.size());
-  std::vector<Hole> curves = curves_of(surface);
-  for (Hole& curve : curves) curve.length = length_of(curve, points);
+std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
+                                 const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), points.size(), go_on);
+  Steps step(go_on);
+  std::vector<Hole> curves = curves_of(surface, step);
+  for (Hole& curve : curves) {
+    step(curve.edges.size());
+    curve.length = length_of(curve, points);
+  }
   return curves;
 }
 
@@ -126,7 +136,9 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
                    "holes: expected a level of each triangle");
-  std::vector<Hole> curves = surface_curves(points, surface);
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  std::vector<Hole> curves = surface_curves(points, surface, go_on);
+  Steps step(go_on);
   std::vector<RimEdge*> open;
   for (Hole& curve : curves)
     for (RimEdge& edge : curve.edges) open.push_back(&edge);
@@ -143,6 +155,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
       smaller.emplace(space::arrays_of(part), points.size());
     }
     std::erase_if(open, [&](RimEdge* edge) {
+      step(4);
       if (level_of(edge->triangle) > level) return false;
       const Triangle& triangle = surface.triangles[edge->triangle];
       const auto next = exposed.next(triangle, *edge);

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/vector3.h"
@@ -86,40 +88,20 @@ int crossing(const std::array<Point3, 3>& t, const Point3& at) {
   return space::exact::orientation(t[0], t[1], t[2], at) == -first ? first : 0;
 }
 
-}  // namespace
-
-std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
-                               const SurfaceComponents& components) {
-  space::check_radius(radius);
-  const std::size_t count = components.all.size();
-  meshops::require(components.number.size() == shells.triangles.size(),
-                   "outer_shells: expected the components of this surface");
-  for (const Triangle& triangle : shells.triangles)
-    for (const std::uint32_t i : triangle)
-      meshops::require(i < points.size(), "outer_shells: expected a surface of these points");
-  for (const SurfaceComponent& component : components.all)
-    meshops::require(component.is_closed(), "outer_shells: expected exposed triangles, which are closed");
-
-  // Of each shell the ball that is the highest above its triangle, where the rounding of its centre matters least.
-  std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
-  std::vector<Point3> centre(count);
-  for (std::size_t t = 0; t < shells.triangles.size(); ++t) {
-    const std::uint32_t c = components.number[t];
-    const RestingBall ball(points, shells.triangles[t], radius);
-    if (!(ball.clearance() > clearance[c])) continue;
-    clearance[c] = ball.clearance();
-    centre[c] = ball.centre();
-  }
-
-  // Shell by shell, how often it winds around each centre; a triangle is compared with the centres that are in reach of it in y.
-  std::vector<std::uint32_t> by_y(count), by_shell(shells.triangles.size());
+/// Calls visit(component, i) for each component that winds around place i, with places of such coordinates as points have. A triangle is
+/// compared with the places that are in reach of it in y.
+template <typename Visit>
+void for_each_enclosed(std::span<const Point3> points, const Surface& shells, const SurfaceComponents& components,
+                       std::span<const Point3> places, Steps& step, const Visit& visit) {
+  std::vector<std::uint32_t> by_y(places.size()), by_shell(shells.triangles.size());
   std::iota(by_y.begin(), by_y.end(), std::uint32_t{0});
-  std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t i, std::uint32_t j) { return centre[i].y < centre[j].y; });
+  std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t i, std::uint32_t j) { return places[i].y < places[j].y; });
   std::iota(by_shell.begin(), by_shell.end(), std::uint32_t{0});
-  std::stable_sort(by_shell.begin(), by_shell.end(),
-                   [&](std::uint32_t t, std::uint32_t u) { return components.number[t] < components.number[u]; });
-  std::vector<bool> outer(count, true);
-  std::vector<int> winding(count, 0);
+  sort(by_shell, step, [&](std::uint32_t t, std::uint32_t u) {
+    const std::uint32_t c = components.number[t], d = components.number[u];
+    return c != d ? c < d : t < u;
+  });
+  std::vector<int> winding(places.size(), 0);
   std::vector<std::uint32_t> crossed;
   for (std::size_t first = 0, last = 0; first < by_shell.size(); first = last) {
     const std::uint32_t shell = components.number[by_shell[first]];
@@ -130,21 +112,84 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
       const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
       const auto [low_z, high_z] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
       auto near =
-          std::lower_bound(by_y.begin(), by_y.end(), low_y, [&](std::uint32_t c, double y) { return centre[c].y < y; });
-      for (; near != by_y.end() && centre[*near].y <= high_y; ++near) {
-        if (centre[*near].z < low_z || centre[*near].z > high_z) continue;
-        const int turn = crossing(corners, centre[*near]);
+          std::lower_bound(by_y.begin(), by_y.end(), low_y, [&](std::uint32_t i, double y) { return places[i].y < y; });
+      for (step(); near != by_y.end() && places[*near].y <= high_y; ++near) {
+        step();
+        if (places[*near].z < low_z || places[*near].z > high_z) continue;
+        const int turn = crossing(corners, places[*near]);
         if (turn == 0) continue;
         winding[*near] += turn;
         crossed.push_back(*near);
       }
     }
-    for (const std::uint32_t c : crossed) {
-      if (winding[c] != 0) outer[c] = false;
-    }
-    for (const std::uint32_t c : crossed) winding[c] = 0;
+    for (const std::uint32_t i : crossed)
+      if (std::exchange(winding[i], 0) != 0) visit(shell, i);
   }
+}
+
+void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
+  meshops::require(components.number.size() == surface.triangles.size(),
+                   "outer_shells: expected the components of this surface");
+  for (const Triangle& triangle : surface.triangles)
+    for (const std::uint32_t i : triangle)
+      meshops::require(i < points.size(), "outer_shells: expected a surface of these points");
+}
+
+}  // namespace
+
+std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
+                               const SurfaceComponents& components, const std::function<bool()>& go_on) {
+  space::check_radius(radius);
+  const std::size_t count = components.all.size();
+  require_components(points, shells, components);
+  for (const SurfaceComponent& component : components.all)
+    meshops::require(component.is_closed(), "outer_shells: expected exposed triangles, which are closed");
+
+  // Of each shell the ball that is the highest above its triangle, where the rounding of its centre matters least.
+  Steps step(go_on);
+  std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
+  std::vector<Point3> centre(count);
+  for (std::size_t t = 0; t < shells.triangles.size(); ++t) {
+    step(4);
+    const std::uint32_t c = components.number[t];
+    const RestingBall ball(points, shells.triangles[t], radius);
+    if (!(ball.clearance() > clearance[c])) continue;
+    clearance[c] = ball.clearance();
+    centre[c] = ball.centre();
+  }
+  std::vector<bool> outer(count, true);
+  for_each_enclosed(points, shells, components, centre, step,
+                    [&](std::uint32_t, std::uint32_t c) { outer[c] = false; });
   return outer;
+}
+
+std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
+                                        const SurfaceComponents& components, const std::function<bool()>& go_on) {
+  require_components(points, surface, components);
+  Steps step(go_on);
+  constexpr std::uint32_t none = 0xffffffff, several = 0xfffffffe;
+  std::vector<std::uint32_t> owner(points.size(), none);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const std::uint32_t corner : surface.triangles[t]) {
+      step();
+      std::uint32_t& of = owner[corner];
+      of = of == none || of == components.number[t] ? components.number[t] : several;
+    }
+  std::vector<Point3> places(components.all.size());  // the least of each that no other has, where there is one
+  std::vector<int> rank(places.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const std::uint32_t corner : surface.triangles[t]) {
+      const std::uint32_t c = components.number[t];
+      const int own = owner[corner] == c ? 2 : 1;
+      if (own < rank[c] || (own == rank[c] && !(points[corner] < places[c]))) continue;
+      places[c] = points[corner];
+      rank[c] = own;
+    }
+  std::vector<std::size_t> depths(places.size(), 0);
+  for_each_enclosed(points, surface, components, places, step, [&](std::uint32_t shell, std::uint32_t i) {
+    depths[i] += shell != i && components.all[shell].is_closed() && components.all[i].is_closed();
+  });
+  return depths;
 }
 
 }  // namespace rbpa

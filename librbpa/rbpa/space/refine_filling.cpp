@@ -11,6 +11,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/progress.h"
+#include "rbpa/base/going_on.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/simplices_at.h"
 #include "rbpa/base/sort_unique.h"
@@ -53,7 +54,8 @@ struct Patch {
 /// The triangles at each vertex, and what is on the boundary.
 class Fans {
  public:
-  Fans(std::span<const Point3> points, const Surface& surface) : surface_(surface), fans_(split_fans(surface)) {
+  Fans(std::span<const Point3> points, const Surface& surface, const meshops::GoOn& go_on)
+      : surface_(surface), fans_(split_fans(surface, go_on)) {
     for (const std::uint32_t point : fans_.point) {
       meshops::require(point < points.size(), "refine_filling: expected a surface of these points");
       places_.push_back(points[point]);
@@ -92,15 +94,19 @@ double distance(const Vector& u, const Vector& v) {
 /// A patch as it is given to be refined: of places, not of numbers.
 class PatchInput {
  public:
-  PatchInput(const Fans& fans, const Patch& patch, const std::vector<bool>& is_new)
+  PatchInput(const Fans& fans, const Patch& patch, const std::vector<bool>& is_new, meshops::Steps& step)
       : fans_(fans), patch_(patch), scale_(scale_of(fans, patch)) {
     for (std::uint32_t i = 0; i < patch.rim.size(); ++i) {
       number_.emplace(patch.rim[i], i);
       rim_.places.push_back(scale_.place(fans.place(patch.rim[i])));
       rim_.is_inner.push_back(fans.is_inner(patch.rim[i]));
     }
-    take_triangles();
-    for (const std::uint32_t v : patch.rim) take_outside(v, is_new);
+    take_triangles(step);
+    for (const std::uint32_t v : patch.rim) {
+      step(64);
+      take_outside(v, is_new);
+      rim_.bend.push_back(bend_outside(v));
+    }
   }
 
   const FillingRim& rim() const { return rim_; }
@@ -122,7 +128,7 @@ class PatchInput {
     return {box.low, box.high};
   }
 
-  void take_triangles() {
+  void take_triangles(meshops::Steps& step) {
     std::vector<Triangle> rows;
     for (const std::uint32_t t : patch_.triangles) {
       Triangle& row = rows.emplace_back(fans_.corners(t));
@@ -130,29 +136,26 @@ class PatchInput {
     }
     Indices same(patch_.rim.size());
     for (std::uint32_t i = 0; i < same.size(); ++i) same[i] = i;
-    space::LinkedTriangles linked = space::linked_triangles(rows, same);
+    space::LinkedTriangles linked = space::linked_triangles(rows, same, step);
     rim_.triangles.triangles = std::move(linked.triangles);
     rim_.triangles.neighbors = std::move(linked.neighbors);
   }
 
   /// The edges at a vertex that are of triangles outside of the patch.
   void take_outside(std::uint32_t v, const std::vector<bool>& is_new) {
-    Indices around, inside;
-    for (const std::uint32_t t : fans_.triangles_at(v))
-      for (const std::uint32_t w : fans_.corners(t)) {
-        if (w == v) continue;
-        const bool is_own =
-            is_new[t] && number_.contains(w) && std::binary_search(patch_.triangles.begin(), patch_.triangles.end(), t);
-        (is_own ? inside : around).push_back(w);
-      }
+    Indices around, outside;
+    for (const std::uint32_t t : fans_.triangles_at(v)) {
+      if (is_new[t] && std::binary_search(patch_.triangles.begin(), patch_.triangles.end(), t)) continue;
+      outside.push_back(t);
+      for (const std::uint32_t w : fans_.corners(t))
+        if (w != v) around.push_back(w);
+    }
     sort_unique(around);
-    sort_unique(inside);
+    rim_.outside.push_back(curvature_at(v, outside));
     const Vector place = rim_.places[number_.at(v)];
     std::vector<double> lengths;
-    std::vector<Point3> outside;
     for (const std::uint32_t w : around) {
       lengths.push_back(distance(place, scale_.place(fans_.place(w))));
-      if (!std::binary_search(inside.begin(), inside.end(), w)) outside.push_back(fans_.place(w));
       if (const auto other = number_.find(w); other != number_.end())
         rim_.edges.insert(std::minmax(number_.at(v), other->second));
     }
@@ -161,9 +164,47 @@ class PatchInput {
     for (const double length : lengths) sum += length;
     rim_.scales.push_back(lengths.empty() ? std::numeric_limits<double>::infinity()
                                           : sum / static_cast<double>(lengths.size()));
-    std::sort(outside.begin(), outside.end());
-    auto& places = rim_.outside.emplace_back();
-    for (const Point3& p : outside) places.push_back(scale_.place(p));
+  }
+
+  /// In an order that the numbers of triangles do not change.
+  space::FanCurvature curvature_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
+    std::vector<std::pair<Point3, Point3>> across;
+    for (const std::uint32_t t : triangles) {
+      const Triangle& corners = fans_.corners(t);
+      const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+      across.emplace_back(fans_.place(corners[(k + 1) % 3]), fans_.place(corners[(k + 2) % 3]));
+    }
+    std::sort(across.begin(), across.end());
+    space::FanCurvature fan;
+    for (const auto& [a, b] : across) fan.add(scale_.place(fans_.place(v)), scale_.place(a), scale_.place(b));
+    return fan;
+  }
+
+  /// Of the two rings next to a vertex of the rim: vertices with triangles all around, none of them in the patch.
+  std::optional<double> bend_outside(std::uint32_t v) const {
+    const auto neighbors_of = [&](const Indices& of) {
+      Indices others;
+      for (const std::uint32_t u : of)
+        for (const std::uint32_t t : fans_.triangles_at(u))
+          for (const std::uint32_t w : fans_.corners(t))
+            if (fans_.is_inner(w) && !number_.contains(w)) others.push_back(w);
+      sort_unique(others);
+      return others;
+    };
+    Indices rings = neighbors_of({v});
+    for (const std::uint32_t w : neighbors_of(rings)) rings.push_back(w);
+    sort_unique(rings);
+    std::vector<std::pair<Point3, std::uint32_t>> by_place;
+    for (const std::uint32_t w : rings) by_place.emplace_back(fans_.place(w), w);
+    std::sort(by_place.begin(), by_place.end());
+    double bend = 0, area = 0;
+    for (const auto& [place, w] : by_place) {
+      const space::FanCurvature fan = curvature_at(w, fans_.triangles_at(w));
+      bend += fan.bend();
+      area += fan.area;
+    }
+    if (!(area > 0)) return std::nullopt;
+    return bend / area;
   }
 
   const Fans& fans_;
@@ -177,7 +218,12 @@ class Refining {
  public:
   Refining(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
            const SurfaceOptions& options)
-      : points_(points), surface_(surface), is_new_(is_new), options_(options), fans_(points, surface) {}
+      : points_(points),
+        surface_(surface),
+        is_new_(is_new),
+        options_(options),
+        go_on_(going_on(options.progress, points.size(), surface.triangles.size())),
+        fans_(points, surface, go_on_) {}
 
   RefinedSurface run() {
     find_patches();
@@ -218,32 +264,37 @@ class Refining {
     for_each_index(threads, patches_.size(), [&](std::size_t i) {
       {
         const std::lock_guard<std::mutex> lock(asking);
-        if (options_.progress && !options_.progress({surface_.triangles.size(), points_.size()}))
-          throw meshops::Cancelled();
+        if (go_on_ && !go_on_()) throw meshops::Cancelled();
       }
-      refine(patches_[i]);
+      const meshops::GoOn go_on = [&] {
+        const std::lock_guard<std::mutex> lock(asking);
+        return !go_on_ || go_on_();
+      };
+      meshops::Steps step(go_on);
+      refine(patches_[i], step);
     });
   }
 
-  void refine(Patch& patch) const {
+  void refine(Patch& patch, meshops::Steps& step) const {
     constexpr std::size_t most = std::size_t{1} << 20U;  // points that are added
     // A filling that has two vertices at one place is no disk among others.
     const auto is_same = [&](std::uint32_t v, std::uint32_t w) { return fans_.place(v) == fans_.place(w); };
     if (std::adjacent_find(patch.rim.begin(), patch.rim.end(), is_same) != patch.rim.end()) return;
-    const PatchInput input(fans_, patch, is_new_);
+    const PatchInput input(fans_, patch, is_new_, step);
     FillingPatch refined(input.rim());
-    refined.refine(most);
+    refined.refine(most, step);
     if (refined.added() == 0) return;
     if (!refined.is_degenerate()) {
       patch.flat = input.result_of(refined);
       patch.stage = Stage::flat;
     }
-    if (!refined.make_smooth() || refined.is_degenerate()) return;
+    if (!refined.make_smooth(step) || refined.is_degenerate()) return;
     patch.smooth = input.result_of(refined);
     patch.stage = Stage::smooth;
   }
 
   RefinedSurface assembled() {
+    meshops::Steps step(go_on_);
     RefinedSurface result;
     std::vector<Triangle> triangles;
     Indices point = fans_.points();
@@ -276,7 +327,7 @@ class Refining {
       }
     }
     meshops::require(point.size() < std::size_t{1} << 31U, "refine_filling: expected fewer points");
-    space::LinkedTriangles linked = space::linked_triangles(triangles, point);
+    space::LinkedTriangles linked = space::linked_triangles(triangles, point, step);
     result.surface.triangles = std::move(linked.triangles);
     result.surface.neighbors = std::move(linked.neighbors);
     result.surface.duplicates = surface_.duplicates;
@@ -312,6 +363,7 @@ class Refining {
   const Surface& surface_;
   const std::vector<bool>& is_new_;
   const SurfaceOptions& options_;
+  meshops::GoOn go_on_;
   Fans fans_;
   std::vector<Patch> patches_;
   Indices patch_of_;  // of each triangle that is assembled

@@ -48,7 +48,9 @@ class RollingBall::Inside {
     const space::Site v = site(first);
     if (v == no_site) return {};
     space::Rings rings;
-    space::find_rings(cells_, fits_double_, v, v + 1, rings);
+    const meshops::GoOn never;
+    meshops::Steps step(never);
+    space::find_rings(cells_, fits_double_, v, v + 1, rings, step);
     std::vector<Triangle> found;
     const auto index = cells_.input_index();
     for (auto cycle = rings.points.begin(); cycle != rings.points.end();) {

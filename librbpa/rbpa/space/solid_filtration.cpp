@@ -154,9 +154,9 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
   } else {
     space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
     space::NumberedEdges edges = space::number_edges(sorted.size(), triangles.corners, step);
-    filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads);
+    filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads, go_on);
     filtration.triangle_alpha =
-        space::triangle_radii(sorted, delaunay, filtration.tetrahedron_alpha, triangles, threads);
+        space::triangle_radii(sorted, delaunay, filtration.tetrahedron_alpha, triangles, threads, go_on);
     filtration.triangles = std::move(triangles.corners);
     filtration.triangles_of = std::move(triangles.of);
     filtration.edges = std::move(edges.ends);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -10,9 +11,11 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/going_on.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/simplices_at.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/circumradius.h"
 #include "rbpa/space/solid_part.h"
@@ -42,11 +45,14 @@ std::size_t share_of(std::size_t all, double share) {
 /// Whether in the complex of alpha one solid component has a share of the corners that there are.
 class Connection {
  public:
-  Connection(const Solid& delaunay, std::span<const double> radii, double share)
-      : delaunay_(delaunay), radii_(radii), seen_(corner_bound<4>(delaunay.simplices), none) {
+  /// Keeps all.
+  Connection(const Solid& delaunay, std::span<const double> radii, double share, Steps& step)
+      : delaunay_(delaunay), radii_(radii), step_(step), seen_(corner_bound<4>(delaunay.simplices), none) {
     std::size_t corners = 0;
-    for (const Row& row : delaunay.simplices)
+    for (const Row& row : delaunay.simplices) {
+      step();
       for (const std::uint32_t corner : row) corners += std::exchange(seen_[corner], unseen) == none;
+    }
     wanted_ = share_of(corners, share);
   }
 
@@ -54,10 +60,12 @@ class Connection {
     const auto& simplices = delaunay_.simplices;
     meshops::DisjointSets sets(simplices.size());
     std::vector<std::uint32_t> size(simplices.size(), 0);
-    for (std::uint32_t t = 0; t < simplices.size(); ++t)
+    for (std::uint32_t t = 0; t < simplices.size(); ++t) {
+      step_(2);
       if (radii_[t] <= alpha)
         for (const std::uint32_t n : delaunay_.neighbors[t])
           if (n < t && radii_[n] <= alpha) sets.unite(t, n);
+    }
     for (std::uint32_t t = 0; t < simplices.size(); ++t)
       if (radii_[t] <= alpha) ++size[sets.find(t)];
     // Each corner of a component is one of its tetrahedra's, so that hardly any component is large enough.
@@ -72,6 +80,7 @@ class Connection {
   std::size_t count_corners(std::uint32_t root, double alpha, meshops::DisjointSets& sets) {
     std::size_t count = 0;
     for (std::uint32_t t = 0; t < delaunay_.simplices.size(); ++t) {
+      step_();
       if (!(radii_[t] <= alpha) || sets.find(t) != root) continue;
       for (const std::uint32_t corner : delaunay_.simplices[t]) count += std::exchange(seen_[corner], root) != root;
     }
@@ -81,13 +90,15 @@ class Connection {
 
   const Solid& delaunay_;
   std::span<const double> radii_;
+  Steps& step_;
   std::vector<std::uint32_t> seen_;  // of each point, the root of the last component that was seen to have it
   std::size_t wanted_ = 0;
 };
 
 }  // namespace
 
-std::vector<double> circumradii(std::span<const Point3> points, std::span<const Row> simplices, unsigned threads) {
+std::vector<double> circumradii(std::span<const Point3> points, std::span<const Row> simplices, unsigned threads,
+                                const std::function<bool()>& go_on) {
   space::check_points(points);
   for (std::size_t t = 0; t < simplices.size(); ++t)
     for (const std::uint32_t corner : simplices[t])
@@ -97,39 +108,47 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
   std::vector<double> radii(simplices.size());
   Threads some = threads_for(simplices.size(), threads);
   constexpr std::size_t at_a_time = 1u << 12;
+  AskFromAnyThread ask(go_on);
   for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    ask();
     space::circumradii_rounded_up(points, simplices.subspan(begin, end - begin),
                                   std::span(radii).subspan(begin, end - begin));
   });
   return radii;
 }
 
-double min_alpha(const Solid& delaunay, std::span<const double> radii, double share) {
+double min_alpha(const Solid& delaunay, std::span<const double> radii, double share,
+                 const std::function<bool()>& go_on) {
   require_radii(delaunay, radii);
   require_share(share);
   if (delaunay.simplices.empty()) return infinity;
   constexpr double never = -1;  // no corner
   std::vector<double> least(corner_bound<4>(delaunay.simplices), never);
-  for (std::size_t t = 0; t < radii.size(); ++t)
+  Steps step(go_on);
+  for (std::size_t t = 0; t < radii.size(); ++t) {
+    step();
     for (const std::uint32_t corner : delaunay.simplices[t])
       least[corner] = least[corner] < 0 ? radii[t] : std::min(least[corner], radii[t]);
+  }
   std::erase(least, never);
   const auto last = least.begin() + static_cast<std::ptrdiff_t>(share_of(least.size(), share) - 1);
   std::nth_element(least.begin(), last, least.end());
   return *last;
 }
 
-double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share) {
+double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share,
+                  const std::function<bool()>& go_on) {
   require_radii(delaunay, radii);
   require_share(share);
   meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");
   if (delaunay.simplices.empty()) return infinity;
   // A component with so many points keeps them as alpha grows: so the least alpha is found by bisection among radii.
   std::vector<double> sorted(radii.begin(), radii.end());
-  std::sort(sorted.begin(), sorted.end());
+  Steps asked(go_on);
+  sort(sorted, asked, std::less<>());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  Connection connection(delaunay, radii, share);
-  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share));
+  Connection connection(delaunay, radii, share, asked);
+  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share, go_on));
   auto first = static_cast<std::size_t>(at_min - sorted.begin());  // is the least that may do
   std::size_t last = first;
   for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {

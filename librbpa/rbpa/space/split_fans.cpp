@@ -7,6 +7,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/fans.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/levels/sub_surface.h"
 
@@ -22,7 +23,8 @@ struct Side {
 
 /// Calls visit(first, last) for the sides between each two vertices.
 template <typename Visit>
-void for_each_edge(const SplitFans& fans, const Visit& visit) {
+void for_each_edge(const SplitFans& fans, const std::function<bool()>& go_on, const Visit& visit) {
+  Steps step(go_on);
   std::vector<Side> sides;
   sides.reserve(3 * fans.triangles.size());
   for (std::uint32_t t = 0; t < fans.triangles.size(); ++t)
@@ -30,7 +32,7 @@ void for_each_edge(const SplitFans& fans, const Visit& visit) {
       const auto [low, high] = std::minmax(fans.triangles[t][(k + 1) % 3], fans.triangles[t][(k + 2) % 3]);
       sides.push_back({low, high, t, k});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  sort(sides, step, [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
   for (auto first = sides.begin(); first != sides.end();) {
@@ -43,9 +45,10 @@ void for_each_edge(const SplitFans& fans, const Visit& visit) {
 
 }  // namespace
 
-SplitFans split_fans(const Surface& surface) {
-  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max());
-  meshops::DisjointSets fans = fans_of(space::arrays_of(surface));
+SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
+  Steps step(go_on);
+  meshops::DisjointSets fans = fans_of(space::arrays_of(surface), step);
   SplitFans result;
   result.triangles = surface.triangles;
   const auto corners = static_cast<std::uint32_t>(fans.size());
@@ -54,8 +57,7 @@ SplitFans split_fans(const Surface& surface) {
   std::vector<std::uint32_t> first;  // corner of each fan
   for (std::uint32_t corner = 0; corner < corners; ++corner)
     if (fans.find(corner) == corner) first.push_back(corner);
-  std::sort(first.begin(), first.end(),
-            [&](std::uint32_t f, std::uint32_t g) { return at(f) != at(g) ? at(f) < at(g) : f < g; });
+  sort(first, step, [&](std::uint32_t f, std::uint32_t g) { return at(f) != at(g) ? at(f) < at(g) : f < g; });
   for (const std::uint32_t corner : first) result.point.push_back(at(corner));
   // The first corner of a fan is numbered first; the others copy its number.
   for (std::uint32_t v = 0; v < first.size(); ++v) at(first[v]) = v;
@@ -63,15 +65,15 @@ SplitFans split_fans(const Surface& surface) {
   return result;
 }
 
-Surface indexable_surface(const Surface& surface) {
+Surface indexable_surface(const Surface& surface, const std::function<bool()>& go_on) {
   Surface result = surface;
   const auto across = [&](const Side& side) -> std::uint32_t& { return result.neighbors[side.triangle][side.across]; };
   // Once a fan is cut wherever it comes to the edge, each part comes to it at its two ends only.
-  for_each_edge(split_fans(surface), [&](auto first, auto last) {
+  for_each_edge(split_fans(surface, go_on), go_on, [&](auto first, auto last) {
     if (last - first > 2)
       for (auto side = first; side != last; ++side) across(*side) = Surface::none;
   });
-  for_each_edge(split_fans(result), [&](auto first, auto last) {
+  for_each_edge(split_fans(result, go_on), go_on, [&](auto first, auto last) {
     if (last - first != 2 || across(*first) != Surface::none) return;
     across(first[0]) = first[1].triangle;
     across(first[1]) = first[0].triangle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -33,16 +34,25 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   };
   static_assert(space::SurfaceAssembly::none == Surface::none);
   space::SurfaceAssembly assembly(cells);
+  std::mutex asking;
   std::size_t triangles = 0;
+  const meshops::GoOn go_on = [&] {
+    const std::lock_guard<std::mutex> lock(asking);
+    return !options.progress || options.progress({triangles, cells.sites().size()});
+  };
   in_order<Workspace>(
       threads, assembly.parts(),
       [&](std::size_t part, Workspace& w) {
-        space::find_rings(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings);
+        meshops::Steps step(go_on);
+        space::find_rings(cells, fits_double, assembly.first_in(part), assembly.end_of(part), w.rings, step);
         w.triangles = assembly.add(part, w.rings, keep, is_needed, w.scratch);
       },
       [&](std::size_t, Workspace& w) {
-        triangles += w.triangles;
-        if (options.progress && !options.progress({triangles, cells.sites().size()})) throw Cancelled();
+        {
+          const std::lock_guard<std::mutex> lock(asking);
+          triangles += w.triangles;
+        }
+        if (!go_on()) throw Cancelled();
       },
       [](std::size_t, Workspace&) {});
   assembly.finish(input_points, threads, surface.triangles, surface.neighbors);

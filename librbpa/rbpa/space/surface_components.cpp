@@ -38,7 +38,8 @@ struct Measured : SurfaceComponent {
 };
 
 /// Requires: at least one triangle.
-Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles) {
+Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles,
+                 Steps& step) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Measured result;
   result.triangles = triangles.size();
@@ -46,6 +47,7 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
   result.high = {-infinity, -infinity, -infinity};
   result.least = corners_of(points, surface.triangles[triangles.front()]);
   for (const std::uint32_t t : triangles) {
+    step();
     for (const std::uint32_t other : surface.neighbors[t]) result.boundary_sides += other == Surface::none;
     const auto& triangle = surface.triangles[t];
     bool may_be_least = false;
@@ -62,6 +64,7 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
   const auto minus = [](const Vector& v, const Vector& u) { return Vector{v.x - u.x, v.y - u.y, v.z - u.z}; };
   ExactSum areas, volumes;  // exact, so that the order of the triangles does not matter
   for (const std::uint32_t t : triangles) {
+    step();
     const Corners corners = corners_of(points, surface.triangles[t]);
     const Vector a = scale.place(corners[0]), b = scale.place(corners[1]), c = scale.place(corners[2]);
     const Vector normal = space::cross(minus(b, a), minus(c, a));
@@ -75,11 +78,11 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
 
 }  // namespace
 
-SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface) {
-  require_linked(space::arrays_of(surface), points.size());
+SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
+                                     const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), points.size(), go_on);
   const auto count = static_cast<std::uint32_t>(surface.triangles.size());
-  const meshops::GoOn never;
-  Steps step(never);
+  Steps step(go_on);
   meshops::DisjointSets sets = components_of(space::arrays_of(surface), step);
 
   const space::Grouped grouped(count, count, [&](std::uint32_t t) { return sets.find(t); });
@@ -96,12 +99,12 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
     }
   std::vector<Measured> measured;
   for (std::size_t c = 0; c < grouped.size(); ++c) {
-    measured.push_back(measure(points, surface, grouped.items(c)));
+    measured.push_back(measure(points, surface, grouped.items(c), step));
     measured.back().boundary_curves = curves[c];
   }
   std::vector<std::uint32_t> order(measured.size()), place(measured.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+  sort(order, step, [&](std::uint32_t i, std::uint32_t j) {
     const Measured &c = measured[i], &d = measured[j];
     if (c.area != d.area) return c.area > d.area;
     if (c.volume != d.volume) return c.volume > d.volume;
@@ -115,13 +118,15 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
   return result;
 }
 
-std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components) {
-  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max());
+std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
+                                  const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
   meshops::require(components.number.size() == surface.triangles.size(),
                    "genus_of: expected the components of this surface");
   std::vector<std::size_t> genus;  // vertices, at first
   genus.resize(components.all.size(), 0);
-  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface));
+  Steps step(go_on);
+  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface), step);
   for (std::uint32_t corner = 0; corner < fans.size(); ++corner)
     if (fans.is_least(corner)) ++genus[components.number[corner / 3]];
   for (std::size_t c = 0; c < genus.size(); ++c) {

@@ -7,6 +7,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/distinct.h"
+#include "rbpa/base/going_on.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
@@ -34,8 +36,9 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
 /// Raises the causes of the corners of one radius's exposed triangles. `wanted` are the unused points whose cause is not the
 /// last one yet.
 void raise_causes(const space::NeighborhoodSubset& near, const Surface& exposed, const space::Agreement& agreement,
-                  const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes) {
+                  const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes, Steps& step) {
   for (const auto& local : exposed.triangles) {
+    step(2);
     const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
     if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) { return wanted[i] != 0; })) continue;
     const bool agrees = agreement(triangle[0], triangle[1], triangle[2]);
@@ -66,7 +69,7 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
 
 /// Changes `no_ball_rests` to `hidden` where it is so, for wanted points in the subset.
 void find_hidden(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
-                 std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted) {
+                 std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted, Steps& step) {
   std::vector<Point3> places;
   std::vector<std::uint32_t> input;
   for_each_distinct(near.points.size(), exposed.duplicates, [&](std::uint32_t i) {
@@ -81,12 +84,14 @@ void find_hidden(const space::NeighborhoodSubset& near, const Surface& exposed, 
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     around.clear();
     for (space::Site v = cells.first_in(cell); v < cells.first_in(cell + 1); ++v) {
+      step();
       const std::uint32_t index = index_of(v);
       if (wanted[index] == 0 || causes[index] != UnusedCause::no_ball_rests) continue;
       if (around.empty())
         around_cell.for_each_run(cell, [&](space::Site first, space::Site last) {
           for (space::Site p = first; p < last; ++p) around.push_back(p);
         });
+      step(2 * around.size());
       if (is_hidden(v, cells.sites(), around, radius)) causes[index] = UnusedCause::hidden;
     }
   }
@@ -101,6 +106,8 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
   space::check_points(points);
   if (!normals.empty()) space::check_normals(points, normals);
 
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  Steps step(go_on);
   std::vector<UnusedPoint> unused = without_triangle(points.size(), surface);
   const space::Agreement agreement(points, normals, surface.duplicates);
   std::vector<UnusedCause> causes(points.size(), UnusedCause::no_ball_rests);
@@ -113,8 +120,8 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
     const space::NeighborhoodSubset near =
         space::neighborhood_subset(points, {}, surface.duplicates, wanted, radii[level]);
     const Surface exposed = exposed_triangles(near.points, radii[level], options);
-    raise_causes(near, exposed, agreement, wanted, causes);
-    if (level + 1 == radii.size()) find_hidden(near, exposed, radii[level], causes, wanted);
+    raise_causes(near, exposed, agreement, wanted, causes, step);
+    if (level + 1 == radii.size()) find_hidden(near, exposed, radii[level], causes, wanted, step);
   }
   for (UnusedPoint& point : unused) point.cause = causes[point.index];
   return unused;

@@ -71,7 +71,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   const space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
   const std::vector<double> wall = walls == VoidWalls::solid
                                        ? first_radii(radii, triangles)
-                                       : space::triangle_radii(points, delaunay, radii, triangles, threads);
+                                       : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
   // What is filled as it closes is a part of what it is parted from.
   std::vector<std::uint32_t> part_of(radii.size());

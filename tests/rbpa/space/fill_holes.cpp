@@ -187,6 +187,48 @@ TEST_CASE("a hole stays open where its only triangles cross the mesh or have an 
   CHECK(rbpa::crossing_triangles(half.points, closed.triangles, 1).empty());
 }
 
+TEST_CASE("thousands of triangles on one edge: each hole has its reason, work is limited, any look ends it") {
+  const auto book = [](std::uint32_t pages) {  // each triangle by itself, its vertices its own
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < pages; ++i) {
+      const double turn = 2 * std::acos(-1.0) * i / pages;
+      mesh.points.insert(mesh.points.end(), {{0, 0, 0}, {0, 0, 1}, {std::cos(turn), std::sin(turn), 0.5}});
+      mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return mesh;
+  };
+  const auto looks_at = [&](std::uint32_t pages) {
+    const Mesh mesh = book(pages);
+    std::size_t looks = 0;
+    const auto count = [&](const rbpa::Progress&) {
+      ++looks;
+      return true;
+    };
+    const auto loops = rbpa::boundary_loops(mesh.triangles);
+    REQUIRE(loops.size() == pages);
+    const rbpa::HoleFilling filling =
+        rbpa::fill_holes(mesh.points, mesh.triangles, loops, {.threads = 1, .progress = count});
+    CHECK(filling.triangles == mesh.triangles);
+    std::size_t too_much = 0;
+    for (const rbpa::HoleFill& fill : filling.loops) {
+      CHECK((fill.outcome == HoleOutcome::crosses || fill.outcome == HoleOutcome::too_much_work));
+      too_much += fill.outcome == HoleOutcome::too_much_work;
+    }
+    CHECK(too_much > 0);
+    // Any of them ends it: the first, some in the middle, the last.
+    for (const std::size_t last : {std::size_t{1}, looks / 3, looks / 2, looks - 1}) {
+      std::size_t left = last;
+      CHECK_THROWS_AS(rbpa::fill_holes(mesh.points, mesh.triangles, loops,
+                                       {.threads = 1, .progress = [&](const rbpa::Progress&) { return left-- > 1; }}),
+                      rbpa::Cancelled);
+    }
+    return looks;
+  };
+  const std::size_t some = looks_at(1000), twice = looks_at(2000);
+  CHECK(twice > some);
+  CHECK(twice < 4 * some);
+}
+
 TEST_CASE("a loop that comes to a point twice, at two vertices, is closed on both sides of it, which become one") {
   // Two square holes that touch at a corner; the fans between them there are two vertices.
   Mesh mesh = grid(

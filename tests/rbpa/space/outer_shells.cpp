@@ -169,4 +169,53 @@ TEST_CASE("a surface that is not closed is refused") {
   CHECK(rbpa::outer_shells({}, 1, {}, {}).empty());
 }
 
+TEST_CASE("nesting depths: bodies in bodies, walls of cavities, and beside them what is open or touches") {
+  Points3 points;
+  Surface surface;
+  const auto add_cube = [&](const Point3& at, double size, bool outward, bool open = false) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (unsigned i = 0; i < 8; ++i)
+      points.push_back({at.x + size * (i & 1U), at.y + size * (i >> 1U & 1U), at.z + size * (i >> 2U & 1U)});
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> sides{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    std::vector<std::array<std::uint32_t, 3>> rows;
+    for (const auto& [a, b, c, d] : sides) {
+      if (open && rows.size() == 10) break;
+      rows.push_back({first + a, first + b, first + c});
+      rows.push_back({first + a, first + c, first + d});
+    }
+    for (auto& row : rows) {
+      if (!outward) std::swap(row[1], row[2]);
+      std::rotate(row.begin(), std::min_element(row.begin(), row.end()), row.end());
+    }
+    const auto begin = static_cast<std::uint32_t>(surface.triangles.size());
+    for (std::uint32_t t = 0; t < rows.size(); ++t) {
+      auto& across = surface.neighbors.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        across[k] = Surface::none;
+        for (std::uint32_t u = 0; u < rows.size(); ++u)
+          for (std::size_t j = 0; j < 3; ++j)
+            if (rows[u][j] == rows[t][(k + 2) % 3] && rows[u][(j + 1) % 3] == rows[t][(k + 1) % 3])
+              across[k] = begin + u;
+      }
+    }
+    surface.triangles.insert(surface.triangles.end(), rows.begin(), rows.end());
+  };
+  add_cube({0, 0, 0}, 8, true);
+  add_cube({1, 1, 1}, 6, false);       // its cavity
+  add_cube({2, 2, 2}, 1, true);        // a body in there
+  add_cube({4, 4, 4}, 2, true, true);  // is open
+  add_cube({8, 8, 8}, 3, true);        // touches the first from outside
+  add_cube({20, 2, 2}, 1, true);       // in line with what is inside
+  surface.distinct = points.size();
+  const SurfaceComponents components = rbpa::surface_components(points, surface);
+  REQUIRE(components.all.size() == 6);
+  const std::vector<std::size_t> depths = rbpa::nesting_depths(points, surface, components);
+  const std::array<std::size_t, 6> right{0, 1, 2, 0, 0, 0};  // in the order in which they are added
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    CHECK(depths[components.number[t]] == right[surface.triangles[t][0] / 8]);
+  CHECK(rbpa::nesting_depths({}, {}, {}).empty());
+  CHECK_THROWS_AS(rbpa::nesting_depths(points, surface, {}), meshops::ContractViolation);
+}
+
 TEST_SUITE_END();

@@ -23,14 +23,15 @@ int longest_axis(const Box& box) {
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box> boxes) : numbers_(boxes.size()) {
+BoxTree::BoxTree(std::span<const Box> boxes, meshops::Steps& step) : numbers_(boxes.size()) {
   std::iota(numbers_.begin(), numbers_.end(), std::uint32_t{0});
-  if (!boxes.empty()) build(boxes, 0, static_cast<std::uint32_t>(boxes.size()));
+  if (!boxes.empty()) build(boxes, 0, static_cast<std::uint32_t>(boxes.size()), step);
   boxes_.reserve(boxes.size());
   for (const std::uint32_t number : numbers_) boxes_.push_back(boxes[number]);
 }
 
-void BoxTree::build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last) {
+void BoxTree::build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last, meshops::Steps& step) {
+  step(last - first);
   const std::size_t at = nodes_.size();
   nodes_.push_back({.box = {}, .first = first, .last = last});
   Box middles;
@@ -45,9 +46,9 @@ void BoxTree::build(std::span<const Box> boxes, std::uint32_t first, std::uint32
   const auto place = [&](std::uint32_t k) { return numbers_.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(place(first), place(half), place(last),
                    [&](std::uint32_t i, std::uint32_t j) { return middle(boxes[i], axis) < middle(boxes[j], axis); });
-  build(boxes, first, half);
+  build(boxes, first, half, step);
   nodes_[at].second = static_cast<std::uint32_t>(nodes_.size());
-  build(boxes, half, last);
+  build(boxes, half, last, step);
 }
 
 }  // namespace rbpa::space

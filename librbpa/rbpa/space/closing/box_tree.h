@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/progress.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::space {
@@ -41,7 +42,9 @@ inline Box box_of(const std::array<Point3, 3>& triangle) {
 
 class BoxTree {
  public:
-  explicit BoxTree(std::span<const Box> boxes);
+  BoxTree() = default;
+  /// Throws: Cancelled.
+  BoxTree(std::span<const Box> boxes, meshops::Steps& step);
 
   /// Calls visit(i) for each box that meets `box`, in some order.
   template <typename Visit>
@@ -70,7 +73,7 @@ class BoxTree {
     std::uint32_t second = 0;   // half; 0: a leaf
   };
 
-  void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last);
+  void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last, meshops::Steps& step);
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> numbers_;

@@ -15,13 +15,20 @@ std::uint32_t at(std::span<const std::uint32_t> loop, std::size_t i) { return lo
 }  // namespace
 
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
-                                    std::span<const std::uint32_t> other, std::size_t most) {
+                                    std::span<const std::uint32_t> other, std::size_t most, Work& work) {
   Box box;
   for (const auto& of : {loop, other})
     for (const std::uint32_t v : of) box.include(points[v]);
   const BoxScale scale(box.low, box.high);
-  const auto square = [&](std::uint32_t v, std::uint32_t w) {
-    const Vector3<double> p = scale.place(points[v]), q = scale.place(points[w]);
+  const auto places_of = [&](std::span<const std::uint32_t> of) {
+    std::vector<Vector3<double>> places;
+    places.reserve(of.size() + 1);
+    for (const std::uint32_t v : of) places.push_back(scale.place(points[v]));
+    places.push_back(places.front());
+    return places;
+  };
+  const std::vector<Vector3<double>> from = places_of(loop), to = places_of(other);
+  const auto square = [](const Vector3<double>& p, const Vector3<double>& q) {
     const Vector3<double> d = {q.x - p.x, q.y - p.y, q.z - p.z};
     return dot(d, d);
   };
@@ -29,21 +36,32 @@ std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<co
     double length;
     Bridge bridge;
   };
-  std::vector<Found> found;
-  for (std::uint32_t i = 0; i < loop.size(); ++i)
-    for (std::uint32_t j = 0; j < other.size(); ++j) {
-      const double length = square(loop[i], at(other, j + 1)) + square(at(loop, i + 1), other[j]);
-      if (length > 0) found.push_back({length, {i, j}});
-    }
   const auto is_before = [&](const Found& f, const Found& g) {
     const auto key = [&](const Found& of) {
       return std::tuple(of.length, points[loop[of.bridge.edge]], points[other[of.bridge.other]]);
     };
     return key(f) < key(g);
   };
-  const std::size_t count = std::min(most, found.size());
-  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(), is_before);
-  found.resize(count);
+  std::vector<Found> found;            // a heap, the last of the best first
+  constexpr std::size_t at_once = 16;  // pairs of edges are looked at as fast as one pair of triangles
+  for (std::uint32_t i = 0; i < loop.size(); ++i) {
+    work(other.size() / at_once + 1);
+    if (work.is_over()) return {};
+    for (std::uint32_t j = 0; j < other.size(); ++j) {
+      const double length = square(from[i], to[j + 1]) + square(from[i + 1], to[j]);
+      if (!(length > 0) || (found.size() == most && length > found.front().length)) continue;
+      const Found pair{length, {i, j}};
+      if (found.size() == most) {
+        if (!is_before(pair, found.front())) continue;
+        std::pop_heap(found.begin(), found.end(), is_before);
+        found.back() = pair;
+      } else {
+        found.push_back(pair);
+      }
+      std::push_heap(found.begin(), found.end(), is_before);
+    }
+  }
+  std::sort_heap(found.begin(), found.end(), is_before);
   std::vector<Bridge> bridges;
   for (const Found& f : found) bridges.push_back(f.bridge);
   return bridges;

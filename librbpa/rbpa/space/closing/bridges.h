@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rbpa/base/point3.h"
+#include "rbpa/space/closing/work.h"
 
 namespace rbpa::space {
 
@@ -18,9 +19,10 @@ struct Bridge {
   std::uint32_t edge, other;
 };
 
-/// Those whose corners are nearest to each other, the best first, at most so many. Loops have the hole to their left.
+/// Those whose corners are nearest to each other, the best first, at most so many. Loops have the hole to their left. None where
+/// the work is over before all were compared.
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
-                                    std::span<const std::uint32_t> other, std::size_t most);
+                                    std::span<const std::uint32_t> other, std::size_t most, Work& work);
 
 /// The two triangles of a strip.
 std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshops/core/progress.h"
 #include "rbpa/space/closing/rim.h"
 
 namespace rbpa::space {
@@ -18,11 +19,14 @@ namespace rbpa::space {
 /// Corners low < high of a rim.
 using Chord = std::pair<std::uint32_t, std::uint32_t>;
 
+/// All that are candidates, and the sides, sorted. Throws: Cancelled.
+std::vector<Chord> candidate_chords(const Rim& rim, meshops::Steps& step);
+
 /// Chords by number: sorted by low, then high.
 class Chords {
  public:
-  /// All that are candidates, and the sides; without the forbidden ones, which are sorted.
-  Chords(const Rim& rim, std::span<const Chord> forbidden);
+  /// The candidates of a rim of so many corners, without the forbidden ones, which are sorted.
+  Chords(std::size_t corners, std::vector<Chord> candidates, std::span<const Chord> forbidden);
 
   std::size_t size() const { return chords_.size(); }
   const Chord& operator[](std::size_t number) const { return chords_[number]; }

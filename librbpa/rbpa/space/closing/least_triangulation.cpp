@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "rbpa/space/predicate/orientation.h"
 
@@ -192,9 +193,10 @@ class Search {
 
 }  // namespace
 
-std::optional<RimFilling> least_triangulation(const Rim& rim, std::span<const Chord> forbidden_chords,
+std::optional<RimFilling> least_triangulation(const Rim& rim, std::vector<Chord> candidates,
+                                              std::span<const Chord> forbidden_chords,
                                               std::span<const RimTriangle> forbidden_triangles, meshops::Steps& step) {
-  const Chords chords(rim, forbidden_chords);
+  const Chords chords(rim.size(), std::move(candidates), forbidden_chords);
   return Search(rim, chords, forbidden_triangles, step).run();
 }
 

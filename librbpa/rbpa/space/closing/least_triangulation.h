@@ -37,9 +37,10 @@ struct RimFilling {
 };
 
 /// Without triangles whose corners are on a line, and without forbidden chords and triangles, which are sorted. Nothing where
-/// that leaves no triangulation.
+/// that leaves no triangulation. `candidates`: candidate_chords() of the rim.
 /// Requires: at least three corners. Throws: Cancelled.
-std::optional<RimFilling> least_triangulation(const Rim& rim, std::span<const Chord> forbidden_chords,
+std::optional<RimFilling> least_triangulation(const Rim& rim, std::vector<Chord> candidates,
+                                              std::span<const Chord> forbidden_chords,
                                               std::span<const RimTriangle> forbidden_triangles, meshops::Steps& step);
 
 }  // namespace rbpa::space

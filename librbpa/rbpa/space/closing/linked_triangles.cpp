@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "rbpa/base/steps.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/space/closing/triangle_sides.h"
 
@@ -14,13 +15,14 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Of triangles of vertices: those that have a side in common, number k across from corner k.
-std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles) {
+std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles, meshops::Steps& step) {
   std::vector<Triangle> neighbors(triangles.size(), {no_index, no_index, no_index});
-  const std::vector<TriangleSide> sides = sorted_sides(triangles, {});
+  const std::vector<TriangleSide> sides = sorted_sides(triangles, {}, step);
   const auto is_before = [](const TriangleSide& s, const TriangleSide& t) {
     return std::tie(s.from, s.to) < std::tie(t.from, t.to);
   };
   for (const TriangleSide& side : sides) {
+    step(2);
     const auto [first, last] =
         std::equal_range(sides.begin(), sides.end(), TriangleSide{side.to, side.from, 0, 0}, is_before);
     if (last - first != 1) continue;
@@ -35,8 +37,9 @@ std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles) {
 
 }  // namespace
 
-LinkedTriangles linked_triangles(std::span<const Triangle> of_vertices, std::span<const std::uint32_t> point) {
-  std::vector<Triangle> triangles, neighbors = neighbors_of(of_vertices);
+LinkedTriangles linked_triangles(std::span<const Triangle> of_vertices, std::span<const std::uint32_t> point,
+                                 meshops::Steps& step) {
+  std::vector<Triangle> triangles, neighbors = neighbors_of(of_vertices, step);
   for (std::size_t t = 0; t < of_vertices.size(); ++t) {
     Triangle corners = of_vertices[t];
     for (std::uint32_t& corner : corners) corner = point[corner];
@@ -48,8 +51,9 @@ LinkedTriangles linked_triangles(std::span<const Triangle> of_vertices, std::spa
   LinkedTriangles result;
   result.order.resize(triangles.size());
   std::iota(result.order.begin(), result.order.end(), std::uint32_t{0});
-  std::stable_sort(result.order.begin(), result.order.end(),
-                   [&](std::uint32_t t, std::uint32_t u) { return triangles[t] < triangles[u]; });
+  sort(result.order, step, [&](std::uint32_t t, std::uint32_t u) {
+    return triangles[t] != triangles[u] ? triangles[t] < triangles[u] : t < u;
+  });
   std::vector<std::uint32_t> number(triangles.size());
   for (std::uint32_t place = 0; place < number.size(); ++place) number[result.order[place]] = place;
   for (const std::uint32_t t : result.order) {

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/progress.h"
+
 namespace rbpa::space {
 
 /// As Surface::triangles and Surface::neighbors.
@@ -15,8 +17,8 @@ struct LinkedTriangles {
   std::vector<std::uint32_t> order;  ///< which of those that were given each triangle is
 };
 
-/// `point`: of each vertex. Vertices that more than two triangles join, or two in one direction, glue nothing.
+/// `point`: of each vertex. Vertices that more than two triangles join, or two in one direction, glue nothing. Throws: Cancelled.
 LinkedTriangles linked_triangles(std::span<const std::array<std::uint32_t, 3>> of_vertices,
-                                 std::span<const std::uint32_t> point);
+                                 std::span<const std::uint32_t> point, meshops::Steps& step);
 
 }  // namespace rbpa::space

@@ -23,12 +23,16 @@ std::vector<Box> boxes_of(std::span<const Point3> points, std::span<const Simple
 
 /// The triangles whose boxes meet that of a loop.
 std::vector<Corners> near(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-                          const BoxTree& loops) {
+                          const BoxTree& loops, meshops::Steps& step) {
   std::vector<Corners> result;
   for (const auto& [a, b, c] : triangles) {
+    step();
     const Corners t = {points[a], points[b], points[c]};
     bool is_near = false;
-    loops.for_each_meeting(box_of(t), [&](std::uint32_t) { is_near = true; });
+    loops.for_each_meeting(box_of(t), [&](std::uint32_t) {
+      is_near = true;
+      step();
+    });
     if (is_near && !are_collinear(t[0], t[1], t[2])) result.push_back(t);
   }
   return result;
@@ -66,29 +70,32 @@ const RimTriangle& worse(const Rim& rim, const RimTriangle& s, const RimTriangle
 }  // namespace
 
 MeshAround::MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-                       std::span<const SimpleLoop> loops)
+                       std::span<const SimpleLoop> loops, meshops::Steps& step)
     : loops_(loops),
       places_(places_of(points, loops)),
       joined_(places_.size()),
       corners_at_(loops.size()),
-      loop_tree_(boxes_of(points, loops)),
-      triangle_tree_(std::span<const Box>{}),
+      loop_tree_(boxes_of(points, loops), step),
       added_(loops.size()) {
-  triangles_ = near(points, triangles, loop_tree_);
-  triangle_tree_ = BoxTree(boxes_of(triangles_));
+  triangles_ = near(points, triangles, loop_tree_, step);
+  triangle_tree_ = BoxTree(boxes_of(triangles_), step);
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (const LoopCorner& corner : loops[l].corners) corners_at_[l].push_back(*place_of(points[corner.in]));
 
   std::vector<std::uint32_t> place(points.size(), 0);  // of each vertex, from 1
-  for (std::size_t v = 0; v < points.size(); ++v)
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    step(2);
     if (const auto found = place_of(points[v])) place[v] = *found + 1;
-  for (const auto& t : triangles)
+  }
+  for (const auto& t : triangles) {
+    step();
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = place[t[k]], to = place[t[(k + 1) % 3]];
       if (from == 0 || to == 0) continue;
       joined_[from - 1].push_back(to - 1);
       joined_[to - 1].push_back(from - 1);
     }
+  }
   for (auto& others : joined_) sort_unique(others);
 }
 
@@ -104,17 +111,27 @@ std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
   for (std::uint32_t i = 0; i < corners.size(); ++i) at.emplace_back(corners[i], i);
   std::sort(at.begin(), at.end());
   std::vector<Chord> taken;
-  for (std::uint32_t i = 0; i < corners.size(); ++i)
-    for (const std::uint32_t other : joined_[corners[i]]) {
-      const auto found = std::lower_bound(at.begin(), at.end(), std::pair{other, std::uint32_t{0}});
-      if (found == at.end() || found->first != other || found->second < i) continue;
-      if (!is_side({i, found->second}, corners.size())) taken.emplace_back(i, found->second);
+  for (std::uint32_t i = 0; i < corners.size(); ++i) {
+    const std::vector<std::uint32_t>& joined = joined_[corners[i]];
+    const auto take = [&](std::uint32_t other) {
+      if (other >= i && !is_side({i, other}, corners.size())) taken.emplace_back(i, other);
+    };
+    if (joined.size() > at.size()) {  // at an edge or a point at which there are many triangles
+      for (const auto& [place, other] : at)
+        if (std::binary_search(joined.begin(), joined.end(), place)) take(other);
+      continue;
     }
+    for (const std::uint32_t place : joined) {
+      const auto found = std::lower_bound(at.begin(), at.end(), std::pair{place, std::uint32_t{0}});
+      if (found != at.end() && found->first == place) take(found->second);
+    }
+  }
   sort_unique(taken);
   return taken;
 }
 
-Faults MeshAround::faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling) const {
+Faults MeshAround::faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling,
+                          Work& work) const {
   Faults faults;
   const std::vector<std::uint32_t>& corners = corners_at_[number];
   const auto check = [&](const RimTriangle& t, const Corners& own, const Corners& other) {
@@ -138,16 +155,24 @@ Faults MeshAround::faults(std::uint32_t number, const Rim& rim, std::span<const 
         faults.taken.push_back(chord);
     }
     const Box box = box_of(own.back());
-    triangle_tree_.for_each_meeting(box, [&](std::uint32_t i) { check(t, own.back(), triangles_[i]); });
+    triangle_tree_.for_each_meeting(box, [&](std::uint32_t i) {
+      work();
+      check(t, own.back(), triangles_[i]);
+    });
     loop_tree_.for_each_meeting(box, [&](std::uint32_t l) {
-      for (const Corners& other : added_[l])
-        if (box_of(other).meets(box)) check(t, own.back(), other);
+      work(added_[l].size() / 8 + 1);
+      for (const Corners& other : added_[l]) {
+        if (!box_of(other).meets(box)) continue;
+        work();
+        check(t, own.back(), other);
+      }
     });
   }
   const std::vector<Box> boxes = boxes_of(own);
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes, work.steps());
   for (std::uint32_t i = 0; i < filling.size(); ++i)
     tree.for_each_meeting(boxes[i], [&](std::uint32_t j) {
+      work();
       if (j > i && triangles_cross(own[i], own[j])) faults.triangles.push_back(worse(rim, filling[i], filling[j]));
     });
   sort_unique(faults.taken);

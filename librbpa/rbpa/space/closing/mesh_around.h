@@ -12,6 +12,7 @@
 #include "rbpa/space/closing/box_tree.h"
 #include "rbpa/space/closing/least_triangulation.h"
 #include "rbpa/space/closing/simple_loops.h"
+#include "rbpa/space/closing/work.h"
 #include "rbpa/space/predicate/crossing.h"
 
 namespace rbpa::space {
@@ -26,13 +27,13 @@ struct Faults {
 
 class MeshAround {
  public:
-  /// Keeps the spans. `loops`: all that may be filled.
+  /// Keeps the spans. `loops`: all that may be filled. Throws: Cancelled.
   MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-             std::span<const SimpleLoop> loops);
+             std::span<const SimpleLoop> loops, meshops::Steps& step);
 
   /// The chords of a loop that edges of the mesh have, sorted.
   std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
-  Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling) const;
+  Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
   /// Adds the filling of the loop with this number.
   void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/steps.h"
 
 namespace rbpa::space {
 namespace {
@@ -25,7 +26,7 @@ std::vector<TriangleSide>::const_iterator find(const std::vector<TriangleSide>& 
 }  // namespace
 
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
-                                       const std::vector<bool>& is_wanted) {
+                                       const std::vector<bool>& is_wanted, meshops::Steps& step) {
   std::vector<TriangleSide> sides;
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -33,14 +34,15 @@ std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t,
       if (is_wanted.empty() || (is_wanted[from] && is_wanted[to]))
         sides.push_back({from, to, triangles[t][(k + 2) % 3], t});
     }
-  std::sort(sides.begin(), sides.end(), [](const TriangleSide& s, const TriangleSide& t) {
+  sort(sides, step, [](const TriangleSide& s, const TriangleSide& t) {
     return std::tie(s.from, s.to, s.triangle) < std::tie(t.from, t.to, t.triangle);
   });
   return sides;
 }
 
-std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const std::vector<TriangleSide> sides = sorted_sides(triangles, {});
+std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                                 meshops::Steps& step) {
+  const std::vector<TriangleSide> sides = sorted_sides(triangles, {}, step);
   meshops::require(
       std::adjacent_find(sides.begin(), sides.end(),
                          [](const TriangleSide& s, const TriangleSide& t) { return key(s) == key(t); }) == sides.end(),
@@ -49,6 +51,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
   for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
   std::vector<std::uint32_t> next(vertices, none);  // along the boundary, the triangles to the right
   for (const TriangleSide& side : sides) {
+    step(2);
     if (find(sides, side.to, side.from) != sides.end()) continue;
     meshops::require(next[side.to] == none, "boundary_loops: expected one fan of triangles at each vertex");
     next[side.to] = side.from;
@@ -66,7 +69,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
 }
 
 BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
-                             std::span<const std::vector<std::uint32_t>> loops) {
+                             std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step) {
   std::uint32_t vertices = 0;
   for (const auto& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
   std::vector<bool> is_wanted(vertices, false);
@@ -76,11 +79,12 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
       is_wanted[vertex] = true;
     }
   if (loops.empty()) return;
-  const std::vector<TriangleSide> sides = sorted_sides(triangles, is_wanted);
+  const std::vector<TriangleSide> sides = sorted_sides(triangles, is_wanted, step);
   std::vector<bool> is_used(sides.size(), false);
   for (const auto& loop : loops) {
     std::vector<std::uint32_t>& across = across_.emplace_back();
     for (std::size_t k = 0; k < loop.size(); ++k) {
+      step(2);
       const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
       const auto side = find(sides, to, from);
       meshops::require(side != sides.end() && find(sides, from, to) == sides.end(),

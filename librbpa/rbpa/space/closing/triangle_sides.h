@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/progress.h"
+
 namespace rbpa::space {
 
 /// A side of a triangle, counter-clockwise, and the corner across.
@@ -15,19 +17,20 @@ struct TriangleSide {
   std::uint32_t triangle;
 };
 
-/// Those whose ends both have `is_wanted`, or all of them where that is empty, sorted by from, then to.
+/// Those whose ends both have `is_wanted`, or all of them where that is empty, sorted by from, then to. Throws: Cancelled.
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
-                                       const std::vector<bool>& is_wanted);
+                                       const std::vector<bool>& is_wanted, meshops::Steps& step);
 
-/// As boundary_loops() has them. Throws ContractViolation as that.
-std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles);
+/// As boundary_loops() has them. Throws ContractViolation as that; Cancelled.
+std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                                 meshops::Steps& step);
 
 /// The triangles at the edges of some boundary loops.
 class BoundarySides {
  public:
-  /// Throws ContractViolation where an edge of a loop is no boundary side.
+  /// Throws ContractViolation where an edge of a loop is no boundary side; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
-                std::span<const std::vector<std::uint32_t>> loops);
+                std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 
   /// The third corner of the triangle at an edge of a loop, from its corner of that number to the next.
   std::uint32_t across(std::uint32_t loop, std::uint32_t edge) const { return across_[loop][edge]; }

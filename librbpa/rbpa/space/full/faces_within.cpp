@@ -9,7 +9,7 @@
 namespace rbpa::space {
 
 FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                         double alpha, Threads& threads)
+                         double alpha, Threads& threads, const std::function<bool()>& go_on)
     : points_(points), delaunay_(delaunay), radii_(radii), alpha_(alpha), has_triangle_(4 * radii.size()) {
   constexpr std::size_t at_a_time = 1u << 12;
   const auto is_alone_within = [&](std::uint32_t t, std::size_t k) {
@@ -22,12 +22,15 @@ FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, 
     return !sphere.has_inside(points_[delaunay_.simplices[beyond][back(t, k)]]);
   };
   // Each by its first tetrahedron, and then read from there.
+  AskFromAnyThread ask(go_on);
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    ask();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k)
         if (is_first(t, k)) has_triangle_[4 * std::size_t{t} + k] = tetrahedra_at(t, k) > 0 || is_alone_within(t, k);
   });
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    ask();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k) {
         if (is_first(t, k)) continue;

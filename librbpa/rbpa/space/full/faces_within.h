@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "rbpa/base/going_on.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
@@ -26,7 +28,7 @@ class FacesWithin {
  public:
   /// Keeps references. Requires: a Delaunay triangulation with neighbors, and its radii; alpha above 0.
   FacesWithin(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
-              Threads& threads);
+              Threads& threads, const std::function<bool()>& go_on = {});
 
   bool has_tetrahedron(std::uint32_t t) const { return radii_[t] <= alpha_; }
   /// The triangle across from corner k of a tetrahedron.
@@ -86,17 +88,19 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
 }
 
 /// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, in any thread, and then join(a, b) for those it returned true for,
-/// one by one, in order.
+/// one by one, in order. Throws: Cancelled where `go_on` returns false.
 template <typename IsMeant, typename Join>
 void for_each_edge(const Solid& delaunay, const TetrahedraAt& stars, std::size_t bound, Threads& threads,
-                   const IsMeant& is_meant, const Join& join) {
+                   const IsMeant& is_meant, const Join& join, const std::function<bool()>& go_on = {}) {
   constexpr std::size_t points_at_a_time = 1u << 10;
   struct Workspace {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends, edges;
   };
+  AskFromAnyThread ask(go_on);
   in_order<Workspace>(
       threads, (bound + points_at_a_time - 1) / points_at_a_time,
       [&](std::size_t part, Workspace& w) {
+        ask();
         w.edges.clear();
         const std::size_t end = std::min((part + 1) * points_at_a_time, bound);
         for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)

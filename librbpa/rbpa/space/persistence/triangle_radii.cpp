@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rbpa/base/going_on.h"
 #include "rbpa/space/predicate/least_sphere.h"
 
 namespace rbpa::space {
@@ -27,10 +28,13 @@ double radius(std::span<const Point3> points, const Solid& delaunay, std::span<c
 }  // namespace
 
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                                   const NumberedTriangles& triangles, Threads& threads) {
+                                   const NumberedTriangles& triangles, Threads& threads,
+                                   const std::function<bool()>& go_on) {
   constexpr std::size_t at_a_time = 1u << 12;
   std::vector<double> result(triangles.corners.size());
+  AskFromAnyThread ask(go_on);
   for_each_part(threads, triangles.of.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    ask();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k)
         if (delaunay.neighbors[t][k] == Solid::none || t < delaunay.neighbors[t][k]) {

@@ -4,6 +4,7 @@
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace rbpa::space {
 
 /// Requires: neighbors, the radii of the tetrahedra, and number_triangles() of them.
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                                   const NumberedTriangles& triangles, Threads& threads);
+                                   const NumberedTriangles& triangles, Threads& threads,
+                                   const std::function<bool()>& go_on);
 
 }  // namespace rbpa::space

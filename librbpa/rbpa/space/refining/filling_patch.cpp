@@ -5,14 +5,11 @@
 
 #include "meshops/stellar/flip.h"
 #include "meshops/stellar/split_face.h"
-#include "rbpa/space/refining/least_bending.h"
+#include "rbpa/space/refining/least_squares.h"
 #include "rbpa/surface_mesh.h"
 
 namespace rbpa::space {
 namespace {
-
-Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
-double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
 /// Of the triangle's plane; 0 where it has no area.
 Vector unit_normal(const Vector& a, const Vector& b, const Vector& c) {
@@ -50,16 +47,17 @@ Vector FillingPatch::place(std::size_t added) const {
   return at(Vertex(static_cast<int>(mesh_.n_vertices() - between_.size() + added)));
 }
 
-void FillingPatch::refine(std::size_t most) {
-  flip_all();
-  while (between_.size() < most && split_large()) flip_all();
+void FillingPatch::refine(std::size_t most, meshops::Steps& step) {
+  flip_all(step);
+  while (between_.size() < most && split_large(step)) flip_all(step);
 }
 
 /// Of the triangles that there are now.
-bool FillingPatch::split_large() {
+bool FillingPatch::split_large(meshops::Steps& step) {
   bool has_split = false;
   const std::size_t count = mesh_.n_faces();
   for (std::size_t f = 0; f < count; ++f) {
+    step();
     const Mesh::FaceHandle face(static_cast<int>(f));
     if (!is_large(face)) continue;
     std::array<std::uint32_t, 3> corners{};
@@ -100,7 +98,7 @@ bool FillingPatch::is_large(Mesh::FaceHandle f) const {
   return true;
 }
 
-void FillingPatch::flip_all() {
+void FillingPatch::flip_all(meshops::Steps& step) {
   // In space flips need not end; in a patch of no great turns they do long before.
   std::size_t left = 20 * mesh_.n_edges();
   std::vector<Edge> waiting;
@@ -108,6 +106,7 @@ void FillingPatch::flip_all() {
   while (!waiting.empty() && left > 0) {
     const Edge e = waiting.back();
     waiting.pop_back();
+    step(4);
     if (!is_better_flipped(e)) continue;
     --left;
     const Halfedge h = mesh_.halfedge_handle(e, 0);
@@ -141,39 +140,136 @@ bool FillingPatch::is_better_flipped(Edge e) const {
   return dot(new_from, mean) > 0 && dot(new_to, mean) > 0 && dot(new_from, new_to) > 0;
 }
 
-bool FillingPatch::make_smooth() {
-  constexpr int rounds = 2;  // the weights of the first are those of the flat filling
+/// Twice the mean curvature wanted at each name: known along the rim where it is, harmonic elsewhere.
+std::optional<std::vector<double>> FillingPatch::bends() const {
+  std::vector<double> bends(rim_.places.size() + between_.size(), 0);
+  const std::optional<double> most = most_bend();
+  if (!most || std::none_of(rim_.bend.begin(), rim_.bend.end(), [](const auto& bend) { return bend.has_value(); }))
+    return bends;
+  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // of those that are sought
+  std::uint32_t count = 0;
+  for (std::size_t name = 0; name < bends.size(); ++name) {
+    if (name < rim_.bend.size() && rim_.bend[name])
+      bends[name] = std::clamp(*rim_.bend[name], -*most, *most);
+    else
+      number[name] = count++;
+  }
+  std::vector<std::vector<std::uint32_t>> around(bends.size());
+  for (const auto e : mesh_.edges()) {
+    const Halfedge h = mesh_.halfedge_handle(e, 0);
+    const std::uint32_t from = name(mesh_.from_vertex_handle(h)), to = name(mesh_.to_vertex_handle(h));
+    around[from].push_back(to);
+    around[to].push_back(from);
+  }
+  LeastSquares equations(count);
+  for (std::size_t name = 0; name < bends.size(); ++name) {
+    if (number[name] == Surface::none) continue;
+    double known = 0;
+    for (const std::uint32_t other : around[name])
+      if (number[other] == Surface::none) known += bends[other];
+    equations.add_equation({known, 0, 0});
+    equations.add(number[name], static_cast<double>(around[name].size()));
+    for (const std::uint32_t other : around[name])
+      if (number[other] != Surface::none) equations.add(number[other], -1);
+  }
+  const auto found = equations.solution();
+  if (!found) return std::nullopt;
+  for (std::size_t name = 0; name < bends.size(); ++name)
+    if (number[name] != Surface::none) bends[name] = (*found)[number[name]].x;
+  return bends;
+}
+
+/// No surface with this rim bends more everywhere: that of half a ball over it.
+std::optional<double> FillingPatch::most_bend() const {
+  double area = 0, around = 0;
+  for (const auto f : mesh_.faces()) {
+    std::array<Vector, 3> corners{};
+    std::size_t k = 0;
+    for (const auto v : mesh_.fv_range(f)) corners[k++] = at(v);
+    area += length(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))) / 2;
+  }
+  for (const auto e : mesh_.edges()) {
+    const Halfedge h = mesh_.halfedge_handle(e, 0);
+    if (mesh_.is_boundary(e)) around += length(minus(at(mesh_.to_vertex_handle(h)), at(mesh_.from_vertex_handle(h))));
+  }
+  if (!(area > 0) || !(around > 0)) return std::nullopt;
+  return around / area;  // two radii of the circle, as of any: 2 / r
+}
+
+bool FillingPatch::make_smooth(meshops::Steps& step) {
+  constexpr int rounds = 20;  // weights and normals of each are those of the one before
+  constexpr double still = 0x1p-10;
+  const auto wanted = bends();
+  if (!wanted) return false;
+  double scale = 0;
+  for (const double of : scales_)
+    if (std::isfinite(of)) scale = std::max(scale, of);
   bool has_moved = false;
+  double farthest = 0;
   for (int round = 0; round < rounds; ++round) {
-    const std::size_t first = mesh_.n_vertices() - between_.size(), rim = rim_.places.size();
-    BendingRows rows(between_.size());
-    std::vector<std::vector<BendingNeighbor>> around(rim);
-    const auto neighbors_of = [&](Vertex v, std::vector<BendingNeighbor>& of) {
-      for (const auto w : mesh_.vv_range(v))
-        of.push_back({at(w), name(w) < rim ? BendingNeighbor::fixed : name(w) - static_cast<std::uint32_t>(rim)});
-    };
-    for (std::size_t v = 0; v < first; ++v) neighbors_of(Vertex(static_cast<int>(v)), around[names_[v]]);
-    for (std::size_t v = 0; v < rim; ++v) {
-      if (!rim_.is_inner[v]) continue;
-      for (const Vector& place : rim_.outside[v]) around[v].push_back({place, BendingNeighbor::fixed});
-      rows.add(rim_.places[v], BendingNeighbor::fixed, around[v]);
-    }
-    for (std::size_t k = 0; k < between_.size(); ++k) {
-      std::vector<BendingNeighbor> of;
-      const Vertex v(static_cast<int>(first + k));
-      neighbors_of(v, of);
-      rows.add(at(v), static_cast<std::uint32_t>(k), of);
-    }
-    const auto places = rows.least();
-    if (!places) return has_moved;
-    for (std::size_t k = 0; k < places->size(); ++k) {
-      const Vector& p = (*places)[k];
-      mesh_.set_point(Vertex(static_cast<int>(first + k)), {p.x, p.y, p.z});
-    }
+    if (!bend_like(*wanted, step, farthest)) return has_moved;
     has_moved = true;
-    flip_all();
+    flip_all(step);
+    if (farthest <= still * scale) break;
   }
   return has_moved;
+}
+
+/// One round: the added vertices are moved to where the curvature is as wanted, by weights and normals as they are now.
+bool FillingPatch::bend_like(const std::vector<double>& bends, meshops::Steps& step, double& farthest) {
+  const std::size_t rim = rim_.places.size();
+  std::vector<FanCurvature> fans(bends.size());
+  std::copy(rim_.outside.begin(), rim_.outside.end(), fans.begin());
+  struct Weight {
+    std::uint32_t other;
+    double factor;
+  };
+  std::vector<std::vector<Weight>> weights(bends.size());
+  std::vector<Vector> places(bends.size());
+  for (const auto v : mesh_.vertices()) places[name(v)] = at(v);
+  for (const auto f : mesh_.faces()) {
+    std::array<std::uint32_t, 3> t{};
+    std::size_t k = 0;
+    for (const auto v : mesh_.fv_range(f)) t[k++] = name(v);
+    for (k = 0; k < 3; ++k) {
+      const std::uint32_t v = t[k], a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+      const CornerWeights of(places[v], places[a], places[b]);
+      weights[v].push_back({a, of.to_a});
+      weights[v].push_back({b, of.to_b});
+      fans[v].normal = plus(fans[v].normal, of.normal);
+      fans[v].area += of.area;
+    }
+  }
+  LeastSquares equations(between_.size());
+  for (std::uint32_t v = 0; v < bends.size(); ++v) {
+    if (v < rim && !rim_.is_inner[v]) continue;
+    const double size = length(fans[v].normal), area = fans[v].area;
+    if (!(area > 0) || !(size > 0)) continue;
+    const double factor = 1 / std::sqrt(area);
+    Vector known = minus(times(area * bends[v] / size, fans[v].normal), fans[v].sum);
+    double own = 0;
+    for (const Weight& w : weights[v]) {
+      own += w.factor;
+      if (w.other < rim) known = minus(known, times(w.factor, places[w.other]));
+    }
+    if (v < rim) known = plus(known, times(own, places[v]));
+    equations.add_equation(times(factor, known));
+    for (const Weight& w : weights[v])
+      if (w.other >= rim) equations.add(w.other - static_cast<std::uint32_t>(rim), factor * w.factor);
+    if (v >= rim) equations.add(v - static_cast<std::uint32_t>(rim), -factor * own);
+    step(16);
+  }
+  const auto found = equations.solution();
+  if (!found) return false;
+  farthest = 0;
+  const std::size_t first = mesh_.n_vertices() - between_.size();
+  for (std::size_t k = 0; k < found->size(); ++k) {
+    const Vector& p = (*found)[k];
+    farthest = std::max(farthest, length(minus(p, places[rim + k])));
+    mesh_.set_point(Vertex(static_cast<int>(first + k)), {p.x, p.y, p.z});
+  }
+  step(64 * found->size());
+  return true;
 }
 
 std::vector<std::array<std::uint32_t, 3>> FillingPatch::triangles() const {

@@ -128,7 +128,7 @@ class RegionSearch {
 
 /// Appends the rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.
 template <typename Real>
-void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found) {
+void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();
   std::vector<Point3> places;
   for (const Site p : others) places.push_back(sites[p]);
@@ -137,10 +137,13 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
     std::size_t about, left, touched;
   };
   std::vector<Arc> arcs;
-  for (std::size_t b = 0; b < places.size(); ++b)
+  for (std::size_t b = 0; b < places.size(); ++b) {
+    step(places.size());
     EdgeRoll<Real>(sites[v], b, cells.radius(), places).for_each_free_arc([&](std::size_t left, std::size_t touched) {
+      step(places.size());
       arcs.push_back({b, left, touched});
     });
+  }
   // Sorted by (about, left), so that the next arc can be searched for: about what is touched, leaving what this one is about.
   std::sort(arcs.begin(), arcs.end(),
             [](const Arc& p, const Arc& q) { return p.about != q.about ? p.about < q.about : p.left < q.left; });
@@ -164,7 +167,7 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
 
 /// Appends the rings of v by rolling about each edge. Requires: the sites around v's cell.
 template <typename Real>
-void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found) {
+void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();
   // Rounded outward, by more than the roundings of a distance.
   const Real radius = cells.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
@@ -178,12 +181,12 @@ void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& fo
   std::vector<Site> others;
   for (const auto& [square, p] : order) others.push_back(p);
   ++found.rolled;
-  roll_about_all<Real>(cells, v, others, found);
+  roll_about_all<Real>(cells, v, others, found, step);
 }
 
 }  // namespace
 
-void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found) {
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found, meshops::Steps& step) {
   found.points.clear();
   found.first.clear();
   found.rolled = 0;
@@ -193,14 +196,15 @@ void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rin
   for (std::size_t cell = cells.cell_of(first); first < last; ++cell) {
     around.gather(cells, cells_around, cell);
     for (; first < std::min(last, cells.first_in(cell + 1)); ++first) {
+      step(16 + around.sites().size() / 16);
       const std::size_t start = found.points.size();
       found.first.push_back(static_cast<std::uint32_t>(start));
       if (fits_double) {
         if (search.find(around, first, found)) continue;
         found.points.resize(start);
-        roll_at<double>(cells, first, around.sites(), found);
+        roll_at<double>(cells, first, around.sites(), found, step);
       } else {
-        roll_at<long double>(cells, first, around.sites(), found);
+        roll_at<long double>(cells, first, around.sites(), found, step);
       }
     }
   }
@@ -217,8 +221,8 @@ namespace {
 HWY_EXPORT(find_rings);
 }  // namespace
 
-void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found) {
-  HWY_DYNAMIC_DISPATCH(find_rings)(cells, fits_double, first, last, found);
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found, meshops::Steps& step) {
+  HWY_DYNAMIC_DISPATCH(find_rings)(cells, fits_double, first, last, found, step);
 }
 
 }  // namespace rbpa::space

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meshops/core/progress.h"
 #include "rbpa/space/cells/cells.h"
 
 namespace rbpa::space {
@@ -26,7 +27,7 @@ struct Rings {
 };
 
 /// Replaces `found` by the rings of the sites first … last − 1.
-/// Requires: if `fits_double`, that sites and radius fit (cells/scale.h).
-void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found);
+/// Requires: if `fits_double`, that sites and radius fit (cells/scale.h). Throws: Cancelled.
+void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found, meshops::Steps& step);
 
 }  // namespace rbpa::space

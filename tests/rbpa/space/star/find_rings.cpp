@@ -34,7 +34,9 @@ struct Found {
 
 Found turns_of(const Cells& cells, bool by_regions) {
   Rings rings;
-  find_rings(cells, by_regions, 0, static_cast<Site>(cells.sites().size()), rings);
+  const meshops::GoOn never;
+  meshops::Steps step(never);
+  find_rings(cells, by_regions, 0, static_cast<Site>(cells.sites().size()), rings, step);
   REQUIRE(rings.first.size() == cells.sites().size() + 1);
   Found found{.turns = {}, .rolled = rings.rolled};
   for (Site v = 0; v < cells.sites().size(); ++v)

@@ -1,0 +1,30 @@
+// What: how many pairs of triangles, and of edges, are looked at while holes are closed, and how many may be.
+// Law:  a count, not a time: the same in any order of what is given, on any machine and with any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "meshops/core/progress.h"
+
+namespace rbpa::space {
+
+class Work {
+ public:
+  /// Keeps a reference to `go_on`.
+  Work(std::size_t most, const meshops::GoOn& go_on) : left_(most), step_(go_on) {}
+
+  /// Counts so many pairs more. Throws: Cancelled.
+  void operator()(std::size_t pairs = 1) {
+    step_(pairs);
+    left_ -= std::min(left_, pairs);
+  }
+  bool is_over() const { return left_ == 0; }
+  meshops::Steps& steps() { return step_; }
+
+ private:
+  std::size_t left_;
+  meshops::Steps step_;
+};
+
+}  // namespace rbpa::space

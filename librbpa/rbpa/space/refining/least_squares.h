@@ -1,0 +1,38 @@
+// What: the places that fulfil linear equations of them with the least sum of squares; a sparse system.
+// Cost: for n places on a surface about n^1.5.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+
+class LeastSquares {
+ public:
+  explicit LeastSquares(std::size_t places) : places_(places) {}
+
+  /// One more equation: what is added to it from now on is to be `known` together.
+  void add_equation(const Vector3<double>& known) { known_.push_back(known); }
+  void add(std::uint32_t place, double factor) {
+    entries_.push_back({static_cast<std::uint32_t>(known_.size()) - 1, place, factor});
+  }
+
+  /// Nothing where the places are not determined.
+  std::optional<std::vector<Vector3<double>>> solution() const;
+
+ private:
+  struct Entry {
+    std::uint32_t row, column;
+    double factor;
+  };
+
+  std::size_t places_;
+  std::vector<Entry> entries_;
+  std::vector<Vector3<double>> known_;
+};
+
+}  // namespace rbpa::space
