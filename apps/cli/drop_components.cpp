@@ -4,15 +4,25 @@
 #include <cstddef>
 #include <utility>
 
+#include "io/interrupt.h"
+
 namespace rbpa::app {
 
 void drop_components(std::span<const Point3> points, const std::vector<bool>& kept, Surface& surface,
                      SurfaceComponents& components, SurfaceFacts& facts) {
+  DroppedComponents& dropped = facts.dropped;
+  const std::vector<std::size_t> genus = genus_of(surface, components, until_interrupted());
   for (std::size_t c = 0; c < kept.size(); ++c) {
+    const SurfaceComponent& component = components.all[c];
+    ++dropped.of_components;
+    dropped.of_triangles += component.triangles;
+    dropped.of_area += component.area;
+    dropped.of_genus += genus[c];
     if (kept[c]) continue;
-    ++facts.dropped.components;
-    facts.dropped.triangles += components.all[c].triangles;
-    facts.dropped.area += components.all[c].area;
+    ++dropped.components;
+    dropped.triangles += component.triangles;
+    dropped.area += component.area;
+    dropped.genus += genus[c];
   }
   std::vector<std::uint32_t> number;  // of each triangle that is kept; of others, the next one's
   std::uint32_t next = 0;
@@ -23,7 +33,7 @@ void drop_components(std::span<const Point3> points, const std::vector<bool>& ke
     next += is_kept;
     for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max<char>(use[corner], is_kept ? 2 : 1);
   }
-  facts.dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
   std::vector<Hole> holes;
   std::vector<CurveKind> kinds;
   for (std::size_t i = 0; i < facts.holes.size(); ++i) {
@@ -36,7 +46,7 @@ void drop_components(std::span<const Point3> points, const std::vector<bool>& ke
   facts.holes = std::move(holes);
   facts.kinds = std::move(kinds);
   surface = keep_components(surface, components, kept);
-  components = surface_components(points, surface);
+  components = surface_components(points, surface, until_interrupted());
 }
 
 }  // namespace rbpa::app

@@ -7,6 +7,7 @@
 
 #include "cli/stats.h"
 #include "io/bytes/number.h"
+#include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 
@@ -61,7 +62,7 @@ void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {
                        {"count", facts.count_seconds},
                        {"write", facts.write_seconds}};
   report["peak_bytes"] = peak_bytes();
-  file.write(report.dump(2) + "\n");
+  write_json(file, report, 2);
 }
 
 void write_periodic_json(OutputFile& file, const PeriodicFacts& facts) {
@@ -71,7 +72,7 @@ void write_periodic_json(OutputFile& file, const PeriodicFacts& facts) {
     report[key] = Json::array();
     for (const PeriodicPart& part : *parts) report[key].push_back(json_of(part));
   }
-  file.write(report.dump(1) + "\n");
+  write_json(file, report, 1);
 }
 
 void write_periodic_voids(OutputFile& file, Format format, std::span<const PeriodicPart> voids) {

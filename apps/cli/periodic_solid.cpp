@@ -76,7 +76,8 @@ void PeriodicRun::build() {
 /// From all tetrahedra to those of the alpha that is given, or that the rule gives; and what can be counted of them.
 void PeriodicRun::select_within() {
   const ProgressLine line = options().line("voids");
-  const std::vector<double> radii = circumradii(solid_.positions, solid_.simplices, options().threads);
+  const std::vector<double> radii =
+      circumradii(solid_.positions, solid_.simplices, options().threads, until_interrupted());
   stop_if_interrupted();
   facts_.alpha_rule = name_of({.rule = request_.alpha.rule});
   if (request_.alpha.rule != AlphaRule::given) {

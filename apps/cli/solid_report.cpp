@@ -7,7 +7,9 @@
 #include "cli/stats.h"
 #include "cli/void_files.h"
 #include "io/bytes/number.h"
+#include "io/bytes/write_json.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 
 namespace rbpa::app {
 namespace {
@@ -64,21 +66,26 @@ void write_solid_stats(OutputFile& file, const SolidFacts& facts) {
                        {"count", facts.count_seconds},
                        {"write", facts.write_seconds}};
   report["peak_bytes"] = peak_bytes();
-  file.write(report.dump(2) + "\n");
+  write_json(file, report, 2);
 }
 
 void write_solid_json(OutputFile& file, const SolidFacts& facts) {
   Json report = base(facts);
   report["solid_component_list"] = Json::array();
-  for (const SolidComponent& component : facts.components)
+  for (const SolidComponent& component : facts.components) {
+    stop_if_interrupted();
     report["solid_component_list"].push_back({{"tetrahedra", component.tetrahedra},
                                               {"boundary_triangles", component.boundary_triangles},
                                               {"volume", component.volume},
                                               {"area", component.area},
                                               {"box", box_of(component.low, component.high)}});
+  }
   report["void_list"] = Json::array();
-  for (const SolidVoid& hollow : facts.voids) report["void_list"].push_back(json_of(hollow));
-  file.write(report.dump(1) + "\n");
+  for (const SolidVoid& hollow : facts.voids) {
+    stop_if_interrupted();
+    report["void_list"].push_back(json_of(hollow));
+  }
+  write_json(file, report, 1);
 }
 
 }  // namespace rbpa::app

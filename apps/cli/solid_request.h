@@ -29,7 +29,8 @@ struct SolidAlpha {
 
   /// By a rule other than plateaus, of all tetrahedra.
   double choose(const Solid& delaunay, std::span<const double> radii) const {
-    return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover) : auto_alpha(delaunay, radii, cover);
+    return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover, until_interrupted())
+                                    : auto_alpha(delaunay, radii, cover, until_interrupted());
   }
 };
 

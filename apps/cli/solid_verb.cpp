@@ -106,7 +106,7 @@ void SolidRun::build() {
 /// From the triangulation to the complex of the alpha that is given, or that the rule gives.
 void SolidRun::select_within() {
   const ProgressLine line = options().line("alpha");
-  radii_ = circumradii(file_.points, solid_.simplices, options().threads);
+  radii_ = circumradii(file_.points, solid_.simplices, options().threads, until_interrupted());
   stop_if_interrupted();
   triangulation_ = std::move(solid_);
   if (request_.alpha.rule == AlphaRule::plateau)
@@ -152,9 +152,10 @@ void SolidRun::count() {
 void SolidRun::count_full_complex() {
   stop_if_interrupted();
   try {
-    facts_.full = count_full(file_.points, triangulation_, radii_, facts_.alpha, options().threads);
-    FullVoids found =
-        full_voids(file_.points, void_space(file_.points, triangulation_, radii_, facts_.alpha, options().threads));
+    facts_.full =
+        count_full(file_.points, triangulation_, radii_, facts_.alpha, options().threads, until_interrupted());
+    FullVoids found = full_voids(file_.points, void_space(file_.points, triangulation_, radii_, facts_.alpha,
+                                                          options().threads, until_interrupted()));
     facts_.voids = std::move(found.all);
     void_boundary_ = std::move(found.boundary);
   } catch (const InvalidInput& e) {
@@ -177,7 +178,7 @@ void SolidRun::write_boundary(OutputFile& file, Format format) const {
   const Surface& surface = boundary_.surface;
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
-  const SplitFans fans = split_fans(indexable_surface(surface));
+  const SplitFans fans = split_fans(indexable_surface(surface, until_interrupted()), until_interrupted());
   const VerticesOfPoints vertices({.vertices = file_.points, .triangles = {}, .colors = file_.colors}, fans.triangles,
                                   fans.point, true);
   write_surface(file, format, vertices.mesh());

@@ -15,6 +15,7 @@
 #include "cli/space_persistence.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
+#include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
@@ -59,11 +60,13 @@ void write_json(OutputFile& file, const SpacePersistence& report, const std::vec
     json[names[static_cast<std::size_t>(dimension)]] = count(report, dimension);
   if (with_pairs) {
     json["pairs"] = Json::array();
-    for (const SolidPair& pair : report.pairs)
+    for (const SolidPair& pair : report.pairs) {
+      stop_if_interrupted();
       json["pairs"].push_back(
           {{"dimension", pair.dimension}, {"birth", pair.birth}, {"death", pair.death ? Json(*pair.death) : Json()}});
+    }
   }
-  file.write(json.dump(1) + "\n");
+  write_json(file, json, 1);
 }
 
 void write_csv(OutputFile& file, const SpacePersistence& report) {

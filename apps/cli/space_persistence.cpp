@@ -7,6 +7,7 @@
 #include "cli/progress.h"
 #include "cli/solid_request.h"
 #include "cli/stats.h"
+#include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
@@ -51,8 +52,8 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
     throw BadInput(input() + ": " + e.what());
   }
   const ProgressLine line = options().line("persistence");
-  least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
-  automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover);
+  least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+  automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
   pairs = solid_persistence(filtration, until_interrupted());
   build_seconds_ = lap();
 }
@@ -73,7 +74,7 @@ void SpacePersistence::write_stats(OutputFile& out) {
                       {"threads", options().threads_or_all()},
                       {"seconds", seconds},
                       {"peak_bytes", peak_bytes()}};
-  out.write(stats.dump(2) + "\n");
+  write_json(out, stats, 2);
 }
 
 }  // namespace rbpa::app

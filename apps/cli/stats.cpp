@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "io/bytes/write_json.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -79,7 +81,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
   if (stats.count_seconds) report["seconds"]["count"] = *stats.count_seconds;
   if (stats.cut_seconds) report["seconds"]["cut"] = *stats.cut_seconds;
   report["peak_bytes"] = peak_bytes();
-  file.write(report.dump(2) + "\n");
+  write_json(file, report, 2);
 }
 
 }  // namespace rbpa::app

@@ -25,6 +25,8 @@ std::string text_of_nothing(const HoleRemedy& remedy) {
       return "nothing closes it: each filling has an edge that is taken";
     case HoleOutcome::no_area:
       return "nothing closes it: its points are on a line";
+    case HoleOutcome::too_much_work:
+      return "nothing closes it: more is near than the limit of work allows to try";
     case HoleOutcome::filled:
       break;
   }

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
 
 #include "cli/stats.h"
 #include "cli/surface_remedies.h"
 #include "io/bytes/number.h"
+#include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "triangulation/list_of_causes.h"
@@ -16,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t named_curves = 10;  // of each kind
+constexpr std::size_t named_curves = 5;
 
 constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked", "cut"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
@@ -30,14 +33,22 @@ constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree",
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by what smaller radii made"};
 
-/// Lines about the boundary curves of one kind: one for each of the longest, and one for the others together. Those of islands
-/// are together.
-void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, CurveKind kind) {
-  std::vector<std::size_t> curves;
-  for (std::size_t i = 0; i < facts.holes.size(); ++i)
-    if (facts.kinds[i] == kind) curves.push_back(i);
-  std::stable_sort(curves.begin(), curves.end(),
-                   [&](std::size_t i, std::size_t j) { return facts.holes[i].length > facts.holes[j].length; });
+/// Lines about boundary curves: one for each of the longest, rims first, one for all where there are more, and one for those of
+/// islands.
+void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
+  std::array<std::size_t, kind_names.size()> counts{};
+  for (const CurveKind kind : facts.kinds) ++counts[static_cast<std::size_t>(kind)];
+  std::vector<std::size_t> curves(facts.holes.size());
+  std::iota(curves.begin(), curves.end(), std::size_t{0});
+  const auto is_island = [&](std::size_t i) { return facts.kinds[i] == CurveKind::island; };
+  std::stable_sort(curves.begin(), curves.end(), [&](std::size_t i, std::size_t j) {
+    if (is_island(i) != is_island(j)) return is_island(j);
+    return facts.holes[i].length > facts.holes[j].length;
+  });
+  const std::size_t islands = counts[static_cast<std::size_t>(CurveKind::island)], others = curves.size() - islands,
+                    named = std::min(named_curves, others);
+  std::stable_sort(curves.begin(), curves.begin() + static_cast<std::ptrdiff_t>(named),
+                   [&](std::size_t i, std::size_t j) { return facts.kinds[i] < facts.kinds[j]; });
   const auto add = [&](std::size_t first, std::size_t last, const std::string& which) {
     std::array<std::size_t, 4> causes{};
     std::vector<HoleRemedy> remedies;
@@ -58,14 +69,15 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts, Curv
       line += "; " + remedies_text(remedies);
     lines.push_back(line);
   };
-  const std::string name = kind_names[static_cast<std::size_t>(kind)];
-  const std::size_t named = kind == CurveKind::island ? 0 : std::min(named_curves, curves.size());
-  for (std::size_t i = 0; i < named; ++i) add(i, i + 1, name);
-  if (curves.size() == named) return;
-  const std::size_t others = curves.size() - named;
-  if (kind != CurveKind::island) return add(named, curves.size(), counted(others, "more " + name));
-  add(0, others, others == 1 ? "1 rim of an island" : std::to_string(others) + " rims of islands");
+  for (std::size_t i = 0; i < named; ++i) add(i, i + 1, kind_names[static_cast<std::size_t>(facts.kinds[curves[i]])]);
+  if (others > named)
+    add(0, others, "in all " + counted(counts[0], kind_names[0]) + " and " + counted(counts[1], kind_names[1]));
+  if (islands > 0)
+    add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }
+
+/// "12.3 %".
+std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 
 Json filled_as_json(const FillingCounts& counts) {
   Json filled = as_json(counts);
@@ -102,7 +114,10 @@ Json base(const SurfaceFacts& facts) {
            {{"components", dropped.components},
             {"triangles", dropped.triangles},
             {"points", dropped.points},
-            {"area", dropped.area}}},
+            {"area", dropped.area},
+            {"genus", dropped.genus},
+            {"triangle_share", dropped.triangle_share()},
+            {"area_share", dropped.area_share()}}},
           {"filled", filled_as_json(facts.filling)},
           {"remedies", facts.has_remedies ? counts_as_json(facts.remedies) : Json(nullptr)},
           {"manifold", facts.manifold},
@@ -118,6 +133,20 @@ Json base(const SurfaceFacts& facts) {
                                                    {"factor", *facts.outlier_factor},
                                                    {"median_distance", facts.outliers.distance}}
                                             : Json(nullptr)}};
+}
+
+/// "2 components lie inside others: 1 that faces inward, the wall of a cavity, 1 that faces outward, a body in a body". Nothing where none
+/// does.
+std::optional<std::string> inside_text(const SurfaceFacts& facts) {
+  std::array<std::size_t, 2> counts{};
+  for (std::size_t i = 0; i < facts.inside.size(); ++i)
+    if (facts.inside[i] > 0) ++counts[facts.components[i].volume < 0 ? 0 : 1];
+  const std::size_t all = counts[0] + counts[1];
+  if (all == 0) return std::nullopt;
+  constexpr std::array<const char*, 2> texts{"facing inward, as the wall of a cavity does",
+                                             "facing outward, a body in a body: --keep-largest 1 leaves it out"};
+  return (all == 1 ? "1 component lies inside another: " : std::to_string(all) + " components lie inside others: ") +
+         list_of_causes(counts, texts);
 }
 
 /// At which of the three corners to which the ball comes the cause is.
@@ -136,6 +165,15 @@ std::string text_of_radii(const std::vector<double>& radii) {
   return text;
 }
 
+std::string genus_text(const SurfaceFacts& facts) {
+  std::string text = ", genus " + std::to_string(facts.counts.genus);
+  const DroppedComponents& dropped = facts.dropped;
+  if (dropped.components == 0) return text;
+  if (dropped.genus > 0) text += " (" + std::to_string(dropped.of_genus) + " before)";
+  return text + ", without " + counted(dropped.components, "component") + " dropped (" +
+         percent(dropped.triangle_share()) + " of the triangles, " + percent(dropped.area_share()) + " of the area)";
+}
+
 std::vector<std::string> explanations(const SurfaceFacts& facts) {
   std::vector<std::string> lines;
   if (facts.outlier_factor)
@@ -146,19 +184,22 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
   const std::size_t estimated = facts.points - facts.outliers.points.size();
   if (const double share = static_cast<double>(facts.in_doubt.value_or(0)) / static_cast<double>(estimated);
       estimated > 0 && share >= worth_a_word)
-    lines.push_back(rounded(100 * share, 3) +
-                    " % of the normals are in doubt: --color normals shows where, --viewpoint decides their side");
+    lines.push_back(percent(share) + " of the normals are in doubt" +
+                    (facts.has_viewpoint ? " though seen from --viewpoint" : "") + ": --color normals shows where" +
+                    (facts.has_viewpoint ? "" : ", --viewpoint decides their side"));
   if (!facts.unused.empty()) {
     std::array<std::size_t, 4> causes{};
     for (const UnusedPoint& point : facts.unused) ++causes[static_cast<std::size_t>(point.cause)];
     lines.push_back(counted(facts.unused.size(), "point") + " unused: " + list_of_causes(causes, unused_texts));
   }
-  for (const CurveKind kind : {CurveKind::rim, CurveKind::hole, CurveKind::island}) add_curves(lines, facts, kind);
+  add_curves(lines, facts);
   const DroppedComponents& dropped = facts.dropped;
   if (dropped.components > 0)
-    lines.push_back(counted(dropped.components, "component") + " dropped: " + counted(dropped.triangles, "triangle") +
-                    " of area " + rounded(dropped.area, 6) + ", and " + counted(dropped.points, "point") +
-                    " in no other");
+    lines.push_back(std::to_string(dropped.components) + " of " + counted(dropped.of_components, "component") +
+                    " dropped: " + std::to_string(dropped.triangles) + " of " +
+                    counted(dropped.of_triangles, "triangle") + " (" + percent(dropped.triangle_share()) +
+                    ") of area " + rounded(dropped.area, 6) + " (" + percent(dropped.area_share()) + "), of genus " +
+                    std::to_string(dropped.genus) + ", and " + counted(dropped.points, "point") + " in no other");
   const FillingCounts& filling = facts.filling;
   if (filling.filled() > 0) lines.push_back(filled_text(filling));
   if (filling.given_up > 0)
@@ -168,6 +209,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
     lines.push_back("watertight: every edge has two triangles, and no two triangles cross" +
                     (facts.counts.touching == 0 ? std::string()
                                                 : "; it touches itself in " + counted(facts.counts.touching, "point")));
+    if (const auto inside = inside_text(facts)) lines.push_back(*inside);
     if (facts.components.front().volume < 0)
       lines.push_back("the largest component faces what it encloses; --flip turns it around");
   }
@@ -213,23 +255,28 @@ void write_surface_stats(OutputFile& file, const SurfaceFacts& facts) {
                        {"build", facts.build_seconds},
                        {"write", facts.write_seconds}};
   report["peak_bytes"] = peak_bytes();
-  file.write(report.dump(2) + "\n");
+  write_json(file, report, 2);
 }
 
 void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
   Json report = base(facts);
   report["unused_points"] = Json::array();
-  for (const UnusedPoint& point : facts.unused)
+  for (const UnusedPoint& point : facts.unused) {
+    stop_if_interrupted();
     report["unused_points"].push_back(
         {{"point", point.index}, {"cause", unused_names[static_cast<std::size_t>(point.cause)]}});
+  }
   if (facts.outlier_factor) report["outlier_points"] = facts.outliers.points;
   report["component_list"] = Json::array();
-  for (const SurfaceComponent& component : facts.components) {
+  for (std::size_t i = 0; i < facts.components.size(); ++i) {
+    stop_if_interrupted();
+    const SurfaceComponent& component = facts.components[i];
     const Point3 &low = component.low, &high = component.high;
     report["component_list"].push_back({{"triangles", component.triangles},
                                         {"boundary_curves", component.boundary_curves},
                                         {"area", component.area},
                                         {"volume", component.is_closed() ? Json(component.volume) : Json(nullptr)},
+                                        {"inside", facts.inside.empty() ? Json(nullptr) : Json(facts.inside[i])},
                                         {"box", {{low.x, low.y, low.z}, {high.x, high.y, high.z}}}});
   }
   report["holes"] = Json::array();
@@ -251,7 +298,7 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
     if (facts.has_remedies)
       report["holes"].back()["remedy"] = facts.remedies[i] ? as_json(*facts.remedies[i]) : Json(nullptr);
   }
-  file.write(report.dump(1) + "\n");
+  write_json(file, report, 1);
 }
 
 }  // namespace rbpa::app

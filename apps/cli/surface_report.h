@@ -27,11 +27,17 @@ namespace rbpa::app {
 /// By CurveKind.
 inline constexpr std::array kind_names{"rim", "hole", "island"};
 
-/// What is left out of a surface on request.
+/// What is left out of a surface on request, and what there was before.
 struct DroppedComponents {
-  std::size_t components = 0, triangles = 0;
+  std::size_t components = 0, triangles = 0, genus = 0;
   std::size_t points = 0;  ///< that are in no triangle any more
   double area = 0;
+  std::size_t of_components = 0, of_triangles = 0, of_genus = 0;
+  double of_area = 0;
+
+  double triangle_share() const { return share(static_cast<double>(triangles), static_cast<double>(of_triangles)); }
+  double area_share() const { return share(area, of_area); }
+  static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 };
 
 struct SurfaceFacts {
@@ -52,8 +58,10 @@ struct SurfaceFacts {
   bool has_remedies = false;                             ///< asked for
   std::vector<std::optional<HoleRemedy>> remedies = {};  ///< of each, where it is of kind hole
   std::vector<SurfaceComponent> components = {};
+  std::vector<std::size_t> inside = {};  ///< how many others each is; empty: not asked for
   DroppedComponents dropped = {};
   FillingCounts filling = {};
+  bool has_viewpoint = false;     ///< from which normals are seen
   bool watertight = false;        ///< asked for, and so
   bool manifold = false;          ///< vertices of files are fans
   std::size_t crowded_edges = 0;  ///< of files: that have more than two triangles
@@ -63,7 +71,11 @@ struct SurfaceFacts {
 /// "0.5, 1.25".
 std::string text_of_radii(const std::vector<double>& radii);
 
-/// "12 unused points: 10 that ..., 2 ...", and a line for each of the longest holes and one for the others together.
+/// ", genus 2", and where components are dropped what that means: ", genus 0 (5 before), without 3 components that are dropped (88 % of
+/// the triangles, 60 % of the area)".
+std::string genus_text(const SurfaceFacts& facts);
+
+/// "12 unused points: 10 that ..., 2 ...", and a line for each of the longest boundary curves and one for all together.
 std::vector<std::string> explanations(const SurfaceFacts& facts);
 
 /// "2 curves stay open, ..., and 3 pairs of triangles cross, ...": why a surface is not watertight. Empty where it is.

@@ -130,6 +130,7 @@ void SurfaceRun::move_points() {
 void SurfaceRun::take_normals() {
   for (std::size_t i = 0; i < file_.points.size() && file_.fields.size() == 3; ++i)
     request_.viewpoints.push_back({file_.fields[0][i], file_.fields[1][i], file_.fields[2][i]});
+  facts_.has_viewpoint = !request_.viewpoints.empty();
   source_ = request_.normals.value_or(file_.normals.empty() ? NormalSource::estimate : NormalSource::file);
   // No points have no normals, and miss none.
   if (source_ == NormalSource::file && file_.normals.empty() && !file_.points.empty())
@@ -178,7 +179,7 @@ void SurfaceRun::explain() {
   facts_.unused = step("looking at unused points", [&](const SurfaceOptions& how) {
     return unused_points(file_.points, normals(), radii_, surface_, how);
   });
-  components_ = surface_components(file_.points, surface_);
+  components_ = surface_components(file_.points, surface_, until_interrupted());
   const auto is_closed = [](const SurfaceComponent& component) { return component.is_closed(); };
   if (std::all_of(components_.all.begin(), components_.all.end(), is_closed)) return;
   facts_.holes = step("looking at holes",
@@ -200,19 +201,22 @@ void SurfaceRun::find_remedies() {
 void SurfaceRun::choose_components() {
   facts_.manifold = arguments_.manifold || arguments_.watertight;
   if (facts_.manifold || request_.filled) {
-    surface_ = indexable_surface(surface_);
-    components_ = surface_components(file_.points, surface_);
-    facts_.holes = with_causes(surface_curves(file_.points, surface_), facts_.holes);
+    surface_ = indexable_surface(surface_, until_interrupted());
+    components_ = surface_components(file_.points, surface_, until_interrupted());
+    facts_.holes = with_causes(surface_curves(file_.points, surface_, until_interrupted()), facts_.holes);
   }
   facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
   const std::vector<bool> kept = kept_by_choice();
   if (std::count(kept.begin(), kept.end(), false) > 0)
     drop_components(file_.points, kept, surface_, components_, facts_);
   if (request_.filled) fill();
-  if (!as_they_came_.empty()) components_ = surface_components(points(), surface_);
-  if (arguments_.watertight) require_watertight();
+  if (!as_they_came_.empty()) components_ = surface_components(points(), surface_, until_interrupted());
+  if (arguments_.watertight) {
+    require_watertight();
+    facts_.inside = nesting_depths(points(), surface_, components_, until_interrupted());
+  }
   facts_.watertight = arguments_.watertight;
-  fans_ = split_fans(surface_);
+  fans_ = split_fans(surface_, until_interrupted());
   facts_.counts = count(fans_, components_);
   facts_.crowded_edges = crowded_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
   if (source_ == NormalSource::none) order_ = by_shells(components_);
@@ -227,7 +231,7 @@ std::vector<bool> SurfaceRun::kept_by_choice() const {
   if (!request_.components.keeps_all()) {
     std::vector<bool> outer;
     if (request_.components.shell != ShellChoice::all)
-      outer = outer_shells(file_.points, radii_.back(), surface_, components_);
+      outer = outer_shells(file_.points, radii_.back(), surface_, components_, until_interrupted());
     kept = kept_components(components_, outer, request_.components);
   }
   for (std::size_t i = 0; i < facts_.holes.size() && arguments_.watertight; ++i)
@@ -337,8 +341,7 @@ std::string SurfaceRun::summary() const {
                                      : ", radii ") +
          text_of_radii(facts_.radii) + (facts_.chosen_radii ? " (auto)" : "") + ": " +
          counted(counts.triangles, "triangle") + ", " + counted(counts.components, "component") + ", " +
-         counted(counts.boundary_curves, "boundary curve") + ", genus " + std::to_string(counts.genus) +
-         list_of(request_.targets);
+         counted(counts.boundary_curves, "boundary curve") + genus_text(facts_) + list_of(request_.targets);
 }
 
 void SurfaceRun::run() {

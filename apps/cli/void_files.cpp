@@ -79,7 +79,7 @@ void write_json(OutputFile& file, const Surface& boundary, std::span<const Solid
 
 void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& boundary,
                std::span<const SolidVoid> voids) {
-  const SplitFans fans = split_fans(indexable_surface(boundary));
+  const SplitFans fans = split_fans(indexable_surface(boundary, until_interrupted()), until_interrupted());
   std::uint64_t written = 0, number = 0;
   for (const SolidVoid& hollow : voids) {
     stop_if_interrupted();

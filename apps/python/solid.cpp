@@ -41,16 +41,17 @@ py::dict solid_of(const Doubles& points, double alpha, unsigned threads, const p
 
 Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threads) {
   const auto input = points3_of(points, "points");
-  return line<double>(watched(input.size(), py::none(), [&](Watch&) {
-    return circumradii(input, quadruples_of(simplices, "simplices"), threads);
+  return line<double>(watched(input.size(), py::none(), [&](Watch& watch) {
+    return circumradii(input, quadruples_of(simplices, "simplices"), threads, watch.until_stopped());
   }));
 }
 
 double alpha_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, bool in_one_piece,
                 double share) {
-  return watched(static_cast<std::size_t>(radii.size()), py::none(), [&](Watch&) {
+  return watched(static_cast<std::size_t>(radii.size()), py::none(), [&](Watch& watch) {
     const Solid delaunay = solid_again(simplices, neighbors);
-    return in_one_piece ? auto_alpha(delaunay, line_of(radii), share) : min_alpha(delaunay, line_of(radii), share);
+    return in_one_piece ? auto_alpha(delaunay, line_of(radii), share, watch.until_stopped())
+                        : min_alpha(delaunay, line_of(radii), share, watch.until_stopped());
   });
 }
 

@@ -39,8 +39,8 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
              .least = infinity,
              .automatic = infinity};
     all.pairs = solid_persistence(all.filtration, watch.until_stopped());
-    all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha);
-    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha);
+    all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
+    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
     return all;
   });
   std::array<std::vector<std::array<double, 2>>, 3> values;

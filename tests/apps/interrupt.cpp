@@ -3,14 +3,21 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <functional>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "support/arguments.h"
 #include "support/child.h"
 #include "support/program.h"
 
@@ -48,7 +55,128 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
   CHECK(folder.names() == std::vector<std::string>{pipe_name});
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+}
+/// Processor time of all children that have ended.
+double seconds_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+/// Of one that runs; nothing once it has ended.
+std::optional<double> seconds_of(pid_t id) {
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  std::stringstream text;
+  text << file.rdbuf();
+  const std::string stat = text.str();
+  const auto name_end = stat.rfind(')');
+  if (name_end == std::string::npos) return std::nullopt;
+  std::istringstream fields(stat.substr(name_end + 1));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  if (!(fields >> user >> system) || stat.find(") Z ") != std::string::npos) return std::nullopt;
+  return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// How much processor time the command goes on for after a signal that comes once it has had so much; nothing where it ends before.
+std::optional<double> seconds_after_signal(const std::vector<std::string>& command, double at) {
+  const double before = seconds_of_children();
+  Child child(command);
+  std::optional<double> had;
+  do {
+    usleep(1000);
+    had = seconds_of(child.id());
+  } while (had && *had < at && !child.has_ended());
+  if (!had || child.has_ended()) return std::nullopt;
+  child.send(SIGTERM);
+  const Ending ending = child.wait();
+  const double all = seconds_of_children() - before;
+  if (ending != Ending{130, 0}) return std::nullopt;  // it was about to end
+  return std::max(all - *had, 0.0);
+}
+
+/// Points of a unit sphere along a spiral, as lines.
+std::string sphere(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count, turn = 2.399963229728653 * i, r = std::sqrt(1 - z * z);
+    text +=
+        std::to_string(r * std::cos(turn)) + " " + std::to_string(r * std::sin(turn)) + " " + std::to_string(z) + "\n";
+  }
+  return text;
+}
+
+/// Triangles on one edge; around one point; in a ring with two huge holes; each by itself.
+std::string mesh(const std::string& kind, int count) {
+  std::string text;
+  const auto corner = [&](double size, int i, double z) {
+    const double turn = 2 * std::acos(-1.0) * i / count;
+    text += "v " + std::to_string(size * std::cos(turn)) + " " + std::to_string(size * std::sin(turn)) + " " +
+            std::to_string(z) + "\n";
+  };
+  text += "v 0 0 0\nv 0 0 1\n";
+  for (int i = 0; i < count; ++i) {
+    corner(1, i, 0.5);
+    if (kind == "ring") corner(2, i, 0.5);
+    if (kind == "each") corner(1, i + 1, 0.4);
+  }
+  const auto face = [&](int a, int b, int c) {
+    text += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+  };
+  for (int i = 0; i < count; ++i) {
+    const int next = (i + 1) % count;
+    if (kind == "edge") face(1, 2, i + 3);
+    if (kind == "point") face(1, i + 3, next + 3);
+    if (kind == "each") face(1, 2 * i + 3, 2 * i + 4);
+    if (kind != "ring") continue;
+    face(2 * i + 3, 2 * i + 4, 2 * next + 4);
+    face(2 * i + 3, 2 * next + 4, 2 * next + 3);
+  }
+  return text;
+}
+
 }  // namespace
+
+TEST_CASE("wherever a signal comes, a program ends in less than a second of processor time, on sets made to be slow") {
+  const Folder folder;
+  const int more = rbpa_test::all_trials() ? 5 : 1, moments = rbpa_test::all_trials() ? 25 : 5;
+  folder.file("sphere.xyz", sphere(8000 * more));
+  const std::string findings = RBPA_TEST_DATA "/findings/scan_hang/";
+  std::vector<std::vector<std::string>> commands;
+  const auto rbpa = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), RBPA_PROGRAM);
+    arguments.insert(arguments.end(), {"--threads", "1"});
+    commands.push_back(std::move(arguments));
+  };
+  for (const std::string& points : {findings + "skew300.xyz", findings + "moment300.xyz", folder.path("sphere.xyz")}) {
+    rbpa({"surface", points, "--radius", "auto", "--watertight", "--refine", "-o", folder.path("m.ply")});
+    rbpa({"surface", points, "--radius", "auto", "--remedies", "-o", folder.path("m.off"), "--json"});
+    rbpa({"surface", points, "--radius", "auto", "--normals", "none", "--shell", "outer", "-o", folder.path("m.off")});
+    rbpa({"solid", points, "--alpha", "auto", "-o", folder.path("s.vtu"), "--boundary", folder.path("b.off")});
+    rbpa({"alpha", points, "--dimension", "3", "--persistence", "--json"});
+  }
+  for (const std::string kind : {"edge", "point", "ring", "each"}) {
+    const std::string path = folder.file(kind + ".obj", mesh(kind, 3000 * more));
+    commands.push_back({MESHTOPO_PROGRAM, path, "-q", "--repair", folder.path("r.off"), "--fill-holes", "rims",
+                        "--generators", folder.path("g.obj"), "--shortest"});
+    commands.push_back({MESHTOPO_PROGRAM, path, "-q", "--weld", "1e-6", "--orient", "--keep-largest", "2", "-o",
+                        folder.path("w.off")});
+  }
+  for (const auto& command : commands) {
+    const std::string name = command[1] + " " + command[2];
+    CAPTURE(name);
+    const double before = seconds_of_children();
+    {
+      Child whole(command);
+      whole.wait();
+    }
+    const double all = seconds_of_children() - before;
+    for (int i = 0; i < moments; ++i)
+      if (const auto after = seconds_after_signal(command, all * (i + 0.5) / moments)) CHECK(*after < 1);
+  }
+}
 
 TEST_CASE("a signal while points are read, and one while triangles are made, by either method") {
   for (const int sig : {SIGINT, SIGTERM, SIGHUP})

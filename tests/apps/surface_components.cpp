@@ -74,13 +74,17 @@ TEST_SUITE("surface") {
       CAPTURE(option);
       const Outcome outcome = folder.rbpa(run + option + " -o m.npy -o m.off --compact");
       CHECK(outcome.code == 0);
-      CHECK(outcome.err.find("\nrbpa: 1 component dropped: 1 triangle of area 0.005, and 3 points in no other\n") !=
-            std::string::npos);
+      CHECK(outcome.err.find("\nrbpa: 1 of 2 components dropped: 1 of ") != std::string::npos);
+      CHECK(outcome.err.find(" of area 0.005 (0.04 %), of genus 0, and 3 points in no other\n") != std::string::npos);
+      CHECK(outcome.err.find(", genus 0, without 1 component dropped (") != std::string::npos);
       CHECK(outcome.err.find("island") == std::string::npos);
       const json report = json::parse(outcome.out);
       CHECK(report["components"] == 1);
       CHECK(report["curves"] == json::parse(R"({"rim": 0, "hole": 1, "island": 0})"));
       CHECK(report["dropped"]["points"] == 3);
+      CHECK(report["dropped"]["genus"] == 0);
+      CHECK(report["dropped"]["triangle_share"] == 1.0 / whole["triangles"].get<double>());
+      CHECK(report["dropped"]["area_share"].get<double>() == doctest::Approx(0.005 / whole["area"].get<double>()));
       CHECK(report["triangles"].get<int>() == whole["triangles"].get<int>() - 1);
       REQUIRE(report["holes"].size() == 1);
       CHECK(report["holes"][0] == whole["holes"][1]);

@@ -1,0 +1,30 @@
+// What: JSON into a file, part by part, so that Ctrl-C is heard between two, and no text of the whole is in memory.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "io/bytes/output_file.h"
+
+namespace rbpa::app {
+
+/// What nlohmann's serializer writes to.
+class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
+ public:
+  explicit JsonToFile(OutputFile& file) : file_(file) {}
+  void write_character(char character) override { file_.write({&character, 1}); }
+  void write_characters(const char* characters, std::size_t length) override { file_.write({characters, length}); }
+
+ private:
+  OutputFile& file_;
+};
+
+/// As dump(indent) has it, and a line end. Throws: as OutputFile::write().
+inline void write_json(OutputFile& file, const nlohmann::ordered_json& json, unsigned indent) {
+  nlohmann::detail::serializer<nlohmann::ordered_json> serializer(std::make_shared<JsonToFile>(file), ' ');
+  serializer.dump(json, true, false, indent);
+  file.write("\n");
+}
+
+}  // namespace rbpa::app
