@@ -401,7 +401,7 @@ TEST_SUITE("las") {
 
     CHECK(
         refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
-    CHECK(refused_condition("class == 2").starts_with("--where: found 'class', expected a number or a field"));
+    CHECK(refused_condition("category == 2").starts_with("--where: found 'category', expected a number or a field"));
     CHECK(refused_condition("red == ").starts_with("--where: found the end, expected a number or"));
     CHECK(refused_condition("red == 2 blue == 3") == "--where: found 'blue', expected and, or, or the end");
     CHECK(refused_condition("(red == 2") == "--where: found the end, expected ')'");
