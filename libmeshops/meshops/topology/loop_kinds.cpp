@@ -104,6 +104,8 @@ class Lifting {
       if (!add(above_corner(next))) return std::nullopt;
       while (next != out) {
         const Halfedge beyond = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(next));
+        require(beyond != mesh_.opposite_halfedge_handle(in),
+                "loop_kinds: a loop passes from one fan of a vertex to another");
         if (!add(above_edge(next)) || !add(above_corner(beyond))) return std::nullopt;
         next = beyond;
       }
@@ -196,46 +198,60 @@ struct Sides {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
+/// The face of a halfedge, or the one beyond it.
+Face face_at(const Connectivity& mesh, Halfedge h) {
+  const Face f = mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
+  require(is_live(mesh, f), "loop_kinds: a loop has an edge without a face");
+  return f;
+}
+
+void require_closed(const Connectivity& mesh, const Loop& loop) {
+  require(!loop.empty(), "loop_kinds: a loop is empty");
+  for (const Halfedge h : loop) require(is_live(mesh, h), "loop_kinds: a loop has a halfedge that is not there");
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    require(mesh.to_vertex_handle(loop[i]) == mesh.from_vertex_handle(loop[i + 1 == loop.size() ? 0 : i + 1]),
+            "loop_kinds: a loop has a halfedge that does not start where the one before ends");
+}
+
 }  // namespace
 
 std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vector> positions,
                                  std::span<const Loop> loops, const GoOn& go_on) {
   require(positions.size() >= mesh.n_vertices(), "loop_kinds: expected a position of each vertex");
+  for (const Loop& loop : loops) require_closed(mesh, loop);
   Steps step(go_on);
   const Sides sides(mesh, positions);
   const Lifting lifting(mesh, positions);
   std::vector<std::size_t> component;
-  std::vector<Polygon> on, above;
-  std::vector<std::size_t> known;  // of `on` and `above`: which loops they are
+  std::vector<Polygon> on;
+  std::vector<std::optional<Polygon>> above;  // nothing for a loop of an open component, or that cannot be lifted
   std::vector<LoopKind> kinds(loops.size(), LoopKind::unknown);
   std::vector<bool> bounds_below(loops.size(), true), bounds_above(loops.size(), true), is_sure(loops.size(), true);
+  std::vector<bool> is_known = sides.is_closed;  // of a component: all of its loops could be lifted
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const Halfedge h = loops[i].front();
-    const Face f = mesh.is_boundary(h) ? mesh.face_handle(mesh.opposite_halfedge_handle(h)) : mesh.face_handle(h);
-    component.push_back(sides.component[static_cast<std::size_t>(f.idx())]);
-    if (!sides.is_closed[component[i]]) continue;
-    std::optional<Polygon> lifted = lifting.lifted(loops[i]);
-    if (!lifted) continue;
-    known.push_back(i);
+    component.push_back(sides.component[static_cast<std::size_t>(face_at(mesh, loops[i].front()).idx())]);
     on.push_back(lifting.on_surface(loops[i]));
-    above.push_back(std::move(*lifted));
+    above.push_back(sides.is_closed[component[i]] ? lifting.lifted(loops[i]) : std::nullopt);
+    if (!above[i]) is_known[component[i]] = false;
   }
-  std::vector<std::size_t> lost(sides.volume.size(), 0);  // loops of a component of which nothing is known
-  for (const std::size_t c : component) ++lost[c];
-  for (const std::size_t i : known) --lost[component[i]];
-  for (std::size_t i = 0; i < known.size(); ++i)
-    for (std::size_t j = 0; j < known.size(); ++j) {
-      if (component[known[i]] != component[known[j]]) continue;
-      const std::optional<int> number = linking_number(on[i], above[j], step);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    for (std::size_t j = 0; j < loops.size(); ++j) {
+      const bool is_own = component[i] == component[j];
+      if (!is_known[component[i]] || (!is_own && !on[i].meets_box_of(on[j]))) continue;
+      const std::optional<int> number = linking_number(on[i], is_own ? *above[j] : on[j], step);
       if (!number) {
-        is_sure[known[i]] = is_sure[known[j]] = false;
+        is_sure[i] = false;
+        if (is_own) is_sure[j] = false;
       } else if (*number != 0) {
-        bounds_below[known[i]] = false;
-        bounds_above[known[j]] = false;
+        bounds_below[i] = false;
+        if (is_own)
+          bounds_above[j] = false;
+        else  // the other component is in the way on both sides
+          bounds_above[i] = false;
       }
     }
-  for (const std::size_t i : known) {
-    if (!is_sure[i] || lost[component[i]] > 0) continue;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!is_sure[i] || !is_known[component[i]]) continue;
     const bool is_turned = sides.volume[component[i]] < 0;  // then the normals point inward
     const bool inside = is_turned ? bounds_above[i] : bounds_below[i],
                outside = is_turned ? bounds_below[i] : bounds_above[i];

@@ -121,21 +121,55 @@ TEST_SUITE("homology") {
     CHECK(kinds_of(wide) == Kinds{LoopKind::tunnel, LoopKind::handle});
   }
 
-  TEST_CASE("two bodies that are linked are two bodies: each has its own inside") {
-    const Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
+  TEST_CASE("through the hole of a ring of a chain goes the next: what goes around it bounds on neither side") {
     const Shape first = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
-    const Kinds kinds = kinds_of(together(first, second));
-    CHECK(count(kinds, LoopKind::handle) == 2);
-    CHECK(count(kinds, LoopKind::tunnel) == 2);
+    const Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
+    const Shape apart = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0.5}; });
+    for (const Shape& other : {second, reversed(second)}) {
+      const Kinds kinds = kinds_of(together(first, other));  // the meridians are shorter
+      CHECK(kinds == Kinds{LoopKind::handle, LoopKind::handle, LoopKind::neither, LoopKind::neither});
+    }
+    const Kinds beside = kinds_of(together(first, apart));
+    CHECK(beside == Kinds{LoopKind::handle, LoopKind::handle, LoopKind::tunnel, LoopKind::tunnel});
   }
 
-  TEST_CASE("a hollow body has the tunnel of its outer wall as a handle of its inner one") {
-    // The inner wall of a pipe that is bent to a ring faces the hollow: inside of that component alone is the hollow.
+  TEST_CASE("a component with a boundary is in the way like a closed one, and its own loops are unknown") {
+    const Shape first = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
+    Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
+    PolygonSoup some;
+    some.points = second.soup.points;
+    for (std::size_t f = 1; f < second.soup.faces(); ++f) some.add_face(second.soup.face(f));
+    second.soup = some;
+    const Kinds kinds = kinds_of(together(first, second));
+    CHECK(count(kinds, LoopKind::unknown) == 2);
+    CHECK(count(kinds, LoopKind::handle) == 1);
+    CHECK(count(kinds, LoopKind::neither) == 1);
+  }
+
+  TEST_CASE("of a hollow ring the wall of the other side is in the way around the tube, and along the hollow") {
     const Shape outer = torus(30, 12);
     const Shape inner = reversed(tube(30, 12, 0.2, [](double t) { return Place{std::cos(t), std::sin(t), 0}; }));
+    // Of the inner wall alone the inside is the hollow.
     const Kinds kinds = kinds_of(together(outer, inner));
-    CHECK(count(kinds, LoopKind::handle) == 2);
-    CHECK(count(kinds, LoopKind::tunnel) == 2);
+    CHECK(count(kinds, LoopKind::handle) == 1);
+    CHECK(count(kinds, LoopKind::tunnel) == 1);
+    CHECK(count(kinds, LoopKind::neither) == 2);
+  }
+
+  TEST_CASE("the loops of one component have the kinds that it has alone") {
+    const Shape first = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
+    const Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
+    const Shape both = together(first, second);
+    OpenMesh::PolyConnectivity mesh;
+    build_mesh(mesh, both.soup);
+    std::vector<Loop> loops = homology(mesh).generators;
+    REQUIRE(loops.size() == 4);
+    std::erase_if(loops, [&](const Loop& loop) { return mesh.from_vertex_handle(loop[0]).idx() >= 30 * 9; });
+    OpenMesh::PolyConnectivity alone;
+    build_mesh(alone, first.soup);
+    const Kinds expected = loop_kinds(alone, first.places, homology(alone).generators);
+    CHECK(count(expected, LoopKind::unknown) == 0);
+    CHECK(loop_kinds(mesh, both.places, loops) == expected);
   }
 
   TEST_CASE(
@@ -166,6 +200,16 @@ TEST_SUITE("homology") {
     build_mesh(mesh, shape.soup);
     CHECK_THROWS_AS(loop_kinds(mesh, {}, {}), ContractViolation);
     const std::vector<Loop> loops = homology(mesh).generators;
+    const Halfedge h = loops[0][0];
+    const Loop wrong[] = {{}, {h}, {h, h}, {Halfedge()}, {Halfedge(-7)}, {Halfedge(1 << 28)}, {h, Halfedge(1 << 28)}};
+    for (const Loop& loop : wrong) {
+      std::vector<Loop> given = loops;
+      given.push_back(loop);
+      CHECK_THROWS_AS(loop_kinds(mesh, shape.places, given), ContractViolation);
+    }
+    // Of one edge, there and back, is a loop.
+    CHECK(loop_kinds(mesh, shape.places, std::vector<Loop>{{h, mesh.opposite_halfedge_handle(h)}}) ==
+          Kinds{LoopKind::both});
     CHECK_THROWS_AS(loop_kinds(mesh, shape.places, loops, [] { return false; }), Cancelled);
   }
 }
