@@ -12,6 +12,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
@@ -32,7 +33,8 @@ namespace meshops {
 /// undo_to(steps) after it undo the whole.
 /// While a mesh has a history, nobody else changes its links: elements that others added or collected are noticed by their
 /// number and refused (ContractViolation, mesh untouched); other changes are not. Properties of old elements are not kept.
-/// A redo makes the same elements with the same handles; hooks of splits are called again for them.
+/// A redo makes the same elements with the same handles; hooks of splits are called again for them. Arguments are kept
+/// as copies: it needs nothing of the caller's but the mesh and what hooks refer to.
 /// Requires: the mesh has status of every kind, outlives the history, and is sound.
 class MESHOPS_API History {
  public:
@@ -56,14 +58,22 @@ class MESHOPS_API History {
   SplitFaceEffect split_face(Face f);
   SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
                                  Keep keep = Keep::simplicial);
-  /// Splits with a hook, or of a mesh with points: split([&] { return split_edge(mesh, h, CarryOver()); }).
-  /// `perform` does one split of the mesh and returns its effect; a redo calls it again.
-  template <typename Perform>
-  auto split(Perform perform) {
-    using Effect = decltype(perform());
-    return this->template perform<Effect>([perform = std::move(perform), this]() mutable {
-      const Effect effect = perform();
-      return std::pair(effect, undo_of_split(effect.halfedge));
+  /// Splits with a hook (split_hooks.h), which is PlaceVertex where none is given: split_edge(mesh, h, CarryOver()). A
+  /// copy of the hook is kept, and called again by redo(): what it refers to must be there then.
+  /// Requires: `mesh` is the mesh of the history. Throws ContractViolation.
+  template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook = PlaceVertex>
+  SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook = {}, Keep keep = Keep::simplicial) {
+    return split([&mesh = checked(mesh), h, hook, keep] { return meshops::split_edge(mesh, h, hook, keep); });
+  }
+  template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook = PlaceVertex>
+  SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook = {}) {
+    return split([&mesh = checked(mesh), f, hook] { return meshops::split_face(mesh, f, hook); });
+  }
+  template <typename Mesh, SplitHook<Mesh, SplitVertexEffect> Hook = PlaceVertex>
+  SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
+                                 Hook hook = {}, Keep keep = Keep::simplicial) {
+    return split([&mesh = checked(mesh), left, right, hook, keep] {
+      return meshops::split_vertex(mesh, left, right, hook, keep);
     });
   }
 
@@ -88,6 +98,20 @@ class MESHOPS_API History {
     Sizes before, after;
   };
 
+  /// `operate` does one split, and holds copies of all that it needs: it is called again by redo().
+  template <typename Operate>
+  auto split(Operate operate) {
+    using Effect = decltype(operate());
+    return perform<Effect>([operate, this]() mutable {
+      const Effect effect = operate();
+      return std::pair(effect, undo_of_split(effect.halfedge));
+    });
+  }
+  template <typename Mesh>
+  Mesh& checked(Mesh& mesh) const {
+    require(static_cast<const Connectivity*>(&mesh) == &mesh_, "History: found another mesh than that of the history");
+    return mesh;
+  }
   template <typename Effect, typename Perform>
   Effect perform(Perform perform) {
     require_own();

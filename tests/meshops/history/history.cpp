@@ -10,6 +10,7 @@
 #include "meshops/core/live_range.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/meshes.h"
 #include "support/snapshot.h"
 
 using namespace meshops;
@@ -79,7 +80,7 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
       if (random() % 2)
         history.split_edge(h, keep);
       else
-        history.split([&mesh, f] { return split_face(mesh, f, CarryOver()); });
+        history.split_face(mesh, f, CarryOver());
       break;
     default:
       history.split_vertex(h, random() % 3 ? std::optional(near) : std::nullopt, keep);
@@ -173,12 +174,69 @@ TEST_SUITE("history") {
     history.create_triangle();
     for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 0, 0});
     const Halfedge h = mesh.halfedge_handle(Face(0));
-    const Vertex v = history.split([&] { return split_edge(mesh, h, CarryOver()); }).added.vertex;
+    const Vertex v = history.split_edge(mesh, h, CarryOver()).added.vertex;
     const TestMesh::Point place = mesh.point(v);
     history.undo();
     CHECK(mesh.n_vertices() == 3);
     history.redo();
     CHECK(mesh.point(v) == place);
     CHECK(place[0] == 0.5F);
+  }
+
+  TEST_CASE("a split that is done again needs nothing of where it was called: arguments and hook are kept as copies") {
+    TestMesh mesh;
+    corpus()[0].build(mesh);
+    for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 1, 2});
+    History history(mesh);
+    OpenMesh::FPropHandleT<int> label;
+    mesh.add_property(label);
+    // The arguments are gone when the lambda returns, and other numbers are in their place.
+    const auto split = [&](int which) {
+      const Halfedge h = mesh.halfedge_handle(Face(0));
+      const Face f = mesh.face_handle(h);
+      const int number = 7 + which;
+      const auto hook = [label, number](TestMesh& m, const auto& effect) {
+        for (const Face added : effect.added.faces()) m.property(label, added) = number;
+        PlaceVertex()(m, effect);
+      };
+      if (which == 0) return history.split_edge(mesh, h, hook).added.vertex;
+      if (which == 1) return history.split_face(mesh, f, hook).added.vertex;
+      if (which == 2) return history.split_vertex(mesh, h, h, hook, Keep::manifold).added.vertex;
+      if (which == 3) return history.split_edge(mesh, h).added.vertex;
+      if (which == 4) return history.split_face(mesh, f).added.vertex;
+      return history.split_vertex(mesh, h, h).added.vertex;
+    };
+    std::vector<std::vector<int>> records = {snapshot(mesh)};
+    std::vector<TestMesh::Point> places;
+    for (int which = 0; which < 6; ++which) {
+      CAPTURE(which);
+      const Vertex v = split(which);
+      records.push_back(snapshot(mesh));
+      places.push_back(mesh.point(v));
+    }
+    history.undo_to(0);
+    CHECK(snapshot(mesh) == records[0]);
+    for (std::size_t which = 0; which < 6; ++which) {
+      CAPTURE(which);
+      history.redo();
+      CHECK(snapshot(mesh) == records[which + 1]);
+      CHECK(mesh.point(Vertex(static_cast<int>(mesh.n_vertices()) - 1)) == places[which]);
+    }
+    int labelled = 0;
+    for (const Face f : live_faces(mesh)) labelled += mesh.property(label, f) > 0;
+    CHECK(labelled >= 3);
+  }
+
+  TEST_CASE("a split of another mesh than that of the history is refused") {
+    TestMesh mesh, other;
+    History history(mesh);
+    history.create_triangle();
+    separate_triangles(other, 1);
+    const auto records = snapshot(other);
+    CHECK_THROWS_AS(history.split_edge(other, Halfedge(0)), ContractViolation);
+    CHECK_THROWS_AS(history.split_face(other, Face(0), CarryOver()), ContractViolation);
+    CHECK_THROWS_AS(history.split_vertex(other, Halfedge(0), std::nullopt), ContractViolation);
+    CHECK(snapshot(other) == records);
+    CHECK(history.steps() == 1);
   }
 }
