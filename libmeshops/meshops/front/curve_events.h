@@ -45,14 +45,14 @@ inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
 
 /// The events that make `now` of `before` curves: several are joined first, and then split.
 template <typename Visitor>
-void notify_of_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor) {
+void notify_of_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor,
+                      AllSteps& steps) {
   const Front& front = changed;
-  EngineSide(changed).notify([&] {
-    if (before == 0 && now.count() > 0) visitor.curve_begun(front, now[0]);
-    for (; before > 1; --before) visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge());
-    for (std::size_t i = 1; i < now.count(); ++i) visitor.curve_split(front, now[i - 1], now[i]);
-    if (now.count() == 0) visitor.curve_closed(front);
-  });
+  const auto notify = [&](auto event) { steps([&] { EngineSide(changed).notify(event); }); };
+  if (before == 0 && now.count() > 0) notify([&] { visitor.curve_begun(front, now[0]); });
+  for (; before > 1; --before) notify([&] { visitor.curves_joined(front, now.count() > 0 ? now[0] : Halfedge()); });
+  for (std::size_t i = 1; i < now.count(); ++i) notify([&] { visitor.curve_split(front, now[i - 1], now[i]); });
+  if (now.count() == 0) notify([&] { visitor.curve_closed(front); });
 }
 
 }  // namespace meshops::detail

@@ -2,6 +2,7 @@
 //       ordering its queue.
 #pragma once
 
+#include <exception>
 #include <span>
 
 #include "meshops/front/front.h"
@@ -30,6 +31,9 @@ class EngineSide {
     front_.guard_.require_intact();
   }
 
+  /// Nobody else has changed the mesh.
+  bool is_intact() const { return front_.guard_.is_intact(); }
+
   /// The next in the queue that is active, and stays so; it is in no queue any more.
   Halfedge next_queued() const {
     front_.guard_.require_intact();
@@ -52,6 +56,31 @@ class EngineSide {
 
  private:
   Front& front_;
+};
+
+/// Takes all steps of one change, also those behind one that throws, so that none of it is lost; but none on a mesh
+/// that somebody else has changed.
+class AllSteps {
+ public:
+  explicit AllSteps(const EngineSide& engine) : engine_(engine) {}
+
+  template <typename Step>
+  void operator()(Step step) {
+    if (first_ && !engine_.is_intact()) return;
+    try {
+      step();
+    } catch (...) {
+      if (!first_) first_ = std::current_exception();
+    }
+  }
+  /// Throws what came first.
+  void end() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  const EngineSide& engine_;
+  std::exception_ptr first_;
 };
 
 }  // namespace meshops::detail

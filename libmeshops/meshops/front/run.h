@@ -96,11 +96,7 @@ class Run {
     std::size_t before = 0;
     if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), fit.sides.side).count();
     const InsertedTriangle triangle = front_.insert(fit);
-    if constexpr (RekeyingFrontPolicy<Policy>)
-      for (const Vertex v : corners(front_.mesh(), triangle.face)) order_.neighbours_changed(v);
-    engine_.notify([&] { event(triangle); });
-    if constexpr (Visitor::follows_curves)
-      notify_of_curves(front_, before, DistinctCurves(front_.mesh(), corners(front_.mesh(), triangle.face)), visitor_);
+    notify_of_change([&] { return corners(front_.mesh(), triangle.face); }, before, [&] { event(triangle); });
   }
 
   void detach(Halfedge h, Face f) {
@@ -113,15 +109,33 @@ class Run {
     std::size_t before = 0;
     if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), corners(front_.mesh(), f)).count();
     const DetachedTriangle triangle = front_.detach(f);
-    if constexpr (RekeyingFrontPolicy<Policy>)
-      for (const Halfedge side : triangle.side)
-        if (side.is_valid()) {
-          order_.neighbours_changed(front_.mesh().from_vertex_handle(side));
-          order_.neighbours_changed(front_.mesh().to_vertex_handle(side));
-        }
-    engine_.notify([&] { visitor_.detached(seen(), triangle); });
-    if constexpr (Visitor::follows_curves)
-      notify_of_curves(front_, before, DistinctCurves(front_.mesh(), triangle.side), visitor_);
+    notify_of_change([&] { return triangle.side; }, before, [&] { visitor_.detached(seen(), triangle); });
+  }
+
+  /// Of a triangle that has come or gone: keys move, then the visitor is called, which may throw at any of its events
+  /// and receives all of them nevertheless. around() are its corners or the sides that it left.
+  template <typename Around, typename Event>
+  void notify_of_change(Around around, std::size_t curves_before, Event event) {
+    if constexpr (RekeyingFrontPolicy<Policy>) neighbours_changed(around());
+    if constexpr (Visitor::follows_curves) {
+      const DistinctCurves now(front_.mesh(), around());
+      AllSteps steps(engine_);
+      steps([&] { engine_.notify(event); });
+      notify_of_curves(front_, curves_before, now, visitor_, steps);
+      steps.end();
+    } else {
+      engine_.notify(event);
+    }
+  }
+  void neighbours_changed(const std::array<Vertex, 3>& corners) {
+    for (const Vertex v : corners) order_.neighbours_changed(v);
+  }
+  void neighbours_changed(const std::array<Halfedge, 3>& sides) {
+    for (const Halfedge side : sides)
+      if (side.is_valid()) {
+        order_.neighbours_changed(front_.mesh().from_vertex_handle(side));
+        order_.neighbours_changed(front_.mesh().to_vertex_handle(side));
+      }
   }
 
   void freeze(Halfedge h) {

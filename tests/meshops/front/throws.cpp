@@ -119,16 +119,37 @@ struct Listing : WaitingByAngle {
   }
 };
 
+/// Some triangles at the front are detached again, a number of them.
+struct Detaching : OfTheEdge {
+  int left = 12;
+  Proposal propose(const Front& front, Halfedge h) {
+    const Face behind = front.mesh().face_handle(front.mesh().opposite_halfedge_handle(h));
+    if (mixed(front.from_site(h), front.to_site(h), 6) % 3 > 0 || left == 0) return OfTheEdge::propose(front, h);
+    fuse.burn();
+    --left;
+    return Proposal::detach(behind);
+  }
+};
+
+/// Counts the curves by their events, and then may throw.
 struct Burning : CurveVisitor {
+  int curves = 0;
   void seeded(const Front&, const InsertedTriangle&) { fuse.burn(); }
   void attached(const Front&, Halfedge, const InsertedTriangle&) { fuse.burn(); }
   void frozen(const Front&, Halfedge) { fuse.burn(); }
   void deferred(const Front&, Halfedge) { fuse.burn(); }
   void refused(const Front&, Halfedge, const Refusal&) { fuse.burn(); }
-  void curve_begun(const Front&, Halfedge) { fuse.burn(); }
-  void curves_joined(const Front&, Halfedge) { fuse.burn(); }
-  void curve_split(const Front&, Halfedge, Halfedge) { fuse.burn(); }
-  void curve_closed(const Front&) { fuse.burn(); }
+  void detached(const Front&, const DetachedTriangle&) { fuse.burn(); }
+  void curve_begun(const Front&, Halfedge) { count(1); }
+  void curves_joined(const Front&, Halfedge) { count(-1); }
+  void curve_split(const Front&, Halfedge, Halfedge) { count(1); }
+  void curve_closed(const Front&) { count(-1); }
+
+ private:
+  void count(int change) {
+    curves += change;
+    fuse.burn();
+  }
 };
 
 /// Throws at the question `at`, then every `every` questions if that is not 0, goes on after each, and returns the mesh.
@@ -137,21 +158,26 @@ std::vector<int> run(long at, long every, std::size_t& throws) {
   TestMesh mesh;
   Front front(mesh, sites);
   Policy policy;
+  Burning visitor;
+  // Whatever threw: the events of a triangle come together.
+  const auto has_all_events = [&] { return visitor.curves == static_cast<int>(front.curves().size()); };
   fuse = {at, 0};
   for (;;) {
     try {
-      advance(front, policy, Burning{});
+      advance(front, policy, visitor);
       break;
     } catch (const std::runtime_error&) {
       ++throws;
       fuse.left = every > 0 ? every : -1;
       check_sound(mesh);
+      REQUIRE(has_all_events());
       for (const BoundaryCurve& curve : front.curves())
         for (const Halfedge h : curve) REQUIRE((front.is_active(h) || front.is_frozen(h)));
     }
   }
   fuse.left = -1;
   check_sound(mesh);
+  REQUIRE(has_all_events());
   for (const BoundaryCurve& curve : front.curves())
     for (const Halfedge h : curve) REQUIRE(front.is_frozen(h));
   front.finish();
@@ -203,6 +229,9 @@ TEST_SUITE("throws") {
       "keys asked again: whichever question, event, comparison or move throws, the mesh is that of a run without") {
     check_every_throw<WaitingByAngle>();
     check_every_throw<WaitingByFragileAngle>();
+  }
+  TEST_CASE("triangles that are detached: whichever question or event throws, no edge is lost") {
+    check_every_throw<Detaching>(false);
   }
   TEST_CASE("lists of triangles: whichever question or event throws, no edge is lost") {
     check_every_throw<Listing>(false);

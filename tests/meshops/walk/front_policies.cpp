@@ -115,10 +115,10 @@ struct Account : CurveVisitor {
   void may_throw() {
     if (policy.choices.one_in(800)) throw std::runtime_error("tired of events");
   }
-  /// After a throw: events that would have followed did not come.
+  /// After a throw: the events of the last triangle have come nevertheless.
   void begin_anew(const Front& front) {
     demand(front.faces() == triangles, "a throw takes no triangle away, and adds none");
-    curves = static_cast<long>(front.curves().size());
+    demand(curves == static_cast<long>(front.curves().size()), "a throw takes no event of a curve away");
     refused_at = Halfedge();
   }
 
