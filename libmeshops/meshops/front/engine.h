@@ -37,6 +37,11 @@ void advance(Front& front, Policy& policy, Visitor&& visitor) {
                 "rekeys_neighbours, public, beside a member key");
   static_assert(!detail::misses_curves<std::remove_cvref_t<Visitor>>(),
                 "the visitor has events of curves that are passed over: expected it to derive from CurveVisitor");
+  static_assert(
+      !detail::misses_events<std::remove_cvref_t<Visitor>>(),
+      "the visitor has no event, or a member with nearly the name of one, which is passed over: expected seeded, "
+      "attached, deferred, frozen, detached, refused, seed_refused, curve_begun, curves_joined, curve_split or "
+      "curve_closed");
   detail::Run<Policy, std::remove_reference_t<Visitor>>(front, policy, visitor).advance();
 }
 

@@ -2,6 +2,7 @@
 //       signature, and would be ignored without an error.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <type_traits>
 
@@ -59,26 +60,60 @@ constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !Reke
   requires !std::bool_constant<Policy::rekeys_neighbours>::value;
 };
 
+/// The visitor overrides no event of triangles and edges, or none of curves. A member of another form overrides.
+template <typename V>
+concept KeepsEvents = std::same_as<decltype(&V::seeded), decltype(&FrontVisitor::seeded)> &&
+    std::same_as<decltype(&V::attached), decltype(&FrontVisitor::attached)> &&
+    std::same_as<decltype(&V::deferred), decltype(&FrontVisitor::deferred)> &&
+    std::same_as<decltype(&V::frozen), decltype(&FrontVisitor::frozen)> &&
+    std::same_as<decltype(&V::detached), decltype(&FrontVisitor::detached)> &&
+    std::same_as<decltype(&V::refused), decltype(&FrontVisitor::refused)> &&
+    std::same_as<decltype(&V::seed_refused), decltype(&FrontVisitor::seed_refused)>;
+template <typename V>
+concept KeepsCurves = std::same_as<decltype(&V::curve_begun), decltype(&FrontVisitor::curve_begun)> &&
+    std::same_as<decltype(&V::curves_joined), decltype(&FrontVisitor::curves_joined)> &&
+    std::same_as<decltype(&V::curve_split), decltype(&FrontVisitor::curve_split)> &&
+    std::same_as<decltype(&V::curve_closed), decltype(&FrontVisitor::curve_closed)>;
+
 /// The visitor overrides an event of curves, but would not receive it.
 template <typename Visitor>
 constexpr bool misses_curves() {
   if constexpr (std::derived_from<Visitor, FrontVisitor>)
-    return !Visitor::follows_curves &&
-           !(
-               requires {
-                 requires std::same_as<decltype(&Visitor::curve_begun), decltype(&FrontVisitor::curve_begun)>;
-               } &&
-               requires {
-                 requires std::same_as<decltype(&Visitor::curves_joined), decltype(&FrontVisitor::curves_joined)>;
-               } &&
-               requires {
-                 requires std::same_as<decltype(&Visitor::curve_split), decltype(&FrontVisitor::curve_split)>;
-               } &&
-               requires {
-                 requires std::same_as<decltype(&Visitor::curve_closed), decltype(&FrontVisitor::curve_closed)>;
-               });
+    return !Visitor::follows_curves && !KeepsCurves<Visitor>;
   else
     return false;
+}
+
+/// A member can be called as an event, by another form of its name.
+template <typename V>
+concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t) {
+  v.seed(f, t);
+}
+|| requires(V v, const Front& f, Halfedge h, const InsertedTriangle& t) { v.attach(f, h, t); }
+|| requires(V v, const Front& f, Halfedge h) { v.defer(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.defered(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.freeze(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.freezed(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.froze(f, h); }
+|| requires(V v, const Front& f, const DetachedTriangle& t) { v.detach(f, t); }
+|| requires(V v, const Front& f, Halfedge h, const Refusal& r) { v.refuse(f, h, r); }
+|| requires(V v, const Front& f, Halfedge h, const Refusal& r) { v.rejected(f, h, r); }
+|| requires(V v, const Front& f, const std::array<Site, 3>& s, const Refusal& r) { v.refused_seed(f, s, r); }
+|| requires(V v, const Front& f, const std::array<Site, 3>& s, const Refusal& r) { v.seed_rejected(f, s, r); }
+|| requires(V v, const Front& f, Halfedge h) { v.curve_began(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.curve_joined(f, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.curves_split(f, h, h); }
+|| requires(V v, const Front& f, Halfedge h) { v.curve_splitted(f, h, h); }
+|| requires(V v, const Front& f) { v.curves_closed(f); };
+
+/// The visitor derives from FrontVisitor, and none of its members is an event; or one has nearly the name of one.
+template <typename Visitor>
+constexpr bool misses_events() {
+  if constexpr (std::derived_from<Visitor, FrontVisitor> && !std::same_as<Visitor, FrontVisitor> &&
+                !std::same_as<Visitor, CurveVisitor>)
+    return (KeepsEvents<Visitor> && KeepsCurves<Visitor>) || MisnamesEvent<Visitor>;
+  else
+    return MisnamesEvent<Visitor>;
 }
 
 }  // namespace meshops::detail

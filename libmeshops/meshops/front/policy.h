@@ -19,9 +19,9 @@ class Proposal {
  public:
   using Triangle = std::array<Site, 3>;
 
-  /// The site at the apex; nothing to freeze the edge.
-  Proposal(std::optional<Site> apex) : apex_(apex) {}
-  Proposal(Site apex) : apex_(apex) {}
+  /// The site at the apex; nothing to freeze the edge. Of no other type: the −1 of an int is no site.
+  template <typename Apex>
+  requires std::same_as<Apex, Site> || std::same_as<Apex, std::optional<Site>> Proposal(Apex apex) : apex_(apex) {}
   Proposal(std::nullopt_t) {}
   /// A triangle at the front is detached, and the policy is called again for the edge, if it still exists, when its turn comes.
   static Proposal detach(Face f) {

@@ -1,4 +1,4 @@
-# refused_policies.cpp does not compile, for four reasons, each with its message.
+# refused_policies.cpp does not compile, for six reasons, each with its message.
 # usage: cmake -DCOMPILER=... -DLIBRARY=... -DSOURCE=... -P check_refused_policies.cmake
 execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${LIBRARY} ${SOURCE} RESULT_VARIABLE status ERROR_VARIABLE messages)
 if(status EQUAL 0)
@@ -8,7 +8,9 @@ foreach(expected IN ITEMS
     "a member key that is passed over: expected key(const Front&, Halfedge)"
     "a member glues that is passed over: expected bool glues(const Front&, Halfedge, Site)"
     "a member rekeys_neighbours that is passed over: expected static constexpr bool"
-    "events of curves that are passed over: expected it to derive from CurveVisitor")
+    "events of curves that are passed over: expected it to derive from CurveVisitor"
+    "the visitor has no event, or a member with nearly the name of one"
+    "policy.propose(front, h)")
   string(FIND "${messages}" "${expected}" at)
   if(at EQUAL -1)
     message(FATAL_ERROR "no message says \"${expected}\":\n${messages}")

@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <type_traits>
 
 #include "meshops/front/engine.h"
 #include "support/meshes.h"
@@ -13,6 +15,7 @@
 using namespace meshops;
 using namespace meshops::test;
 using detail::misses_curves;
+using detail::misses_events;
 using detail::misses_glues;
 using detail::misses_key;
 using detail::misses_rekeys;
@@ -112,6 +115,37 @@ struct Frozen : FrontVisitor {
 };
 static_assert(misses_curves<CurvesOverridden>() && misses_curves<CurvesInOtherForm>());
 static_assert(!misses_curves<Follows>() && !misses_curves<Frozen>() && !misses_curves<FrontVisitor>());
+
+struct Freezed : Frozen {
+  void freezed(const Front&, Halfedge) {}
+};
+struct CurvesClosed : Follows {
+  void curves_closed(const Front&) {}
+};
+struct NoEvent : FrontVisitor {
+  void when_frozen(const Front&, Halfedge) {}
+};
+struct BothAtOnce : Plain, Frozen {};  // `seed` of a policy is no event
+struct HasHelper : Frozen {
+  void freeze() {}
+};
+static_assert(misses_events<Freezed>() && misses_events<CurvesClosed>() && misses_events<NoEvent>());
+static_assert(!misses_events<FrontVisitor>() && !misses_events<CurveVisitor>() && !misses_events<Follows>());
+static_assert(!misses_events<BothAtOnce>() && !misses_events<HasHelper>() && !misses_events<Frozen>());
+
+/// A policy whose proposals have this type.
+template <typename Answer>
+struct Proposing {
+  std::optional<std::array<Site, 3>> seed(const Front&) { return std::nullopt; }
+  Answer propose(const Front&, Halfedge);
+};
+static_assert(FrontPolicy<Proposing<Site>> && FrontPolicy<Proposing<std::optional<Site>>> &&
+              FrontPolicy<Proposing<Proposal>> && FrontPolicy<Proposing<std::nullopt_t>>);
+static_assert(!FrontPolicy<Proposing<int>> && !FrontPolicy<Proposing<long>> && !FrontPolicy<Proposing<std::size_t>> &&
+              !FrontPolicy<Proposing<double>> && !FrontPolicy<Proposing<bool>> && !FrontPolicy<Proposing<Halfedge>> &&
+              !FrontPolicy<Proposing<std::optional<int>>> && !FrontPolicy<Proposing<void>>);
+static_assert(!std::is_convertible_v<int, Proposal> && !std::is_constructible_v<Proposal, int> &&
+              !std::is_constructible_v<Proposal, std::optional<int>> && std::is_convertible_v<Site, Proposal>);
 
 }  // namespace
 

@@ -26,6 +26,12 @@ struct RekeysWithoutKey : Plain {
 struct CurvesOverridden : meshops::FrontVisitor {
   void curve_split(const Front&, Halfedge, Halfedge) {}
 };
+struct Freezed : meshops::FrontVisitor {
+  void freezed(const Front&, Halfedge) {}
+};
+struct IntProposed : Plain {
+  int propose(const Front&, Halfedge) { return -1; }
+};
 
 int main() {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
@@ -38,4 +44,7 @@ int main() {
   meshops::advance(front, rekeys);
   Plain plain;
   meshops::advance(front, plain, CurvesOverridden());
+  meshops::advance(front, plain, Freezed());
+  IntProposed proposed;
+  meshops::advance(front, proposed);
 }
