@@ -7,12 +7,15 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 #include "meshops/stellar/split_hooks.h"
 
 namespace meshops {
@@ -58,10 +61,32 @@ T mean(std::span<const T> values) {
   return result;
 }
 
-template <typename M>
-concept VertexProperties = requires(const M& manager) {
-  { manager.getRawProperty() } -> std::convertible_to<OpenMesh::VPropHandleT<typename M::Value>>;
+template <typename Value>
+OpenMesh::VPropHandleT<Value> handle_of(OpenMesh::VPropHandleT<Value> handle) {
+  return handle;
+}
+template <typename Manager>
+OpenMesh::VPropHandleT<typename Manager::Value> handle_of(const Manager& manager) requires requires {
+  { manager.getRawProperty() } -> std::convertible_to<OpenMesh::VPropHandleT<typename Manager::Value>>;
+}
+{ return manager.getRawProperty(); }
+
+/// A vertex property, by its handle or its manager.
+template <typename P>
+concept VertexProperty = requires(const P& property) {
+  detail::handle_of(property);
 };
+
+template <VertexProperty P>
+using ValueOf = typename decltype(detail::handle_of(std::declval<const P&>()))::Value;
+
+/// Whether the mesh has this property.
+template <typename Mesh, typename Value>
+bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
+  const auto count = std::distance(mesh.vprops_begin(), mesh.vprops_end());
+  return property.idx() >= 0 && property.idx() < count &&
+         dynamic_cast<const OpenMesh::PropertyT<Value>*>(*(mesh.vprops_begin() + property.idx())) != nullptr;
+}
 
 }  // namespace detail
 
@@ -71,17 +96,17 @@ concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 
 /// split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(), mesh.vertex_colors_pph())): what CarryOver does, with the
 /// point of the new vertex where the mesh has points, and moreover the mean of each vertex property that is named, by an
-/// OpenMesh::VPropHandleT or a vertex PropertyManager.
+/// OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
 /// Whole numbers are rounded to the nearest, halves away from 0. Vectors are not normalised: normals are to be computed anew.
 /// Vertex properties that are not named have default values after split_edge() and split_face(), as without the hook.
-/// Requires: the properties are of the mesh that is split. Types without a mean do not compile: text, flags.
+/// Requires: the properties are of the mesh that is split. A split throws ContractViolation where the mesh has no such
+///           property, mesh untouched. Types without a mean do not compile: text, flags.
 template <HasMean... Values>
 class Interpolate {
  public:
-  explicit Interpolate(OpenMesh::VPropHandleT<Values>... properties) : properties_(properties...) {}
-  template <detail::VertexProperties... Managers>
-  requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&... properties)
-      : properties_(properties.getRawProperty()...) {}
+  template <detail::VertexProperty... Properties>
+  requires(sizeof...(Properties) > 0) explicit Interpolate(const Properties&... properties)
+      : properties_(detail::handle_of(properties)...) {}
 
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>
@@ -103,6 +128,7 @@ class Interpolate {
   template <typename Mesh>
   void set_means(Mesh& mesh, Vertex v, std::span<const Vertex> of) const {
     const auto set = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
+      require(detail::has_property(mesh, property), "Interpolate: the mesh has no such vertex property");
       T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
                      mesh.property(property, of.back())};
       mesh.property(property, v) = detail::mean(std::span<const T>(values, of.size()));
@@ -113,7 +139,8 @@ class Interpolate {
   std::tuple<OpenMesh::VPropHandleT<Values>...> properties_;
 };
 
-template <detail::VertexProperties... Managers>
-requires(sizeof...(Managers) > 0) explicit Interpolate(const Managers&...)->Interpolate<typename Managers::Value...>;
+template <detail::VertexProperty... Properties>
+requires(sizeof...(Properties) > 0) explicit Interpolate(const Properties&...)
+    ->Interpolate<detail::ValueOf<Properties>...>;
 
 }  // namespace meshops

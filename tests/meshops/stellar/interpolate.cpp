@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "meshops/core/contract.h"
 #include "meshops/stellar/split_edge.h"
 #include "meshops/stellar/split_face.h"
 #include "meshops/stellar/split_vertex.h"
@@ -99,6 +100,35 @@ TEST_SUITE("interpolate") {
     const Vertex v = split_edge(mesh, mesh.find_halfedge(Vertex(1), Vertex(2)), Interpolate(heat)).added.vertex;
     CHECK(heat[v] == 4.5);
     CHECK(mesh.property(mesh.weight, v) == 0);
+  }
+
+  TEST_CASE("managers and handles are named together, in any order") {
+    Triangle mesh;
+    auto heat = OpenMesh::getOrMakeProperty<OpenMesh::VertexHandle, double>(mesh, "heat");
+    for (int i = 0; i < 3; ++i) heat[Vertex(i)] = 3 * i;
+    const Interpolate first(heat, mesh.vertex_texcoords2D_pph(), mesh.weight);
+    const Interpolate last(mesh.vertex_colors_pph(), mesh.weight, heat);
+    const Vertex v = split_edge(mesh, mesh.find_halfedge(Vertex(1), Vertex(2)), first).added.vertex;
+    CHECK(heat[v] == 4.5);
+    CHECK(mesh.property(mesh.weight, v) == 15);
+    CHECK(mesh.texcoord2D(v) == Mesh::TexCoord2D(1.5F, 1));
+    const Vertex w = split_edge(mesh, mesh.find_halfedge(Vertex(0), Vertex(1)), last).added.vertex;
+    CHECK(heat[w] == 1.5);
+    CHECK(mesh.property(mesh.weight, w) == 5);
+    CHECK(mesh.color(w) == Mesh::Color(50, 255, 1));
+  }
+
+  TEST_CASE("a property that the mesh does not have is a contract violation, and the split leaves no trace") {
+    Triangle mesh;
+    OpenMesh::VPropHandleT<double> elsewhere(mesh.text.idx());  // there is one of this number, of another type
+    for (const OpenMesh::VPropHandleT<double> wrong :
+         {OpenMesh::VPropHandleT<double>(), OpenMesh::VPropHandleT<double>(1000), elsewhere}) {
+      CHECK_THROWS_AS(split_edge(mesh, mesh.halfedge_handle(Face(0)), Interpolate(mesh.number, wrong)),
+                      ContractViolation);
+      CHECK(mesh.n_vertices() == 3);
+      CHECK(mesh.n_edges() == 3);
+      CHECK(mesh.n_faces() == 1);
+    }
   }
 
   TEST_CASE("the mean is no overflow where there is none, and of equal values is the value") {
