@@ -13,12 +13,12 @@
 namespace meshops {
 
 struct CloseCurveEffect {
-  Face face;  ///< new, with as many sides as the curve had edges
+  Face face{};  ///< new, with as many sides as the curve had edges
   Delta delta() const { return delta_of_close_curve(); }
 };
 
 struct OpenCurveEffect {
-  Halfedge curve;  ///< on the curve: what was the halfedge of the face
+  Halfedge curve{};  ///< on the curve: what was the halfedge of the face
   Delta delta() const { return delta_of_open_curve(); }
 };
 

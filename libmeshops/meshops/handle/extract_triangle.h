@@ -12,13 +12,13 @@ namespace meshops {
 
 /// What a triangle is to the mesh around it. Side i runs from corner i to corner i + 1.
 struct TriangleRim {
-  std::array<Halfedge, 3> side;    ///< the halfedges of the face
-  std::array<Vertex, 3> corner;    ///< the vertices that they start at
-  std::array<bool, 3> is_glued;    ///< a face lies beyond the side
+  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
+  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};        ///< the vertices that they start at
+  std::array<bool, 3> is_glued;                                         ///< a face lies beyond the side
   std::array<bool, 3> is_passage;  ///< without the triangle the fan at the corner falls in two
 };
 
-/// Requires: a triangle of a sound mesh. Cost: constant.
+/// Requires: a triangle of a sound mesh. Throws ContractViolation. Cost: constant.
 MESHOPS_API TriangleRim rim_of(const Connectivity& mesh, Face f);
 
 /// Marks the triangle as deleted, and its sides beyond which there is no face. Its other sides are boundary halfedges

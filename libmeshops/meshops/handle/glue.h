@@ -15,13 +15,13 @@ namespace meshops {
 
 struct GlueEffect {
   struct Ends {
-    Vertex from, to;
+    Vertex from{}, to{};
   };
   GlueCase what;
-  Halfedge survivor;  ///< `first`, now inner: its edge is the glued one
-  Halfedge removed;   ///< `second`: its edge is marked deleted
-  Ends first_ends;    ///< of `first` before; of two vertices that became one the lower handle stays
-  Ends second_ends;   ///< of `second` before
+  Halfedge survivor{};  ///< `first`, now inner: its edge is the glued one
+  Halfedge removed{};   ///< `second`: its edge is marked deleted
+  Ends first_ends;      ///< of `first` before; of two vertices that became one the lower handle stays
+  Ends second_ends;     ///< of `second` before
   Delta delta() const { return delta_of(what); }
 };
 

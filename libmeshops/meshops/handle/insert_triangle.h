@@ -15,17 +15,17 @@ namespace meshops {
 /// Where a triangle goes. Side i runs from corner i to corner i + 1.
 struct TriangleSides {
   /// A boundary halfedge that becomes this side, or an invalid handle for a new edge.
-  std::array<Halfedge, 3> side;
+  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
   /// The vertex of a corner between two new sides: an isolated one. Not read for other corners.
-  std::array<Vertex, 3> corner;
+  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
 };
 
 struct InsertedTriangle {
-  Face face;
-  std::array<Halfedge, 3> side;  ///< the halfedges of the face
-  int merged = 0;                ///< how many vertices were merged into others
+  Face face{};
+  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
+  int merged = 0;                                                       ///< how many vertices were merged into others
   /// The vertices that lost: isolated now, and of no use to the mesh. The lower handle of a pair survives.
-  std::array<Vertex, 3> left_over;
+  std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
 /// Where insert_triangle() gets its edge and face elements: one by one from the mesh, or from a supply of the caller's.

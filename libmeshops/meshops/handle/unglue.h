@@ -17,11 +17,11 @@
 namespace meshops {
 
 struct UnglueEffect {
-  GlueCase what;     ///< the case of glue() that is undone
-  Halfedge first;    ///< the given halfedge, now on the boundary, with the face beyond its edge
-  Halfedge second;   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
-  Vertex new_start;  ///< a second vertex where `first` starts; an invalid handle when that vertex was inner
-  Vertex new_end;    ///< a second vertex where `first` ends; likewise
+  GlueCase what;       ///< the case of glue() that is undone
+  Halfedge first{};    ///< the given halfedge, now on the boundary, with the face beyond its edge
+  Halfedge second{};   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
+  Vertex new_start{};  ///< a second vertex where `first` starts; an invalid handle when that vertex was inner
+  Vertex new_end{};    ///< a second vertex where `first` ends; likewise
   Delta delta() const { return -delta_of(what); }
 };
 

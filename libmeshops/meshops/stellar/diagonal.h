@@ -14,16 +14,16 @@
 namespace meshops {
 
 struct InsertDiagonalEffect {
-  Halfedge diagonal;  ///< new, with the new face on its left
-  Face face;          ///< new
+  Halfedge diagonal{};  ///< new, with the new face on its left
+  Face face{};          ///< new
   constexpr Delta delta() const { return {.edges = 1, .faces = 1}; }
 };
 
 struct RemoveDiagonalEffect {
-  Edge edge;          ///< marked deleted
-  Face face;          ///< marked deleted
-  Face survivor;      ///< has the sides of both
-  Halfedge from, to;  ///< insert_diagonal(from, to) is the inverse
+  Edge edge{};            ///< marked deleted
+  Face face{};            ///< marked deleted
+  Face survivor{};        ///< has the sides of both
+  Halfedge from{}, to{};  ///< insert_diagonal(from, to) is the inverse
   constexpr Delta delta() const { return {.edges = -1, .faces = -1}; }
 };
 

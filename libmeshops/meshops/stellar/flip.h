@@ -15,8 +15,9 @@
 namespace meshops {
 
 struct FlipEffect {
-  Edge edge;
-  std::array<Halfedge, 2> named;  ///< for undo(): the halfedges of the ends before, of halfedge 0 first start, then end
+  Edge edge{};
+  std::array<Halfedge, 2> named = {
+      Halfedge(), Halfedge()};  ///< for undo(): the halfedges of the ends before, of halfedge 0 first start, then end
   constexpr Delta delta() const { return {}; }
 };
 

@@ -14,7 +14,7 @@
 namespace meshops {
 
 struct WeldEdgeEffect : WeldEffect {
-  Halfedge line;  ///< of the edge that was two, towards the survivor
+  Halfedge line{};  ///< of the edge that was two, towards the survivor
 };
 
 /// Why the vertex that h comes from cannot be welded into the edge, or nothing when it can: it has not four edges (on

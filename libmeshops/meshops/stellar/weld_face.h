@@ -14,7 +14,7 @@
 namespace meshops {
 
 struct WeldFaceEffect : WeldEffect {
-  Face face;  ///< that was three
+  Face face{};  ///< that was three
 };
 
 /// Why the vertex cannot be welded into one face, or nothing when it can: it is isolated or on the boundary, has not
