@@ -32,6 +32,15 @@ inline bool has_status(const Connectivity& mesh) {
   return mesh.has_vertex_status() && mesh.has_halfedge_status() && mesh.has_edge_status() && mesh.has_face_status();
 }
 
+namespace detail {
+
+/// Why elements of the mesh cannot be deleted, or nullptr.
+inline const char* status_refusal(const Connectivity& mesh) {
+  return has_status(mesh) ? nullptr : "the mesh needs status of every kind to mark what is deleted";
+}
+
+}  // namespace detail
+
 /// Calls visit(element) for every live element, in ascending order. Elements that visit() adds are not visited.
 template <typename Visit>
 void for_each_vertex(const Connectivity& mesh, Visit visit) {

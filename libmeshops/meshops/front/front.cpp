@@ -180,14 +180,14 @@ std::optional<Refusal> Front::detach_blocker(Face f) const {
   const Halfedge next = mesh_.next_halfedge_handle(side), last = mesh_.prev_halfedge_handle(side);
   if (mesh_.next_halfedge_handle(next) != last) return because(RefusalKind::no_triangle);
   for (const Halfedge h : {side, next, last})
-    if (mesh_.is_boundary(mesh_.opposite_halfedge_handle(h))) return std::nullopt;
+    if (mesh_.is_boundary(mesh_.opposite_halfedge_handle(h)))
+      return has_status(mesh_) ? std::nullopt : std::optional(because(RefusalKind::no_status));
   return because(RefusalKind::not_at_front);
 }
 
 DetachedTriangle Front::detach(Face f) {
   guard_.require_changeable();
   if (const auto refusal = detach_blocker(f)) throw ContractViolation("detach: " + describe(*refusal));
-  require(has_status(mesh_), "detach: the mesh needs status of every kind to mark what is deleted");
   const TriangleRim rim = rim_of(mesh_, f);
   DetachedTriangle detached;
   std::array<Vertex, 3> second;

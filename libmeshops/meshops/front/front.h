@@ -36,7 +36,7 @@ class EngineSide;
 struct DetachedTriangle {
   std::array<Site, 3> corners;
   /// Side i ran from corner i to corner i + 1: a boundary halfedge now, or invalid where nothing lay beyond.
-  std::array<Halfedge, 3> side;
+  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
 };
 
 /// There is one front on a mesh, which is not copied. While it is in use nobody else adds elements to the mesh or takes some
@@ -164,7 +164,8 @@ class MESHOPS_API Front {
   ///           untouched.
   InsertedTriangle insert(const Fit& fit);
 
-  /// Why detach() would refuse: there is no such face, it is no triangle, or none of its sides is on the boundary.
+  /// Why detach() would refuse: there is no such face, it is no triangle, none of its sides is on the boundary, or the
+  /// mesh has no status.
   std::optional<Refusal> detach_blocker(Face f) const;
   /// Detaches a triangle at the front, which is marked deleted as are the edges that no other has; sides that it was
   /// glued by become boundary halfedges, and active. The inverse of attach() and create(), up to handles.

@@ -5,9 +5,9 @@
 namespace meshops {
 
 std::string_view name(RefusalKind kind) {
-  static constexpr std::array<std::string_view, 9> names = {"no boundary halfedge", "no such site", "corner repeated",
-                                                            "site closed",          "side taken",   "no such face",
-                                                            "no triangle",          "not at front", "triangle there"};
+  static constexpr std::array<std::string_view, 10> names = {
+      "no boundary halfedge", "no such site", "corner repeated", "site closed",    "side taken",
+      "no such face",         "no triangle",  "not at front",    "triangle there", "no status"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -30,6 +30,8 @@ std::string describe(const Refusal& refusal) {
       return "face " + index + " has other than three sides";
     case RefusalKind::not_at_front:
       return "no side of face " + index + " is on the boundary";
+    case RefusalKind::no_status:
+      return "the mesh needs status of every kind to mark what is deleted";
     case RefusalKind::triangle_there:
       return "face " + index + " on " + site + " and site " + std::to_string(refusal.to) + " is that triangle already";
   }

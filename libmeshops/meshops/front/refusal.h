@@ -19,7 +19,8 @@ enum class RefusalKind {
   no_such_face,          ///< `index`
   no_triangle,           ///< face `index` has other than three sides
   not_at_front,          ///< no side of face `index` is on the boundary
-  triangle_there         ///< face `index` has these corners in this order, `site` and `to` two of them
+  triangle_there,        ///< face `index` has these corners in this order, `site` and `to` two of them
+  no_status              ///< the mesh needs status to mark face `index` as deleted
 };
 
 struct Refusal {

@@ -31,6 +31,7 @@ bool is_passed_again(const Connectivity& mesh, Halfedge h) {
 }
 
 const char* reason_against_opening(const Connectivity& mesh, Face f) {
+  if (!mesh.has_face_status()) return "the mesh needs face status to mark what is deleted";
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;
@@ -76,7 +77,6 @@ std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f) 
 }
 
 OpenCurveEffect open_curve(Connectivity& mesh, Face f) {
-  require(mesh.has_face_status(), "open_curve: the mesh needs face status to mark what is deleted");
   if (const char* reason = reason_against_opening(mesh, f))
     throw ContractViolation(std::string("open_curve: ") + reason);
   const Halfedge first = mesh.halfedge_handle(f);

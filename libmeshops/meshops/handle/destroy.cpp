@@ -11,6 +11,7 @@ namespace meshops {
 namespace {
 
 const char* reason_against_any(const Connectivity& mesh, Face f) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
@@ -66,7 +67,6 @@ std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Fa
 }
 
 Delta destroy_triangle(Connectivity& mesh, Face f) {
-  require(has_status(mesh), "destroy_triangle: the mesh needs status of every kind to mark what is deleted");
   require_none("destroy_triangle", reason_against_destroying(mesh, f));
   destroy(mesh, f);
   return delta_of_destroy();
@@ -77,7 +77,6 @@ std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Fac
 }
 
 Delta remove_triangle(Connectivity& mesh, Face f) {
-  require(has_status(mesh), "remove_triangle: the mesh needs status of every kind to mark what is deleted");
   require_none("remove_triangle", reason_against_removing(mesh, f));
   Delta delta;
   // Given the halfedge on this side, unglue() lets what is beyond keep the edge and the vertices.

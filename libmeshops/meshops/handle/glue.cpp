@@ -105,32 +105,34 @@ GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueC
 
 namespace {
 
-void require_gluable(const char* operation, const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const char* reason = detail::glue_refusal(mesh, first, second))
-    throw ContractViolation(std::string(operation) + ": " + reason);
+const char* refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  const char* reason = detail::status_refusal(mesh);
+  return reason != nullptr ? reason : detail::glue_refusal(mesh, first, second);
+}
+
+void require_none(const char* operation, const char* reason) {
+  if (reason != nullptr) throw ContractViolation(std::string(operation) + ": " + reason);
 }
 
 }  // namespace
 
 std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const char* reason = detail::glue_refusal(mesh, first, second)) return reason;
+  if (const char* reason = refusal(mesh, first, second)) return reason;
   return std::nullopt;
 }
 
 GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  require_gluable("glue_case", mesh, first, second);
+  require_none("glue_case", detail::glue_refusal(mesh, first, second));
   return detail::case_of_glue(mesh, first, second);
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second) {
-  require(has_status(mesh), "glue: the mesh needs status of every kind to mark what is deleted");
-  require_gluable("glue", mesh, first, second);
+  require_none("glue", refusal(mesh, first, second));
   return detail::glue_links(mesh, first, second, detail::case_of_glue(mesh, first, second));
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
-  require(has_status(mesh), "glue: the mesh needs status of every kind to mark what is deleted");
-  require_gluable("glue", mesh, first, second);
+  require_none("glue", refusal(mesh, first, second));
   return detail::glue_links(mesh, first, second, what);
 }
 

@@ -21,6 +21,7 @@ std::size_t length_of_curve(const Connectivity& mesh, Halfedge through) {
 }  // namespace
 
 std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
   if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
   if (on_same_curve(mesh, first, second)) return "both halfedges are on one curve";
@@ -37,7 +38,6 @@ std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge
 }
 
 ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second) {
-  require(has_status(mesh), "zip_curves: the mesh needs status of every kind to mark what is deleted");
   if (const auto blocker = zip_curves_blocker(mesh, first, second)) throw ContractViolation("zip_curves: " + *blocker);
   const std::size_t edges = length_of_curve(mesh, first);
   ZipCurvesEffect effect{GlueCase::join, edges};

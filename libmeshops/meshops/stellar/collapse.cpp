@@ -6,6 +6,7 @@ namespace meshops {
 namespace {
 
 const char* collapse_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   return is_live(mesh, h) ? detail::close_refusal(mesh, h, keep) : "no such halfedge";
 }
 
@@ -16,7 +17,6 @@ std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h
 }
 
 WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::require_status(mesh, "collapse");
   detail::enforce("collapse", collapse_refusal(mesh, h, keep));
   return detail::close_edge(mesh, h);
 }

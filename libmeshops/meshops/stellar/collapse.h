@@ -17,7 +17,7 @@ namespace meshops {
 /// Why h cannot be collapsed, or nothing when it can: a face beside it is not a triangle; it is an inner edge between
 /// boundary vertices (they would become a pinch); another edge joins its vertices (it would become a loop); nothing but
 /// an edge would be left; Keep::simplicial: the link condition, i.e. the ends have a common neighbour other than the
-/// apexes, or both have three edges on a tetrahedron.
+/// apexes, or both have three edges on a tetrahedron. Of this and of all operators that delete: the mesh has no status.
 MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
                                                         Keep keep = Keep::simplicial);
 

@@ -24,6 +24,7 @@ const char* refusal(const Connectivity& mesh, Halfedge from, Halfedge to, Keep k
 }
 
 const char* refusal(const Connectivity& mesh, Halfedge h) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   if (!is_live(mesh, h)) return "no such halfedge";
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   if (mesh.is_boundary(h) || mesh.is_boundary(o)) return "the edge is on the boundary";
@@ -73,7 +74,6 @@ std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Hal
 }
 
 RemoveDiagonalEffect remove_diagonal(Connectivity& mesh, Halfedge h) {
-  detail::require_status(mesh, "remove_diagonal");
   detail::enforce("remove_diagonal", refusal(mesh, h));
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_h = mesh.prev_halfedge_handle(h);

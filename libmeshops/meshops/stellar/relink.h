@@ -49,7 +49,7 @@ inline void enforce(const char* operation, const char* refusal) {
 }
 
 inline void require_status(const Connectivity& mesh, const char* operation) {
-  if (!has_status(mesh)) enforce(operation, "the mesh needs status of every kind to mark what is deleted");
+  enforce(operation, status_refusal(mesh));
 }
 
 inline std::optional<std::string> as_blocker(const char* refusal) {

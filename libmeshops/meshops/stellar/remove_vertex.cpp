@@ -11,6 +11,7 @@ struct Choice {
 };
 
 Choice choose(const Connectivity& mesh, Vertex v, Keep keep) {
+  if (const char* reason = detail::status_refusal(mesh)) return {Halfedge(), reason};
   if (!is_live(mesh, v)) return {Halfedge(), "no such vertex"};
   if (mesh.is_isolated(v)) return {Halfedge(), "the vertex is isolated"};
   const Halfedge first = mesh.halfedge_handle(v);
@@ -34,7 +35,6 @@ std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Verte
 }
 
 WeldEffect remove_vertex(Connectivity& mesh, Vertex v, Keep keep) {
-  detail::require_status(mesh, "remove_vertex");
   const Choice choice = choose(mesh, v, keep);
   if (choice.refusal) throw ContractViolation("remove_vertex: " + *reason(choice));
   return detail::close_edge(mesh, choice.along);

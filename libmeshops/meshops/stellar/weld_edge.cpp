@@ -12,6 +12,7 @@ Halfedge beyond(const Connectivity& mesh, Halfedge h) {
 }
 
 const char* weld_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   if (!is_live(mesh, h)) return "no such halfedge";
   const Vertex v = mesh.from_vertex_handle(h);
   const Halfedge far = beyond(mesh, h);
@@ -33,7 +34,6 @@ std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge 
 }
 
 WeldEdgeEffect weld_edge(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::require_status(mesh, "weld_edge");
   detail::enforce("weld_edge", weld_edge_refusal(mesh, h, keep));
   const Halfedge line = mesh.opposite_halfedge_handle(beyond(mesh, h));
   return {detail::close_edge(mesh, h), line};

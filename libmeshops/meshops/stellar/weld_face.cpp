@@ -6,6 +6,7 @@ namespace meshops {
 namespace {
 
 const char* refusal(const Connectivity& mesh, Vertex v, Keep keep) {
+  if (const char* reason = detail::status_refusal(mesh)) return reason;
   if (!is_live(mesh, v)) return "no such vertex";
   if (mesh.is_isolated(v)) return "the vertex is isolated";
   if (mesh.is_boundary(v)) return "the vertex is on the boundary";
@@ -22,7 +23,6 @@ std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
 }
 
 WeldFaceEffect weld_face(Connectivity& mesh, Vertex v, Keep keep) {
-  detail::require_status(mesh, "weld_face");
   detail::enforce("weld_face", refusal(mesh, v, keep));
   const Halfedge first = mesh.halfedge_handle(v);
   const Face face = mesh.face_handle(detail::ccw(mesh, first));
