@@ -1,10 +1,13 @@
 #include "meshops/handle/extract_triangle.h"
 
+#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
 #include "meshops/handle/fan.h"
 
 namespace meshops {
 
 TriangleRim rim_of(const Connectivity& mesh, Face f) {
+  require(is_live(mesh, f), "rim_of: no such face");
   TriangleRim rim;
   Halfedge side = mesh.halfedge_handle(f);
   for (unsigned i = 0; i < 3; ++i, side = mesh.next_halfedge_handle(side)) {
@@ -12,6 +15,7 @@ TriangleRim rim_of(const Connectivity& mesh, Face f) {
     rim.corner[i] = mesh.from_vertex_handle(side);
     rim.is_glued[i] = !mesh.is_boundary(mesh.opposite_halfedge_handle(side));
   }
+  require(side == rim.side[0], "rim_of: the face has other than three sides");
   for (unsigned i = 0; i < 3; ++i)
     rim.is_passage[i] = rim.is_glued[i] && rim.is_glued[(i + 2) % 3] && mesh.is_boundary(rim.corner[i]);
   return rim;

@@ -13,6 +13,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
+#include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
 #include "meshops/topology/homology.h"
 
@@ -25,7 +26,10 @@ struct HomologySignature {
   std::size_t words = 0;             ///< of an edge
   std::vector<std::uint64_t> edges;  ///< `words` for each edge, by edge index
 
+  /// Throws ContractViolation when there is no such edge.
   std::span<const std::uint64_t> of(Edge e) const {
+    require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(),
+            "HomologySignature: no such edge");
     return std::span(edges).subspan(static_cast<std::size_t>(e.idx()) * words, words);
   }
 };

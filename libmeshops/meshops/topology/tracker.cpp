@@ -101,9 +101,15 @@ void TopologyTracker::note(const UnglueEffect& effect) {
   }
 }
 
-void TopologyTracker::note(const CloseCurveEffect& effect) { change(effect.delta()); }
+void TopologyTracker::note(const CloseCurveEffect& effect) {
+  require(is_live(mesh_, effect.face), "TopologyTracker: no such face");
+  change(effect.delta());
+}
 
-void TopologyTracker::note(const OpenCurveEffect& effect) { change(effect.delta()); }
+void TopologyTracker::note(const OpenCurveEffect& effect) {
+  require(is_live(mesh_, effect.curve) && mesh_.is_boundary(effect.curve), "TopologyTracker: not a boundary halfedge");
+  change(effect.delta());
+}
 
 ZipCurvesEffect TopologyTracker::zip_curves(Halfedge first, Halfedge second) {
   const bool live = is_live(mesh_, first) && is_live(mesh_, second);
@@ -122,7 +128,11 @@ void TopologyTracker::note(const SplitEffect& effect) {
   put(effect.added.vertex, old);
 }
 
-void TopologyTracker::note(const WeldEffect& effect) { change(effect.delta()); }
+void TopologyTracker::note(const WeldEffect& effect) {
+  require(is_live(mesh_, effect.survivor) && effect.removed.vertex.is_valid() && !is_live(mesh_, effect.removed.vertex),
+          "TopologyTracker: no such weld");
+  change(effect.delta());
+}
 
 void TopologyTracker::note_undone(const WeldEffect& effect) {
   require(is_live(mesh_, effect.removed.vertex), "TopologyTracker: no such vertex");
