@@ -3,6 +3,7 @@
 
 #include "support/arguments.h"
 #include "walk/walk.h"
+#include "walk/wrong_calls.h"
 
 using namespace meshops::test;
 
@@ -50,6 +51,33 @@ TEST_SUITE("walk") {
 
   TEST_CASE("random steps where fans touch: nothing crashes, nothing becomes worse") {
     check_tally(walk(Walk::On::bowties, 1, rbpa_test::trials(50000)), rbpa_test::trials(50));
+  }
+
+  TEST_CASE(
+      "calls with wrong arguments, effects and callables are done or refused; what is refused changes not a bit") {
+    std::map<std::string, Judge::Tally> sum;
+    const int meshes = rbpa_test::trials(400);
+    for (int seed = 1; seed <= meshes; ++seed) {
+      CAPTURE(seed);
+      RandomChoices random(static_cast<std::uint64_t>(seed));
+      try {
+        for (const auto& [name, tally] : call_wrongly(random, 250)) {
+          sum[name].done += tally.done;
+          sum[name].refused += tally.refused;
+        }
+      } catch (const WalkFailure& failure) {
+        FAIL(failure.what());
+      }
+    }
+    CHECK(sum.size() == 55);
+    for (const auto& [name, tally] : sum) {
+      INFO(name, ": ", tally.done, " done, ", tally.refused, " refused");
+      const bool is_never_done = name.find("again") != std::string::npos ||
+                                 name.find("hook that throws") != std::string::npos ||
+                                 name.find("of another mesh") != std::string::npos || name == "build_mesh";
+      CHECK((tally.done > 0) == !is_never_done);
+      CHECK((tally.refused > 0 || name == "create_triangle" || name == "cut_open and glue_back"));
+    }
   }
 }
 

@@ -1,0 +1,20 @@
+// What: random calls of all that libmeshops offers, most of them wrong: handles that are deleted, out of range or of
+//       another mesh, effects that come a second time or from elsewhere, lists of another length, hooks and weights
+//       that throw.
+// Law:  a call is done, or throws ContractViolation (what a hook throws comes through) and changes not a bit; the mesh
+//       is sound.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "walk/choices.h"
+#include "walk/judge.h"
+
+namespace meshops::test {
+
+/// So many calls on one mesh. Returns: by the name of the function, how many were done and refused. Throws WalkFailure.
+std::map<std::string, Judge::Tally> call_wrongly(Choices& choices, std::size_t calls);
+
+}  // namespace meshops::test
