@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are given and not there yet. Says nothing when there is nothing to do.
+# usage: tests/install_packages.sh PACKAGE...
 set -euo pipefail
+. "$(dirname "$0")/refuse_options.sh"
 missing=()
 for package in "$@"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

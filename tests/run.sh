@@ -5,6 +5,8 @@
 #                                   quick: the libraries' suites with sanitizers, and with clang;
 #                                   further: what reads the larger collection in $RBPA_DATA_DIR
 set -euo pipefail
+MOST_ARGUMENTS=1
+. "$(dirname "$0")/refuse_options.sh"
 if [ "${1-}" = further ] && [ ! -d "${RBPA_DATA_DIR-}" ]; then
   echo "run.sh: further: RBPA_DATA_DIR is '${RBPA_DATA_DIR-}', expected a folder (tests/data/README.md)" >&2
   exit 2

@@ -1,11 +1,12 @@
 #!/bin/bash
 # What:  whether two builds of the programs do the same: bytes of all files written, standard output, standard error and exit
 #        code, of every verb with its important options, on real inputs, on the same in other formats, and on broken ones.
-# Usage: tests/same_outputs.sh OLD_BIN NEW_BIN [FOLDER...]
+# usage: tests/same_outputs.sh OLD_BIN NEW_BIN [FOLDER...]
 #        OLD_BIN and NEW_BIN are folders with rbpa and meshtopo. Without FOLDER tests/data, files of at most 100 kB; with
 #        folders all of their files of at most 3 MB.
 # Exit:  0 when nothing differs, 1 when something does, 2 when there is nothing to compare. The last line counts the runs.
 set -u
+. "$(dirname "$0")/refuse_options.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 if [ $# -lt 2 ] || [ ! -x "$1/rbpa" ] || [ ! -x "$2/rbpa" ]; then
   echo "usage: tests/same_outputs.sh OLD_BIN NEW_BIN [FOLDER...]; found no rbpa in one of the first two" >&2

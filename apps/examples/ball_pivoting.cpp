@@ -173,6 +173,11 @@ bool run(const Samples& samples) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool asks_for_help = argc == 2 && std::string(argv[1]) == "--help";
+  if (argc % 2 == 0 || argv[argc - 1][0] == '-') {
+    (asks_for_help ? std::cout : std::cerr) << "usage: example_ball_pivoting [FILE.xyz RADIUS[,RADIUS...]]...\n";
+    return asks_for_help ? 0 : 2;
+  }
   std::vector<Samples> all = {torus(), double_torus(), noisy_sphere(), grid(), uneven_sphere()};
   for (int i = 1; i + 1 < argc; i += 2) all.push_back(of_file(argv[i], argv[i + 1]));
   bool same = true;

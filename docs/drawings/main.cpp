@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 
 #include "drawings/figures.h"
 
@@ -19,12 +20,14 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2) {
-    std::cerr << "usage: draw_figures OUTPUT_FOLDER\n";
-    return 2;
+  const std::string first = count == 2 ? arguments[1] : "";
+  const bool asks_for_help = first == "--help" || first == "-h";
+  if (first.empty() || first.starts_with('-')) {
+    (asks_for_help ? std::cout : std::cerr) << "usage: draw_figures OUTPUT_FOLDER\n";
+    return asks_for_help ? 0 : 2;
   }
   try {
-    const std::filesystem::path folder = arguments[1];
+    const std::filesystem::path folder = first;
     std::filesystem::create_directories(folder);
     for (const auto group :
          {figures::handle_figures, figures::stellar_figures, figures::front_figures, figures::topology_figures,

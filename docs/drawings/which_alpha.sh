@@ -4,6 +4,11 @@
 #   PROGRAM  rbpa
 #   FOLDER   where point sets are: tests/data, and any that has the two that are not there
 set -euo pipefail
+. "$(dirname "$0")/../../tests/refuse_options.sh"
+if [ $# -lt 2 ]; then
+  bash "$0" --help >&2
+  exit 2
+fi
 program=$1
 shift
 out=$(dirname "$0")/../figures/which_alpha

@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
 # The site, in build/site: the pages of docs/, the references of C++ (Doxygen) and Python (docstrings), and a page that computes in the browser.
 # Needs Sphinx with MyST and the theme of Read the Docs, Doxygen, and what the presets `release` and `javascript` have built.
+# usage: docs/site/build.sh
 set -euo pipefail
+MOST_ARGUMENTS=0
+. "$(dirname "$0")/../../tests/refuse_options.sh"
 cd "$(dirname "$0")/../.."
 root=$PWD pages=$PWD/build/site_pages
 for needed in build/release/python/rbpa/__init__.py build/javascript/javascript/index.js; do

@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
 # What a wheel is built with, where Debian's packages are not: in an image of manylinux (AlmaLinux), by dnf and from sources. Called by cibuildwheel.
+# usage: packaging/wheels/install_dependencies.sh
 set -euo pipefail
+MOST_ARGUMENTS=0
+. "$(dirname "$0")/../../tests/refuse_options.sh"
 dnf install -y epel-release
 dnf install -y boost-devel eigen3-devel tbb-devel libpng-devel zlib-devel patchelf ninja-build
 sources=$(mktemp -d)

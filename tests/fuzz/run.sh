@@ -2,6 +2,7 @@
 # Builds the fuzz targets and lets libFuzzer look for bytes that break them. What it finds is left in build/fuzz/found.
 # usage: tests/fuzz/run.sh [SECONDS [TARGET...]]      600 seconds for every target
 set -euo pipefail
+. "$(dirname "$0")/../refuse_options.sh"
 cd "$(dirname "$0")/../.."
 seconds=${1:-600}
 bash tests/install_packages.sh cmake make clang-14 libclang-rt-14-dev libopenmesh-dev libboost-graph-dev libhwy-dev \
