@@ -1,7 +1,7 @@
 // The recipes of docs/cookbook.md, one after the other on one mesh.
 #include "meshops/meshops.h"
 
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
@@ -10,15 +10,18 @@
 #include <utility>
 #include <vector>
 
+#include "rbpa/mesh_holes.h"
+
 using namespace meshops;
 
-// A hole becomes a polygon before it becomes triangles, and what is cut or removed is marked deleted.
-struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
+// What is cut or removed is marked deleted.
+struct Mesh : OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
   Mesh() {
     request_vertex_status();
     request_edge_status();
     request_halfedge_status();
     request_face_status();
+    request_vertex_texcoords2D();
   }
 };
 
@@ -68,16 +71,14 @@ void cut_out(Mesh& mesh, IsInPatch is_in_patch) {
   });
 }
 
-// A hole becomes a face, and the face the triangles with the least area. Holes that are long stay.
-int fill_holes(Mesh& mesh, std::size_t longest) {
-  int filled = 0;
-  for (const BoundaryCurve& hole : boundary_curves(mesh)) {
-    if (hole.length() > longest || close_curve_blocker(mesh, hole.front())) continue;
-    const Face face = close_curve(mesh, hole.front()).face;
-    if (!triangulate_face_blocker(mesh, face)) triangulate_face(mesh, face);
-    ++filled;
-  }
-  return filled;
+// Holes are filled so that nothing crosses: of the triangulations without crossings the one that turns least. Those
+// that are long stay.
+std::size_t fill_holes(Mesh& mesh, std::size_t longest) {
+  std::vector<BoundaryCurve> holes = boundary_curves(mesh);
+  std::erase_if(holes, [&](const BoundaryCurve& hole) { return hole.length() > longest; });
+  const rbpa::FilledMesh filled = rbpa::fill_holes(mesh, holes);
+  return static_cast<std::size_t>(
+      std::ranges::count(filled.holes, rbpa::HoleOutcome::filled, &rbpa::HoleFill::outcome));
 }
 
 // The longest edge first, and what comes of it again: new vertices lie in the middle of their edges.
@@ -121,10 +122,10 @@ std::vector<Loop> short_loops(const Mesh& mesh) {
   return homology(mesh, lengths).generators;
 }
 
-// The new vertex is as warm as the middle of the edge.
+// The new vertex is as warm as the middle of the edge, and has the mean of its texture coordinates.
 template <typename Heat>
 double split_between(Mesh& mesh, Edge e, Heat& heat) {
-  return heat[split_edge(mesh, e, Interpolate(heat)).added.vertex];
+  return heat[split_edge(mesh, e, Interpolate(heat, mesh.vertex_texcoords2D_pph())).added.vertex];
 }
 
 // Each edge is flipped, and flipped back if that did not make it shorter. undo_to() the returned number undoes all of it.
@@ -166,7 +167,7 @@ int main() {
   const std::vector<Vertex> around = shortest_path(mesh, Vertex(0), Vertex(116));
   std::printf("the way around the hole: %zu vertices\n", around.size());
 
-  std::printf("holes filled: %d\n", fill_holes(mesh, 20));
+  std::printf("holes filled: %zu\n", fill_holes(mesh, 20));
   print("filled", mesh);
 
   std::printf("edges split: %d\n", split_long_edges(mesh, 1.5));

@@ -1,6 +1,6 @@
-// What: a surface of points in space as a halfedge mesh.
+// What: a surface of points in space as a halfedge mesh, and a halfedge mesh as a surface.
 // Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex of its
-//       own.
+//       own. The surface of a mesh is glued as the mesh is: surface_mesh() of it is the mesh again, up to handles.
 // Cost: linear, and a sort of the vertices.
 #pragma once
 
@@ -8,10 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/connectivity.h"
+#include "meshops/core/live_range.h"
+#include "meshops/stellar/split_hooks.h"
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/mesh.h"
 #include "rbpa/surface.h"
+#include "rbpa/surface_of.h"
 
 namespace rbpa {
 
@@ -26,5 +30,28 @@ struct SurfaceMesh {
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
 /// The same for a surface that is no longer needed: its memory is freed on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
+
+/// The place of each vertex of a mesh of OpenMesh, by index; of those marked deleted the origin.
+template <meshops::HasPoints AnyMesh>
+std::vector<Point3> places_of(const AnyMesh& mesh) {
+  std::vector<Point3> places(mesh.n_vertices());
+  for (const meshops::Vertex v : meshops::live_vertices(mesh)) {
+    const auto& p = mesh.point(v);
+    places[static_cast<std::size_t>(v.idx())] = {static_cast<double>(p[0]), static_cast<double>(p[1]),
+                                                 static_cast<double>(p[2])};
+  }
+  return places;
+}
+
+/// The triangles of a mesh; points are its vertices, by index, and `given` are its faces, by index. Corners of vertices
+/// at one place become the lowest of them, glued or not.
+/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; the corners of a face at different
+///           places.
+/// Throws:   ContractViolation on other faces or fewer places; InvalidInput as surface_of() of triangles.
+RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);
+template <meshops::HasPoints AnyMesh>
+SurfaceOfTriangles surface_of(const AnyMesh& mesh) {
+  return surface_of(mesh, places_of(mesh));
+}
 
 }  // namespace rbpa

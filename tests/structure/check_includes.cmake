@@ -15,7 +15,7 @@ set(allowed
   "rbpa/base: meshops/core rbpa/base/parallel"
   "rbpa/base/exact: rbpa/base"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
-  "rbpa: meshops/front rbpa/base"
+  "rbpa: meshops/core meshops/front meshops/stellar rbpa/base"
   "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays rbpa/plane/divide
     rbpa/plane/grid rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
@@ -35,7 +35,7 @@ set(allowed
     rbpa/plane/tile"
   "rbpa/plane/shape: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/space: meshops/core meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
+  "rbpa/space: meshops/core meshops/front meshops/handle meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
     rbpa/space/closing rbpa/space/full rbpa/space/insertion rbpa/space/levels
     rbpa/space/normals rbpa/space/periodic rbpa/space/persistence rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/tiles rbpa/space/triples"
   "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"

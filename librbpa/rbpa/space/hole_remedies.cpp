@@ -16,11 +16,13 @@
 #include "rbpa/base/going_on.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort_unique.h"
+#include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/closing/box_tree.h"
 #include "rbpa/space/levels/add_level.h"
 #include "rbpa/space/levels/local_surface.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
+#include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_levels.h"
@@ -348,6 +350,7 @@ std::vector<HoleRemedy> hole_remedies(std::span<const Point3> points, std::span<
   space::check_radii(radii);
   space::check_points(points);
   space::check_normals(points, normals);
+  require_linked(space::arrays_of(surface), points.size());
   for (const Hole& hole : holes) {
     meshops::require(!hole.edges.empty(), "hole_remedies: expected holes of this surface");
     for (const RimEdge& edge : hole.edges)

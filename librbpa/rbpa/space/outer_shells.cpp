@@ -10,7 +10,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/steps.h"
+#include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/vector3.h"
 
@@ -130,9 +132,9 @@ void for_each_enclosed(std::span<const Point3> points, const Surface& shells, co
 void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
   meshops::require(components.number.size() == surface.triangles.size(),
                    "outer_shells: expected the components of this surface");
-  for (const Triangle& triangle : surface.triangles)
-    for (const std::uint32_t i : triangle)
-      meshops::require(i < points.size(), "outer_shells: expected a surface of these points");
+  require_linked(space::arrays_of(surface), points.size());
+  for (const std::uint32_t c : components.number)
+    meshops::require(c < components.all.size(), "outer_shells: expected the components of this surface");
 }
 
 }  // namespace

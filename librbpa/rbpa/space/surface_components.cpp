@@ -76,6 +76,13 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
   return result;
 }
 
+/// By their numbers.
+bool are_of(const SurfaceComponents& components, const Surface& surface) {
+  return components.number.size() == surface.triangles.size() &&
+         std::all_of(components.number.begin(), components.number.end(),
+                     [&](std::uint32_t c) { return c < components.all.size(); });
+}
+
 }  // namespace
 
 SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
@@ -121,8 +128,7 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
 std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
                                   const std::function<bool()>& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
-  meshops::require(components.number.size() == surface.triangles.size(),
-                   "genus_of: expected the components of this surface");
+  meshops::require(are_of(components, surface), "genus_of: expected the components of this surface");
   std::vector<std::size_t> genus;  // vertices, at first
   genus.resize(components.all.size(), 0);
   Steps step(go_on);
@@ -139,7 +145,7 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
 }
 
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
-  meshops::require(components.number.size() == surface.triangles.size() && kept.size() == components.all.size(),
+  meshops::require(are_of(components, surface) && kept.size() == components.all.size(),
                    "keep_components: expected the components of this surface, and for each of them whether it is kept");
   std::vector<bool> triangles;
   triangles.reserve(surface.triangles.size());

@@ -1,11 +1,13 @@
 #include "rbpa/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/live_range.h"
 #include "meshops/patch/assembler.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/input.h"
@@ -70,6 +72,33 @@ SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface)
 
 SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface) {
   return mesh_of(points, surface, [&] { surface = Surface(); });
+}
+
+SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places) {
+  meshops::require(places.size() >= mesh.n_vertices(), "surface_of: expected a place of each vertex");
+  std::vector<std::array<std::uint32_t, 3>> triangles, neighbors;
+  std::vector<std::uint32_t> face, number(mesh.n_faces());
+  for (const meshops::Face f : meshops::live_faces(mesh)) {
+    number[static_cast<std::size_t>(f.idx())] = static_cast<std::uint32_t>(face.size());
+    face.push_back(static_cast<std::uint32_t>(f.idx()));
+  }
+  for (const std::uint32_t f : face) {
+    const meshops::Halfedge first = mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));
+    meshops::Halfedge h = first;
+    auto& corners = triangles.emplace_back();
+    auto& beyond = neighbors.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
+      corners[k] = static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx());
+      const meshops::Face other = mesh.face_handle(mesh.opposite_halfedge_handle(h));
+      beyond[(k + 2) % 3] = other.is_valid() ? number[static_cast<std::size_t>(other.idx())] : Surface::none;
+    }
+    if (h != first)
+      throw meshops::ContractViolation("surface_of: face " + std::to_string(f) +
+                                       " has other than three sides (meshops::triangulate_face() cuts it)");
+  }
+  SurfaceOfTriangles surface = surface_of(places.first(mesh.n_vertices()), triangles, neighbors);
+  for (std::uint32_t& given : surface.given) given = face[given];
+  return surface;
 }
 
 }  // namespace rbpa

@@ -9,9 +9,11 @@
 #include "rbpa/base/distinct.h"
 #include "rbpa/base/going_on.h"
 #include "rbpa/base/steps.h"
+#include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/neighborhood_subset.h"
+#include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/ball.h"
 
@@ -105,6 +107,7 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
   space::check_radii(radii);
   space::check_points(points);
   if (!normals.empty()) space::check_normals(points, normals);
+  require_linked(space::arrays_of(surface), points.size());
 
   const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
   Steps step(go_on);

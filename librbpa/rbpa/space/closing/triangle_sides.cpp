@@ -73,11 +73,13 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
   std::uint32_t vertices = 0;
   for (const auto& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
   std::vector<bool> is_wanted(vertices, false);
-  for (const auto& loop : loops)
+  for (const auto& loop : loops) {
+    meshops::require(!loop.empty(), "fill_holes: found an empty loop");
     for (const std::uint32_t vertex : loop) {
       meshops::require(vertex < vertices, "fill_holes: expected loops of vertices of these triangles");
       is_wanted[vertex] = true;
     }
+  }
   if (loops.empty()) return;
   const std::vector<TriangleSide> sides = sorted_sides(triangles, is_wanted, step);
   std::vector<bool> is_used(sides.size(), false);
