@@ -30,6 +30,7 @@
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
 #include "rbpa/surface_mesh.h"
+#include "rbpa/surface_of.h"
 
 namespace rbpa::python {
 namespace {
@@ -64,6 +65,7 @@ py::dict as_dict(Surface made, std::vector<std::array<std::uint32_t, 2>> boundar
 py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, unsigned threads,
                     const py::object& progress) {
   const SurfaceInput input(points, normals, radii);
+  if (input.radii.empty()) throw py::value_error("radii: expected one or more");
   std::vector<std::array<std::uint32_t, 2>> boundary;
   Surface made = watched(input.points.size(), progress, [&](Watch& watch) {
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
@@ -80,6 +82,26 @@ py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Do
   result["levels"] = line<std::int32_t>(std::move(made.levels));
   result["boundary"] = rows<std::int32_t>(std::move(boundary));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  return result;
+}
+
+/// Triangles of the user's as a surface; `given` is of each which of those it is.
+py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
+  const auto input = points3_of(points, "points");
+  const auto rows_given = triples_of(triangles, "triangles");
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  SurfaceOfTriangles made = watched(rows_given.size(), py::none(), [&](Watch&) {
+    SurfaceOfTriangles found = surface_of(input, rows_given);
+    boundary = boundary_of(found);
+    return found;
+  });
+  py::dict result;
+  result["levels"] = line<std::int32_t>(std::vector<std::uint32_t>(made.triangles.size()));
+  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["boundary"] = rows<std::int32_t>(std::move(boundary));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  result["given"] = line<std::int32_t>(std::move(made.given));
   return result;
 }
 
@@ -251,6 +273,7 @@ void bind_surface(py::module_& module) {
   using py::arg;
   module.def("surface", &surface_of, arg("points").noconvert(), arg("normals").noconvert(), arg("radii").noconvert(),
              arg("threads"), arg("progress"));
+  module.def("surface_of", &surface_of_triangles, arg("points").noconvert(), arg("triangles").noconvert());
   module.def("surface_components", &components_of, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
   module.def("outer_shells", &outer_of, arg("points").noconvert(), arg("radius"), arg("triangles").noconvert(),

@@ -10,6 +10,7 @@
 #include "python/surface_input.h"
 #include "python/watched.h"
 #include "rbpa/curve_kinds.h"
+#include "rbpa/fill_holes.h"
 #include "rbpa/hole_remedies.h"
 #include "rbpa/holes.h"
 #include "rbpa/surface_components.h"
@@ -20,8 +21,9 @@ namespace {
 
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// All sides of all boundary curves column by column, and where each curve begins.
-py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
+/// All sides of all boundary curves column by column, and where each curve begins. Without radii no ball made the
+/// surface, and sides have no cause.
+py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, const Indices& triangles,
                   const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
   const SurfaceInput input(points, normals, radii);
   const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
@@ -31,7 +33,9 @@ py::dict holes_of(const Doubles& points, const Doubles& normals, const Doubles& 
   std::vector<RimEdge> all;
   watched(input.points.size(), py::none(), [&](Watch& watch) {
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    const std::vector<Hole> found = holes(input.points, input.normals, input.radii, made, options);
+    const std::vector<Hole> found = input.radii.empty()
+                                        ? surface_curves(input.points, made)
+                                        : holes(input.points, input.normals, input.radii, made, options);
     for (const CurveKind kind : curve_kinds(input.points, surface_components(input.points, made), found))
       kinds.push_back(static_cast<std::uint8_t>(kind));
     for (const Hole& hole : found) {

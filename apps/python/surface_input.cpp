@@ -17,7 +17,7 @@ SurfaceInput::SurfaceInput(const Doubles& given_points, const MaybeDoubles& give
       normals(given_normals ? points3_of(*given_normals, "normals") : std::span<const Point3>()),
       radii(numbers_of(given_radii)),
       has_normals(given_normals.has_value()) {
-  if (!has_normals && radii.size() != 1) throw py::value_error("radii: expected one, without normals");
+  if (!has_normals && radii.size() > 1) throw py::value_error("radii: expected one, without normals");
 }
 
 Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,

@@ -11,7 +11,7 @@ namespace rbpa::python {
 
 using MaybeDoubles = std::optional<Doubles>;
 
-/// Without normals a surface is the exposed triangles of one radius.
+/// Without normals a surface is the exposed triangles of one radius; without radii no ball made it.
 struct SurfaceInput {
   std::span<const Point3> points, normals;
   std::span<const double> radii;

@@ -19,6 +19,7 @@ What there is:
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     stands in for scipy.spatial.Delaunay, in the plane and in space
     surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
+    surface_of(points, triangles)        triangles from elsewhere: holes filled, closed, measured   -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
     periodic_solid(points, box, alpha=inf)   the same in a box that repeats                     -> PeriodicSolid
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
@@ -58,7 +59,7 @@ from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
 from rbpa._solid_filtration import SolidFiltration, SolidPlateau, SolidRepresentative, VoidTree, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
-from rbpa._surface import NotWatertight, Surface, surface
+from rbpa._surface import NotWatertight, Surface, surface, surface_of
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 
 __all__ = [
@@ -105,6 +106,7 @@ __all__ = [
     "solid",
     "solid_filtration",
     "surface",
+    "surface_of",
     "union_of_balls",
 ]
 
@@ -115,6 +117,6 @@ for _public in (
     *(SolidRepresentative, SolidVoid),
     *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy, VoidTree),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
-    *(periodic_solid, scale_space, solid_filtration, surface, union_of_balls),
+    *(periodic_solid, scale_space, solid_filtration, surface, surface_of, union_of_balls),
 ):
     _public.__module__ = __name__

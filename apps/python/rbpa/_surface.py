@@ -95,6 +95,61 @@ def surface(
     return Surface(array, vectors, radii, _core.surface(array, vectors, _not_empty(radii), workers, progress))
 
 
+def surface_of(
+    points: npt.ArrayLike, triangles: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None
+) -> Surface:
+    """A surface of triangles that come from elsewhere: from a file, another program, an edit of your own.
+
+    It has what a surface of `surface` has but for the ball: components with area and volume, boundary curves, `fill_holes`,
+    `watertight`, `refined`, `keep`, `mesh`, `save`.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 3)
+        Finite coordinates.
+    triangles : array_like of int, of shape (m, 3)
+        Of each its corners, as numbers of points, counter-clockwise seen from outside. Corners at one place are one point, so that
+        those of an .stl file need not be merged.
+    normals : array_like of shape (n, 3), optional
+        A vector at each point: `refined` gives the points that it adds the mean of those around them.
+
+    Returns
+    -------
+    Surface
+        Of the same triangles, in its order; ``given[t]`` is the number of triangle t among those that were given. Two triangles that
+        run along an edge in opposite directions are glued there; where more meet, those that face each other are. Without radii;
+        its holes have no causes.
+
+    Raises
+    ------
+    InvalidInput
+        Another shape, a coordinate that is none, a corner that is no point, a triangle with two corners at one place; says which.
+
+    Examples
+    --------
+    >>> corners = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> cube = rbpa.surface(corners, "none", radius=2)
+    >>> again = rbpa.surface_of(corners, cube.triangles[:10])
+    >>> again.volume is None, len(again.holes), again.watertight().volume
+    (True, 1, 1.0)
+    """
+    array = as_points(points, columns=3)
+    vectors = None if normals is None else as_points(normals, "normals", columns=3)
+    if vectors is not None and len(vectors) != len(array):
+        raise InvalidInput(f"normals: found {len(vectors)}, expected one for each of {len(array)} points")
+    rows = np.asarray(triangles)
+    if rows.size == 0:
+        rows = np.zeros((0, 3), dtype=np.int32)
+    if rows.ndim != 2 or rows.shape[1] != 3 or rows.dtype.kind not in "iu":
+        raise InvalidInput(f"triangles: found {rows.dtype} of shape {rows.shape}, expected integers of shape (m, 3)")
+    wrong = (rows < 0) | (rows >= len(array))
+    if wrong.any():
+        at = int(np.flatnonzero(wrong.any(axis=1))[0])
+        raise InvalidInput(f"triangles: found {rows[at].tolist()} in row {at}, expected numbers of {len(array)} points")
+    made = _core.surface_of(array, np.ascontiguousarray(rows, dtype=np.int32))
+    return Surface(array, vectors, np.zeros(0), made)
+
+
 def _not_empty(radii: Floats) -> Floats:
     """Where none can be chosen the points are on a line or fewer than three, and there is no triangle at any."""
     return radii if len(radii) else np.ones(1)
@@ -114,7 +169,7 @@ class NotWatertight(RuntimeError):
 
 
 class Surface(Result):
-    """The surface of points in space: what `surface` returns. Arrays are read-only.
+    """The surface of points in space: what `surface` and `surface_of` return. Arrays are read-only.
 
     Attributes
     ----------
@@ -123,7 +178,10 @@ class Surface(Result):
     normals : float64 array of shape (n, 3), or None
         Those that were given or estimated; None for "none".
     radii : float64 array of shape (k,)
-        Those that were given or chosen; none where none could be, as the points are on a line or fewer than three.
+        Those that were given or chosen; none where none could be, as the points are on a line or fewer than three, and none of
+        `surface_of`.
+    given : int32 array of shape (m,), or None
+        Of `surface_of` the number of each triangle among those that were given.
     triangles : int32 array of shape (m, 3)
         The corners of each triangle, counter-clockwise seen from outside, the smallest index first, in lexicographic order.
     neighbors : int32 array of shape (m, 3)
@@ -145,6 +203,7 @@ class Surface(Result):
     levels: Indices
     boundary: Indices
     duplicates: Indices
+    given: Optional[Indices] = None
     # Of a part: the surface that it is of, and which triangles of that it has.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
     # With holes filled: the surface without, and where its triangles are here, or -1.
@@ -169,9 +228,14 @@ class Surface(Result):
             open_sides = set(map(tuple, self.boundary.tolist()))
             left = [hole for hole in whole.holes if all((b, a) in open_sides for a, b in hole.edges.tolist())]
             return [hole._renumbered(place) for hole in left]
-        if self.normals is None:  # closed
-            return []
-        of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
+        if self.given is None:
+            if self.normals is None:  # closed
+                return []
+            of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
+        else:
+            made = self._made()[1:]
+            of = _core.surface_holes(self.points, None, self.radii, *made, as_threads(None))
+            of.update(cause=[], level=of["level"][:0], next=of["next"][:0], corners=of["corners"][:0])
         begin = of["begin"].tolist()
         return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
 
@@ -193,8 +257,8 @@ class Surface(Result):
         InvalidInput
             A surface of which components are dropped or holes filled: it is no more what the ball made.
         """
-        if self._kept_from is not None or self._filled_from is not None:
-            raise InvalidInput("remedies: found a surface that was changed, expected what surface() made")
+        if self._kept_from is not None or self._filled_from is not None or self.given is not None:
+            raise InvalidInput("remedies: found a surface that was changed or given, expected what surface() made")
         result: list[Optional[SurfaceRemedy]] = [None] * len(self.holes)
         if self.normals is None or not result:
             return result
@@ -286,8 +350,8 @@ class Surface(Result):
     def outer_shells(self) -> Surface:
         """Of a surface with normals="none" the closed shells that the ball touches from outside everything: of a scan of a
         closed object its watertight surface, without what is inside."""
-        if self.normals is not None:
-            raise InvalidInput("outer_shells: found a surface with normals, expected one with normals='none'")
+        if self.normals is not None or self.given is not None:
+            raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:
             raise InvalidInput("outer_shells: found components of a surface, expected all of it: take its outer shells first")
         self._require_unchanged()
@@ -401,6 +465,13 @@ class Surface(Result):
         for source in (self._kept_from, self._filled_from):
             if source is not None:
                 return source[0]._unused
+        if self.given is not None:
+            used = np.zeros(len(self.points), dtype=bool)
+            used[self.triangles.ravel()] = True
+            used[self.duplicates[:, 0]] = True
+            alone = np.flatnonzero(~used).astype(np.int32)
+            freeze(alone)
+            return alone, np.zeros(0, dtype=np.uint8)
         found = _core.surface_unused(self.points, self.normals, *self._made(), as_threads(None))
         freeze(*found)
         return found
@@ -470,12 +541,14 @@ class Surface(Result):
     @property
     def unused_causes(self) -> list[str]:
         """Why each of `unused` is in none. "no ball rests": the others are too far, or on a line. "hidden": every ball that
-        touches it holds others. "normals disagree" with every triangle there. "blocked" by what smaller radii made."""
+        touches it holds others. "normals disagree" with every triangle there. "blocked" by what smaller radii made. Of `surface_of`
+        none has a cause, and there is no entry."""
         return [_UNUSED_CAUSES[cause] for cause in self._unused[1]]
 
     def __repr__(self) -> str:
         radii = ", ".join(map(str, self.radii.tolist())) if len(self.radii) < 6 else f"{self.radii[0]} to {self.radii[-1]}"
+        by = f"radius {radii}" if len(self.radii) else "without a radius"
         return (
-            f"<rbpa.Surface of {len(self.points)} points: radius {radii}, {len(self.triangles)} triangles, "
+            f"<rbpa.Surface of {len(self.points)} points: {by}, {len(self.triangles)} triangles, "
             f"{len(self.boundary)} boundary edges, {len(self.duplicates)} duplicates>"
         )

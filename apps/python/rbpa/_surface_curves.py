@@ -33,7 +33,7 @@ class SurfaceHole:
     causes : list of str
         Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back.
         "normals disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would
-        touch the inside of what smaller radii have made.
+        touch the inside of what smaller radii have made. None of a surface of given triangles; neither `levels`, `next`, `corners`.
     triangles : int32 array of shape (k,)
         The triangles of the surface along the curve.
     levels : int32 array of shape (k,)
