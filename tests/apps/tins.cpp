@@ -38,6 +38,11 @@ struct Input {
   std::string name, content;
 };
 
+std::string with_commas(std::string text) {
+  std::replace(text.begin(), text.end(), '.', ',');
+  return text;
+}
+
 std::vector<Input> inputs() {
   const auto columns = [](const std::string& between) {
     return lines([&](auto x, auto y, auto z) { return x + between + y + between + z; });
@@ -56,6 +61,7 @@ std::vector<Input> inputs() {
   return {{"p.las", bytes_of(las)},
           {"p.csv", "x,y,z\n" + columns(",")},
           {"q.csv", "Elevation;x;y\n" + lines([](auto x, auto y, auto z) { return z + ";\"" + x + "\";" + y; })},
+          {"c.csv", "x;y;z\n" + with_commas(columns(";"))},
           {"p.xyz", columns(" ")},
           {"p.txt", columns("\t")},
           {"p.pts", "5\n" + columns(" ")},

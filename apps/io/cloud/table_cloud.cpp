@@ -239,7 +239,9 @@ class TableCloud final : public Cloud {
 
   /// A field that is no number is no height. That two differ is enough.
   void take_height(std::string_view field) {
-    const ParsedNumber number = parse_whole_number(field);
+    std::string text(field);
+    if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');  // a decimal comma
+    const ParsedNumber number = parse_whole_number(text);
     if (number.fault == NumberFault::none) facts_.file.heights.take(z_ = number.value);
     if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
