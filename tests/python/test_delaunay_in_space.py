@@ -98,7 +98,7 @@ def test_flat_points_pickles_and_wrong_calls():
         flat = rbpa.Delaunay(points)
         assert flat.nsimplex == 0 and flat.convex_hull.shape == (0, 3)
         assert flat.find_simplex([[0, 0, 0]]).tolist() == [-1]
-        assert np.isnan(flat.interpolate(np.zeros(len(points)), [[0, 0, 0]])).all()
+        assert np.isnan(flat.interpolate(np.zeros(len(points)), [[0.25, 0.25, 0.25]])).all()
     delaunay = rbpa.Delaunay(uniform(50, 7))
     again = pickle.loads(pickle.dumps(delaunay))
     assert isinstance(again, rbpa.DelaunayInSpace) and again.simplices.tobytes() == delaunay.simplices.tobytes()
