@@ -164,12 +164,9 @@ Target parse_isolated(const std::string& path) {
 }
 
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
-                    const std::string& argument, std::optional<Format> standard) {
+                    const std::string& argument) {
   if (path.empty()) throw WrongUsage(argument + ": found an empty name, expected a path or -");
-  if (!format && path == "-") {
-    if (!standard) throw WrongUsage("-: found no --format, expected one of " + std::string(known));
-    return *standard;
-  }
+  if (!format && path == "-") return Format::by_content;
   const std::optional<Format> found = find_known(use, format ? std::string_view(*format) : input_ending(path));
   if (!found && format) refuse_name("--format", *format, known);
   if (!found) refuse_input(path, known, "--format");

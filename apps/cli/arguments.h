@@ -57,10 +57,10 @@ std::vector<std::string> ogr_paths(const Target& target);
 /// A file for the points in no polygon, by its ending.
 Target parse_isolated(const std::string& path);
 
-/// The format of an input, as --format says it, else by the ending; `standard` is that of standard input. `known` are
-/// those there are, and `argument` is what the command line calls the input.
+/// The format of an input, as --format says it, else by the ending, or of standard input by its content. `known` are those
+/// there are, and `argument` is what the command line calls the input.
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
-                    const std::string& argument, std::optional<Format> standard);
+                    const std::string& argument);
 
 /// What messages call an input and an output: "-" is a standard stream.
 inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }

@@ -48,7 +48,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
-  source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS", Format::text);
+  source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS");
 
   const Format format = source.format;
   const bool text = is_table(format), ogr = format == Format::ogr;
@@ -58,8 +58,8 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   if (arguments.skip_invalid)
     require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");
   const bool of_groups = columns.key || columns.radius;
+  if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
   if (of_groups && format == Format::geojson) {
-    source.properties = columns;
     require_format(!arguments.where, "--where", "without fields beside the points", "las, ply, pcd or text");
   } else if (arguments.where || of_groups) {
     const std::optional<FieldNames> names = fields_of(format);
@@ -86,7 +86,7 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, const 
                                     const std::string& option) {
   SpacePointSource source{
       .path = arguments.points,
-      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS", Format::text)};
+      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS")};
   const bool text = is_table(source.format);
   if (arguments.columns) {
     require_format(text, "--columns", "with fixed columns", "text");

@@ -44,9 +44,10 @@ void add_format_options(CLI::App& verb, Arguments& arguments) {
                   "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
                       (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
       ->type_name("NAME");
-  verb.add_option(
-          "--columns", arguments.columns,
-          "Columns of text that are x and y: numbers from 1, or header names; by default as the header says, else 1,2")
+  verb.add_option("--columns", arguments.columns,
+                  "Columns of text that are x and y, or the one of geometries: numbers from 1, or header names; by "
+                  "default as the "
+                  "header says, else 1,2")
       ->type_name("X,Y");
   add_selection_options(verb, arguments);
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");

@@ -76,7 +76,8 @@ Character first_character(std::string_view text) {
 bool is_visible(char32_t code) {
   static constexpr std::pair<char32_t, char32_t> hidden[] = {
       {0x00, 0x1F},     {0x7F, 0x9F},      // control characters
-      {0x200E, 0x200F}, {0x202A, 0x202E},  // marks, embeddings and overrides of direction
+      {0x200B, 0x200F}, {0x202A, 0x202E},  // marks without width, embeddings and overrides of direction
+      {0xFEFF, 0xFEFF},                    // the byte-order mark
       {0x2066, 0x2069},                    // isolates of direction
       {0x2028, 0x2029}};                   // ends of lines and paragraphs
   for (const auto& [first, last] : hidden)

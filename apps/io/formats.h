@@ -40,7 +40,8 @@ enum class Format {
   ogr,  // whatever GDAL reads
   gpkg,
   fgb,
-  shp
+  shp,
+  by_content  // of standard input, until it is read
 };
 
 /// What is read from a file or written to it.
@@ -62,9 +63,10 @@ enum class Use : unsigned {
 /// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
-/// Whether it is a table, of which --columns and --skip-invalid choose columns and lines.
+/// Whether it is a table, of which --columns and --skip-invalid choose columns and lines; or may be one.
 constexpr bool is_table(Format format) {
-  return format == Format::text || format == Format::pts || format == Format::xyzn || format == Format::xyzrgb;
+  return format == Format::by_content || format == Format::text || format == Format::pts || format == Format::xyzn ||
+         format == Format::xyzrgb;
 }
 
 /// The ending of the last part of a path, without its dot; empty when there is none.

@@ -14,7 +14,7 @@ namespace rbpa::app {
 namespace {
 
 MeshSource parse_source(const std::string& path, const std::optional<std::string>& format) {
-  if (path == "-" && !format) throw WrongUsage("-: found no --format, expected one of " + std::string(mesh_formats));
+  if (path == "-" && !format) return {path, Format::by_content};
   const std::optional<Format> known = find_format(Use::mesh, format ? std::string_view(*format) : input_ending(path));
   if (known) return {path, *known};
   if (format) refuse_name("--format", *format, mesh_formats);

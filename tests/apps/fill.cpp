@@ -247,7 +247,7 @@ TEST_SUITE("fill") {
     refuses(folder, "p.off --size 1 -o m.off", 2,
             "p.off: found the ending 'off', expected one of " + formats + ", or --format");
     refuses(folder, "p.wkt --format off --size 1 -o m.off", 2, "--format: found 'off', expected one of " + formats);
-    refuses(folder, "- --size 1 -o m.off", 2, "-: found no --format, expected one of " + formats);
+    refuses(folder, "- --size 1 -o m.off </dev/null", 3, "standard input: found an empty file, expected polygons");
     refuses(folder, "p.wkt --size 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.wkt --size 1 -o m.abc", 2,
             "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "

@@ -190,7 +190,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.foo", 2, "m.foo: found the ending 'foo', expected one of off, ply, obj, stl, or --format");
     refuses(folder, "m", 2, "m: found the ending '', expected one of off, ply, obj, stl, or --format");
     refuses(folder, "m --format xyz", 2, "--format: found 'xyz', expected one of off, ply, obj, stl");
-    refuses(folder, "- <m.off", 2, "-: found no --format, expected one of off, ply, obj, stl");
+    refuses(folder, "- </dev/null", 3, "standard input: found an empty file, expected a mesh");
     refuses(folder, "m.off --repair -o out.vtu", 2,
             "out.vtu: found the ending 'vtu', expected one of off, ply, obj, stl, or --output-format");
     refuses(folder, "m.off --repair -o - -q", 2, "-o -: found no --output-format, expected one of off, ply, obj, stl");

@@ -161,9 +161,9 @@ TEST_SUITE("tables of space") {
     // CloudCompare: behind two slashes, and fractions of colours by their own names.
     is(read("//X Y Z R G B Nx Ny Nz\n0.5 -1 2 1 2 255 0 0 1\n3 4e-3 1e6 128 0 7 0 1 0\n", Format::text),
        {{0, 0, 1}, {0, 1, 0}}, colors,
-       {"the columns '//X', 'Y', 'Z', 'Nx', 'Ny', 'Nz' are read, as the header says (--columns chooses others)"});
+       {"the comment 'X Y Z R G B Nx Ny Nz' names the columns (--columns chooses others)"});
     is(read("//X,Y,Z,Rf,Gf,Bf\n0.5,-1,2,0.003922,0.007843,1\n3,4e-3,1e6,0.501961,0,0.027451\n", Format::text), {},
-       colors);
+       colors, {"the comment 'X,Y,Z,Rf,Gf,Bf' names the columns (--columns chooses others)"});
     is(read("x;y;z;intensity;Red;Green;Blue\n0.5;-1;2;9;1;2;255\n3;4e-3;1e6;9;128;0;7\n", Format::text), {}, colors);
     is(read("X,Y,Z,diffuse_red,diffuse_green,diffuse_blue\n0.5,-1,2,1,2,255\n3,4e-3,1e6,128,0,7\n", Format::text), {},
        colors);

@@ -23,6 +23,23 @@ ParsedNumber parse_whole_number(std::string_view text) {
   return number;
 }
 
+ParsedNumber parse_written_number(std::string_view text) {
+  constexpr std::string_view minus = "\xE2\x88\x92";
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::not_a_number) return number;
+  std::string ascii;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_minus = text.substr(at, minus.size()) == minus;
+    ascii.push_back(is_minus ? '-' : text[at]);
+    if (is_minus) at += minus.size() - 1;
+  }
+  // Only digits stand before an exponent: "inD" is no number.
+  const std::size_t exponent = ascii.find_first_of("dD");
+  if (exponent != std::string::npos && ascii.find_first_not_of("0123456789.+-") == exponent) ascii[exponent] = 'e';
+  const ParsedNumber read = parse_whole_number(ascii);
+  return {read.value, text.data() + text.size(), read.fault};
+}
+
 const char* expected_instead(NumberFault fault) {
   switch (fault) {
     case NumberFault::not_finite:

@@ -38,6 +38,9 @@ inline ParsedNumber parse_number(const char* first, const char* last) {
 /// The number that is the whole of `text`.
 ParsedNumber parse_whole_number(std::string_view text);
 
+/// The same, with Fortran's D for E ("1.0D0") or the sign − of typography (U+2212) as well.
+ParsedNumber parse_written_number(std::string_view text);
+
 /// What had to stand where there is a fault.
 const char* expected_instead(NumberFault fault);
 

@@ -12,6 +12,7 @@
 #include "io/cloud/ply.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
+#include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
@@ -30,6 +31,15 @@ constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, nullptr, nam
                                          {Format::off, open_off, claimed_off_size},
                                          {Format::obj, open_obj}};
 
+/// Of the format that it is found to be, where that claims anything.
+double claimed_by_content(std::string_view first, const std::string& name) {
+  const std::string_view known = ending_of_content(first);
+  std::optional<Format> format = find_format(Use::space, known);
+  if (!format) format = find_format(Use::points, known);
+  const Claim claim = format ? claim_of(*format) : Claim();
+  return claim.size == nullptr ? any_size : claim.size(first, name);
+}
+
 }  // namespace
 
 const CloudFormat* cloud_format(Format format) {
@@ -39,6 +49,7 @@ const CloudFormat* cloud_format(Format format) {
 }
 
 std::optional<FieldNames> fields_of(Format format) {
+  if (format == Format::by_content) return names_of_columns();
   const CloudFormat* known = cloud_format(format);
   if (known == nullptr || known->fields == nullptr) return std::nullopt;
   return known->fields();
@@ -47,6 +58,7 @@ std::optional<FieldNames> fields_of(Format format) {
 Claim claim_of(Format format, bool skip_invalid) {
   if (format == Format::las && skip_invalid) return {};
   if (format == Format::pgm) return {claimed_pgm_size};
+  if (format == Format::by_content) return skip_invalid ? Claim() : Claim{claimed_by_content};
   const CloudFormat* known = cloud_format(format);
   return {known == nullptr ? nullptr : known->claim,
           format == Format::las ? " (--skip-invalid reads what is there)" : ""};

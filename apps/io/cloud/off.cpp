@@ -8,6 +8,7 @@
 #include "io/cloud/element_cloud.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
+#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -61,6 +62,8 @@ OffHeader read_off_header(std::string_view text, std::size_t size, const std::st
 }
 
 double claimed_off_size(std::string_view first, const std::string& name) {
+  std::string room;
+  first = plain_text(first, name, Format::off, room);
   const OffHeader header = read_off_header(first, unknown_size, name);
   std::string_view counts = header.counts;
   const std::size_t faces = parse_count(take_word(counts)).value_or(0);

@@ -12,6 +12,7 @@
 #include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
+#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -229,6 +230,8 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
 }
 
 double claimed_pcd_size(std::string_view first, const std::string& name) {
+  std::string room;
+  first = plain_text(first, name, Format::pcd, room);
   const auto [header, is_compressed] = PcdHeaderReader(first, unknown_size, name).read();
   if (!is_compressed) return claimed_size(header, first);
   const auto before = static_cast<double>(first.size() - header.data.size() + CompressedSizes::room);

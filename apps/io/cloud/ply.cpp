@@ -5,6 +5,7 @@
 #include "io/bytes/claim.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
+#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -184,6 +185,8 @@ double end_of_elements(const PlyHeader& header) {
 }  // namespace
 
 double claimed_ply_size(std::string_view first, const std::string& name) {
+  std::string room;
+  first = plain_text(first, name, Format::ply, room);
   return claimed_size(read_ply_header(first, name), first);
 }
 

@@ -8,6 +8,8 @@
 #include "io/polygon/geojson.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/wkt.h"
+#include "io/text/plain_text.h"
+#include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
@@ -85,6 +87,24 @@ void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (file.crs && file.crs->degrees) file.degrees = true;
 }
 
+void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
+                      const std::optional<Condition>& where) {
+  const auto require = [](bool fits, const std::string& option, const std::string& what) {
+    if (!fits) throw WrongUsage(option + ": found standard input in a format " + what);
+  };
+  const bool table = is_table(format);
+  require(table || !columns, "--columns", "with fixed columns");
+  require(table || !skip_invalid || format == Format::las, "--skip-invalid", "without lines of points");
+  require(table || !vertices || format == Format::geojson || format == Format::wkt, "--vertices",
+          "without lines and polygons");
+  if (!where) return;
+  const std::optional<FieldNames> names = fields_of(format);
+  require(names.has_value(), "--where", "without fields beside the points");
+  for (const std::string& field : where->fields())
+    require(names->are(field), std::string(where->option_of(field)), "without a field " + in_quotes(field));
+  require(names->texts || where->texts().empty(), "--where", "whose fields are numbers");
+}
+
 bool may_be_packed(const PointSource& source) { return source.format != Format::raw || is_gzip_name(source.path); }
 
 PointFile read_points(const PointSource& source) {
@@ -94,12 +114,23 @@ PointFile read_points(const PointSource& source) {
   claim.may_be_packed = may_be_packed(source);
   const InputBytes input(source.path, "a file of points", claim,
                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
-  return points_in(input.bytes(), input.name(), source);
+  if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);
+  PointSource known = source;
+  known.format = format_of_content(Use::points, input.bytes(), input.name(), point_formats, Format::text);
+  if (known.format == Format::geojson) {
+    if (known.where && !known.where->selects()) known.where.reset();  // of groups, by properties
+  } else {
+    known.properties = {};
+  }
+  require_readable(known.format, known.columns.has_value(), known.skip_invalid, known.vertices, known.where);
+  return points_in(input.bytes(), input.name(), known);
 }
 
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
   // No points may be meant; no bytes at all come from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
+  std::string room;
+  if (!is_table(source.format)) bytes = plain_text(bytes, name, source.format, room);
   return settled(parse(bytes, name, source), name, source);
 }
 

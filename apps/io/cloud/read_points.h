@@ -38,6 +38,10 @@ bool may_be_packed(const PointSource& source);
 /// the file, the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
+/// Of standard input whose content has shown its format. Throws WrongUsage where an option asks for what it does not have.
+void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
+                      const std::optional<Condition>& where);
+
 /// What the command line says of the system of the points counts more than what the file says.
 void settle_crs(PointFile& file, const std::optional<Crs>& said);
 

@@ -4,8 +4,11 @@
 
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/colors.h"
+#include "io/cloud/read_points.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
+#include "io/text/plain_text.h"
+#include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
@@ -68,6 +71,10 @@ void require_directions(const SpacePoints& file, const std::string& name) {
 
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
   const InputBytes input(path, "a file of points", claim_of(format, request.skip_invalid));
+  if (format == Format::by_content) {
+    format = format_of_content(Use::space, input.bytes(), input.name(), space_formats, Format::text);
+    require_readable(format, request.columns.has_value(), request.skip_invalid, false, request.where);
+  }
   return space_points_in(input.bytes(), input.name(), format, request);
 }
 
@@ -78,6 +85,8 @@ SpacePoints space_points_in(std::string_view bytes, const std::string& name, For
   CloudRequest in_space = request;
   in_space.in_space = true;
   const CloudFormat& known = *cloud_format(format);
+  std::string room;
+  if (!is_table(format)) bytes = plain_text(bytes, name, format, room);
   std::optional<SpacePoints> file = read_cloud(*known.open(Content(bytes, name), in_space));
   in_space.last_are_normals = true;
   if (!file) file = read_cloud(*known.open(Content(bytes, name), in_space));

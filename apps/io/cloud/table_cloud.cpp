@@ -6,7 +6,7 @@
 #include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/readers.h"
-#include "io/cloud/table_layout.h"
+#include "io/cloud/table_beginning.h"
 #include "io/cloud/table_lines.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -26,13 +26,10 @@ class TableCloud final : public Cloud {
         request_(request),
         kind_(kind),
         selection_(request.where, request.skip_invalid) {
-    has_line_ = lines_.next();
-    if (has_line_ && is_separator_hint(lines_.line())) has_line_ = lines_.next();
-    if (has_line_ && kind_ == TableKind::pts) pass_count();
-    if (has_line_)
-      has_line_ = begin();
-    else if (is_by_name(request.columns))
-      bad_input(name_, "no header line", "one with the column names");
+    TableStart start = start_table(lines_, kind_, request_, selection_, facts_.file.remarks);
+    has_line_ = start.has_line;
+    announced_ = start.announced;
+    if (start.any_table) begin(start);
   }
 
   bool next(CloudBlock& block) override {
@@ -40,8 +37,9 @@ class TableCloud final : public Cloud {
     make_room(block);
     while (has_line_ && block.count < points_at_once) {
       take_line(block);
-      if (is_plain_ && width_ > 0) read_plain_lines(block);
+      if (is_plain_ && plain_width_ > 0) read_plain_lines(block);
       has_line_ = lines_.next();
+      if (has_line_ && point_lines_ == last_line_) has_line_ = end_atoms();
     }
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
     block.heights.resize(has_heights_ ? block.count : 0);
@@ -69,38 +67,22 @@ class TableCloud final : public Cloud {
 
   // The beginning.
 
-  /// Of .pts: the first line may say how many points there are.
-  void pass_count() {
-    const std::optional<std::size_t> count = parse_count(lines_.line());
-    if (!count) return;
-    announced_ = count;
-    announced_line_ = lines_.number();
-    has_line_ = lines_.next();
-  }
-
-  /// Finds the columns and goes to the first line of data; false when there is none.
-  bool begin() {
-    const TableLayout layout = lay_out_table(lines_, kind_, request_, facts_.file.remarks);
-    wkt_ = layout.wkt;
-    numbers_ = layout.numbers.size();
-    first_line_ = lines_.number();
-    lay_out(layout);
-    if (layout.header) {
-      header_ = lines_.line();
-      width_ = layout.width;
-    }
-    selection_.find_columns(layout.header ? split(header_, separator_of(header_)) : layout.names, lines_.lines(),
-                            name_);
-    if (layout.header && !lines_.next()) return false;
-    separator_ = data_separator();
+  void begin(TableStart& start) {
+    if (announced_ && announced_->atoms) last_line_ = announced_->count;
+    wkt_ = start.layout.wkt;
+    numbers_ = start.layout.numbers.size();
+    first_line_ = start.first_line;
+    separator_ = start.separator;
+    width_ = start.layout.width;
+    header_ = std::move(start.header);
+    lay_out(start.layout);
     first_point_ = lines_.number();
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
-    if (!lines_.content().is_in_memory()) return true;
+    if (!has_line_ || !lines_.content().is_in_memory()) return;
     // A point takes two characters a number, or more; room that is not used costs nothing.
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
     facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
-    return true;
   }
 
   void lay_out(const TableLayout& layout) {
@@ -108,7 +90,7 @@ class TableCloud final : public Cloud {
       if (column >= role_.size()) role_.resize(column + 1, nothing);
       role_[column] = static_cast<std::uint8_t>(role);
     };
-    role_.resize(layout.width, nothing);
+    role_.resize(layout.width.all, nothing);
     if (!wkt_)
       for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
     for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
@@ -119,12 +101,6 @@ class TableCloud final : public Cloud {
     facts_.file.degrees = layout.degrees;
     is_unnamed_ = layout.unnamed;
     is_by_content_ = layout.unnamed && !request_.last_are_normals;
-  }
-
-  /// That of the line, which is the first of data. The commas of a geometry separate none of its fields.
-  char data_separator() const {
-    if (!wkt_) return separator_of(lines_.line());
-    return header_.find_first_of(",;\t") == std::string_view::npos ? ';' : separator_of(header_);
   }
 
   // Points.
@@ -152,7 +128,7 @@ class TableCloud final : public Cloud {
   /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
   void read_plain_lines(CloudBlock& block) {
     Numbers value{};
-    while (block.count < points_at_once) {
+    while (block.count < points_at_once && point_lines_ < last_line_) {
       const char* const behind = read_plain_line(value);
       if (behind == nullptr) return;
       append(value, block);
@@ -170,10 +146,10 @@ class TableCloud final : public Cloud {
       while (at != end && is_blank(*at) && *at != but) ++at;
     };
     const char separator = separator_;
-    const std::size_t width = width_, numbers = numbers_;
+    const std::size_t width = plain_width_, numbers = numbers_;
     const std::uint8_t* const role = role_.data();
     const char kept = separator == blanks ? '\0' : separator;  // a tab may be the separator
-    skip_blanks('\0');
+    skip_blanks(kept);
     for (std::size_t column = 0; column < width; ++column) {
       if (column > 0) {
         const char* const field_end = at;
@@ -193,6 +169,7 @@ class TableCloud final : public Cloud {
         at = number.end;
       } else {
         const char* const field = at;
+        if (column == 0 && *at == '/') return nullptr;  // two of them begin a comment
         while (at != end && !is_blank(*at) && *at != separator && *at != '\n' && *at != '"' && *at != '#') ++at;
         if (at == field) return nullptr;
         if (role[column] == height) take_height({field, static_cast<std::size_t>(at - field)});
@@ -207,8 +184,9 @@ class TableCloud final : public Cloud {
   void take_line(CloudBlock& block) {
     ++point_lines_;
     selection_.attempt([&] {
+      if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a quote behind it");
       const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
-      const auto take = [this](std::size_t count) { take_width(count); };
+      const auto take = [this](const FieldCount& count) { take_width(count); };
       current_ = &block;
       if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
         wkt_ ? read_geometries(block) : read_point(block);
@@ -220,14 +198,16 @@ class TableCloud final : public Cloud {
     Fields fields(lines_.line(), separator_);
     Numbers value{};
     std::array<std::string_view, 3> color;
-    std::size_t count = 0;
-    for (; !fields.at_end(); ++count) {
-      const std::uint8_t role = count < role_.size() ? role_[count] : nothing;
+    FieldCount count;
+    while (!fields.at_end()) {
+      const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
         value[role] = read_number(fields);
+        count.add("a number");
         continue;
       }
       const std::string_view field = without_quotes(fields.take());
+      count.add(field);
       if (role >= first_color && role < height) color[role - first_color] = field;
       if (role == height) take_height(field);
     }
@@ -246,22 +226,24 @@ class TableCloud final : public Cloud {
     if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
 
-  void take_width(std::size_t count) {
-    if (width_ == 0) width_ = count;
-    if (width_ > role_.size()) role_.resize(width_, nothing);
-    if (count != width_)
-      bad_input(here(), counted(count, "column") + " (" + in_quotes(lines_.line()) + ")",
-                std::to_string(width_) + " as in line " + std::to_string(first_line_));
+  /// Empty fields at the end may be there or not; the next line may be as this one.
+  void take_width(const FieldCount& count) {
+    plain_width_ = count.all;
+    if (count.all > role_.size()) role_.resize(count.all, nothing);
+    if (!count.fits(width_))
+      bad_input(here(), found_columns(count.all, lines_.line()),
+                std::to_string(width_.all) + " as in line " + std::to_string(first_line_));
   }
 
   /// The geometries of the current line, in its field of well-known text.
   void read_geometries(CloudBlock& block) {
     Fields fields(lines_.line(), separator_);
     std::string_view text;
-    std::size_t count = 0;
-    for (; !fields.at_end(); ++count) {
+    FieldCount count;
+    while (!fields.at_end()) {
       const std::string_view field = without_quotes(fields.take());
-      if (count == *wkt_) text = field;
+      if (count.all == *wkt_) text = field;
+      count.add(field);
     }
     take_width(count);
     std::vector<Point> points;
@@ -296,10 +278,10 @@ class TableCloud final : public Cloud {
       if (where.empty() && request_.in_space) all_whole_ = all_whole_ && std::trunc(number.value) == number.value;
       return number.value;
     }
-    const std::string_view field = without_quotes(fields.take());
+    const std::string_view field = trimmed(without_quotes(fields.take()));
     if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
     comma_.refuse_point(field, here());
-    const ParsedNumber whole = parse_whole_number(field);
+    const ParsedNumber whole = parse_written_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),
                 expected_instead(whole.fault) + std::string(where) +
@@ -327,18 +309,33 @@ class TableCloud final : public Cloud {
   /// The first point has text where a number should be: others of its columns may be meant.
   std::string hint(NumberFault fault) const {
     if (request_.in_space || fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
-    if (split(lines_.line(), separator_).size() <= 2) return "";
+    if (count_fields(lines_.line(), separator_).all <= 2) return "";
     return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
   }
 
   // The end.
 
   void require_announced() {
-    const std::string said = std::to_string(*announced_) + " as line " + std::to_string(announced_line_) + " says";
-    if (std::exchange(announced_, std::nullopt) == point_lines_) return;
+    const std::string said = said_of(*announced_);
+    if (std::exchange(announced_, std::nullopt)->count == point_lines_) return;
     if (!request_.skip_invalid)
       bad_input(name_, counted(point_lines_, "line") + " of points", said + " (--skip-invalid reads what is there)");
     facts_.file.remarks.push_back("there are " + counted(point_lines_, "line") + " of points, and not " + said);
+  }
+  static std::string said_of(const AnnouncedPoints& points) {
+    return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
+  }
+
+  /// What follows the atoms is the next frame of a trajectory, or something else. Returns false.
+  bool end_atoms() {
+    const bool is_frame = parse_count(lines_.line()).has_value();
+    if (!is_frame && !request_.skip_invalid)
+      bad_input(here(), in_quotes(lines_.line()),
+                "nothing behind the atoms, or more of them: " + said_of(*announced_) +
+                    " (--skip-invalid reads what is there)");
+    facts_.file.remarks.push_back("the atoms are the " + said_of(*announced_) +
+                                  (is_frame ? ", of the first frame" : "") + "; what follows them is left out");
+    return false;
   }
 
   void look_at_last(const std::array<double, 3>& channels) {
@@ -370,15 +367,16 @@ class TableCloud final : public Cloud {
   const std::string& name_;
   CloudRequest request_;
   TableKind kind_;
-  std::optional<std::size_t> announced_ = std::nullopt;  // points that the line of that number says there are
-  std::size_t announced_line_ = 0, point_lines_ = 0;
+  std::optional<AnnouncedPoints> announced_ = std::nullopt;
+  std::size_t point_lines_ = 0, last_line_ = std::numeric_limits<std::size_t>::max();  // of points
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
   std::size_t numbers_ = 0;                        // of a point
   std::vector<std::uint8_t> role_ = {};            // of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
   std::size_t first_line_ = 0;                     // the line that says how many columns there are
-  std::size_t width_ = 0;                          // how many; 0: not known yet
+  FieldCount width_ = {};                          // how many
+  std::size_t plain_width_ = 0;                    // as the line before has them; 0: none was read
   std::string header_ = {};                        // empty without one
   std::size_t first_point_ = 0;                    // its line
   bool is_plain_ = false;                          // most lines may be

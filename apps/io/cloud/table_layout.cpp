@@ -1,62 +1,69 @@
 #include "io/cloud/table_layout.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
-#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/text/fields.h"
+#include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
 namespace {
 
 using FieldTexts = std::vector<std::string_view>;
 
-std::string found_columns(const FieldTexts& fields, const TableLines& lines) {
-  return counted(fields.size(), "column") + " (" + in_quotes(lines.line()) + ")";
-}
+std::string found_fields(const TableBeginning& table) { return found_columns(table.fields.size(), table.lines.line()); }
+std::string here(const TableBeginning& table) { return at_line(table.lines.name(), table.lines.number()); }
 
 bool is_text_only(const FieldTexts& fields) { return std::none_of(fields.begin(), fields.end(), is_number); }
 
-std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldTexts& fields, const TableLines& lines) {
+std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldTexts& fields,
+                                const TableBeginning& table) {
   std::vector<std::size_t> places;
   for (const Column& column : columns)
     places.push_back(column.number > 0 ? column.number - 1
-                                       : find_column(fields, column.name, lines.lines(), lines.name()));
+                                       : find_column(fields, column.name, table.lines.lines(), table.lines.name()));
   return places;
 }
 
-/// Where one of them is a number, or says that there is none, the line is data.
+/// Where one of them is nearly a number, or says that there is none, the line is data.
 bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   std::size_t missing = 0;
   for (const std::size_t i : places) {
-    if (i >= fields.size() || is_number(fields[i])) return false;
+    if (i >= fields.size() || is_nearly_number(fields[i])) return false;
     if (is_missing(fields[i])) ++missing;
   }
   return missing < places.size();
 }
 
-/// A column that is called so may have something else in it, such as the bytes of a geometry, or nothing.
-bool next_line_has_geometry(const TableLines& lines) {
-  const std::string_view rest = lines.rest();
-  const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
-  constexpr std::string_view kinds[] = {"POINT", "LINESTRING", "POLYGON", "GEOMETRYCOLLECTION"};
-  const auto same = [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; };
-  return line.find('(') != std::string_view::npos &&
-         std::any_of(std::begin(kinds), std::end(kinds), [&](std::string_view kind) {
-           return std::search(line.begin(), line.end(), kind.begin(), kind.end(), same) != line.end();
-         });
+/// Names that are not known say less than that.
+bool is_unknown_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
+  return is_header(fields, places) && is_text_only(fields) && std::none_of(fields.begin(), fields.end(), is_geometry);
+}
+
+/// Names that are known may stand before numbers of years, and texts of a line of data may be called so.
+bool may_be_known_header(const FieldTexts& fields) {
+  const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
+  const auto whole = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return !!parse_count(f); });
+  return numbers < 2 || (numbers == whole && !is_number(fields.front()));
+}
+
+/// Whether the first line is of data, and the comment before it has a name for each column.
+bool has_names(const TableBeginning& table, bool in_space) {
+  return table.names.size() == table.fields.size() && !is_text_only(table.fields) &&
+         (in_space ? !find_space_columns(table.names).empty() : find_coordinates(table.names).has_value());
 }
 
 /// Whether the line is a header with names that say where the points of the plane are.
-bool find_by_header(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
+bool find_by_header(const FieldTexts& fields, const TableBeginning& table, TableLayout& layout,
                     std::vector<std::string>& remarks) {
+  if (!may_be_known_header(fields)) return false;
   const std::optional<std::size_t> geometries = find_wkt(fields);
   const std::optional<NamedColumns> found = find_coordinates(fields);
-  if (found && geometries && next_line_has_geometry(lines)) {
+  if (found && geometries && table.choice.geometry == geometries) {
     remarks.push_back("the geometries of column " + in_quotes(fields[*geometries]) + " are read, and not " +
                       in_quotes(fields[found->x]) + " and " + in_quotes(fields[found->y]) +
                       " (--columns chooses these)");
@@ -98,25 +105,12 @@ FieldTexts names_of_kind(TableKind kind, std::size_t width) {
   return names.size() == width ? names : FieldTexts();
 }
 
-/// The first line is of numbers, and its columns have these names.
-void lay_out_by_names(const FieldTexts& names, bool in_space, TableLayout& layout) {
-  layout.names = names;
-  if (in_space) {
-    layout.numbers = find_space_columns(names);
-    layout.colors = find_color_columns(names);
-    return;
-  }
-  layout.numbers = {0, 1};
-  layout.height = 2;
-}
-
 /// Whether the table is of a kind, and its columns those of that.
-bool find_by_kind(const FieldTexts& fields, const TableLines& lines, TableKind kind, bool in_space,
-                  TableLayout& layout) {
+bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, TableLayout& layout) {
   if (kind == TableKind::any) return false;
-  const FieldTexts names = names_of_kind(kind, fields.size());
+  const FieldTexts names = names_of_kind(kind, table.fields.size());
   if (names.empty())
-    bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
+    bad_input(here(table), found_fields(table),
               kind == TableKind::xyzn     ? "6: x, y, z, nx, ny, nz"
               : kind == TableKind::xyzrgb ? "6: x, y, z, red, green, blue"
                                           : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
@@ -124,30 +118,72 @@ bool find_by_kind(const FieldTexts& fields, const TableLines& lines, TableKind k
   return true;
 }
 
-TableLayout lay_out_plane(const FieldTexts& fields, const TableLines& lines, TableKind kind,
-                          const CloudRequest& request, std::vector<std::string>& remarks) {
-  TableLayout layout{.width = fields.size(), .numbers = {0, 1}};
+/// Whether a column is of geometries, whatever it is called, if nothing says where coordinates are.
+bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
+  layout.wkt = table.choice.geometry;
+  if (!layout.wkt) return false;
+  layout.header = *layout.wkt < table.fields.size() && !is_geometry(table.fields[*layout.wkt]);
+  remarks.push_back("the geometries of column " + std::to_string(*layout.wkt + 1) +
+                    (layout.header ? ", " + in_quotes(table.fields[*layout.wkt]) + "," : "") + " are read");
+  return true;
+}
+
+/// Whether the comment before the first line, which is of numbers, names the columns.
+bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& layout,
+                     std::vector<std::string>& remarks) {
+  if (!has_names(table, in_space)) return false;
+  const FieldTexts& names = table.names;
+  lay_out_by_names(names, in_space, layout);
+  layout.degrees = is_longitude(names[layout.numbers[0]]) && is_latitude(names[layout.numbers[1]]);
+  remarks.push_back("the comment " + in_quotes(table.comment) + " names the columns (--columns chooses others)");
+  return true;
+}
+
+/// Numbers of elements are no coordinates.
+void refuse_atoms(const TableBeginning& table, const std::string& columns) {
+  if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
+    bad_input(here(table), found_fields(table) + ", of which the first may be the number of an element",
+              "x y z, or before atoms their number and a comment (--columns " + columns + " reads atoms)");
+}
+
+TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const CloudRequest& request,
+                          std::vector<std::string>& remarks) {
+  const FieldTexts& fields = table.fields;
+  TableLayout layout{.width = table.width, .numbers = {0, 1}};
+  const bool by_name = is_by_name(request.columns), has_comment = has_names(table, false);
+  if (has_comment) layout.names = table.names;
   if (request.columns) {
-    layout.numbers = chosen(*request.columns, fields, lines);
-  } else if (find_by_header(fields, lines, layout, remarks)) {
+    layout.numbers = chosen(*request.columns, has_comment ? table.names : fields, table);
+    if (layout.numbers.size() == 1) {
+      layout.wkt = std::exchange(layout.numbers, {0, 1}).front();
+      layout.header = by_name ? !has_comment : is_unknown_header(fields, {*layout.wkt});
+      return layout;
+    }
+  } else if (find_by_header(fields, table, layout, remarks)) {
     layout.header = true;
     find_height_column(fields, layout);
     return layout;
-  } else if (!is_text_only(fields) && find_by_kind(fields, lines, kind, false, layout)) {
+  } else if (find_by_content(table, layout, remarks)) {
+    return layout;
+  } else if (!is_text_only(fields) &&
+             (find_by_comment(table, false, layout, remarks) || find_by_kind(table, kind, false, layout))) {
     return layout;
   }
   const std::size_t x = layout.numbers[0], y = layout.numbers[1], needed = std::max(x, y) + 1;
   if (fields.size() < needed)
-    bad_input(at_line(lines.name(), lines.number()),
-              is_text_only(fields) ? in_quotes(lines.line()) : counted(fields.size(), "column"),
+    bad_input(here(table), is_text_only(fields) ? in_quotes(table.lines.line()) : counted(fields.size(), "column"),
               needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns")
                           : "at least " + counted(needed, "column") + ", as --columns asks");
   if (x == y) refuse_one_column(fields[x]);  // under two names, or by name and by number
-  layout.header = is_by_name(request.columns) || is_header(fields, layout.numbers);
+  const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
+  layout.header = by_name    ? !has_comment
+                  : is_known ? is_header(fields, layout.numbers)
+                             : is_unknown_header(fields, layout.numbers);
   if (!layout.header) {
+    if (!request.columns) refuse_atoms(table, "2,3");
     // Only the ending .xyz makes a third number a height; elsewhere it may be anything, unless heights are asked for.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
-    const bool is_xyz = input_ending(lines.name()) == "xyz",
+    const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
     if (has_number && !request.columns && fields.size() > 2 && (is_xyz || may_be_z)) layout.height = 2;
     if (layout.height && !is_xyz) remarks.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
@@ -161,26 +197,24 @@ TableLayout lay_out_plane(const FieldTexts& fields, const TableLines& lines, Tab
   return layout;
 }
 
-void choose_in_space(const FieldTexts& fields, const TableLines& lines, const std::vector<Column>& columns,
-                     TableLayout& layout) {
-  layout.numbers = chosen(columns, fields, lines);
+void choose_in_space(const TableBeginning& table, const std::vector<Column>& columns, TableLayout& layout) {
+  layout.numbers = chosen(columns, layout.names.empty() ? table.fields : layout.names, table);
   const std::size_t needed = *std::max_element(layout.numbers.begin(), layout.numbers.end()) + 1;
-  if (fields.size() < needed)
-    bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
-              "at least " + counted(needed, "column") + ", as --columns asks");
+  if (table.fields.size() < needed)
+    bad_input(here(table), found_fields(table), "at least " + counted(needed, "column") + ", as --columns asks");
   for (std::size_t i = 0; i < layout.numbers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (layout.numbers[i] == layout.numbers[k])
-        refuse_repeated_column(fields[layout.numbers[i]]);  // under two names, or by name and by number
+        refuse_repeated_column(table.fields[layout.numbers[i]]);  // under two names, or by name and by number
 }
 
 /// Where names are not known, the number of columns decides what they are.
-void find_by_space_header(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
-                          std::vector<std::string>& remarks) {
+void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
+  const FieldTexts& fields = table.fields;
   layout.numbers = find_space_columns(fields);
   if (layout.numbers.empty() && fields.size() == 3) layout.numbers = {0, 1, 2};
   if (layout.numbers.empty())
-    bad_input(at_line(lines.name(), lines.number()), in_quotes(lines.line()),
+    bad_input(here(table), in_quotes(table.lines.line()),
               "a header with columns x, y and z (--columns X,Y,Z chooses others)");
   std::string names;
   bool in_order = true;
@@ -191,39 +225,34 @@ void find_by_space_header(const FieldTexts& fields, const TableLines& lines, Tab
   if (!in_order) remarks.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
 }
 
-/// Whether the comment before the first line, which is of numbers, names the columns.
-bool find_by_comment(const FieldTexts& fields, const TableLines& lines, TableLayout& layout,
-                     std::vector<std::string>& remarks) {
-  const std::string_view comment = lines.comment_before();
-  const FieldTexts names = split(comment, separator_of(comment));
-  if (names.size() != fields.size() || find_space_columns(names).empty()) return false;
-  lay_out_by_names(names, true, layout);
-  layout.degrees = is_longitude(names[layout.numbers[0]]) && is_latitude(names[layout.numbers[1]]);
-  remarks.push_back("the comment " + in_quotes(comment) + " names the columns (--columns chooses others)");
-  return true;
+[[noreturn]] void refuse_width(const TableBeginning& table) {
+  if (is_text_only(table.fields)) bad_input(here(table), in_quotes(table.lines.line()), "3 or 6 numbers");
+  refuse_atoms(table, "2,3,4");
+  bad_input(here(table), found_fields(table),
+            table.fields.size() > 3 ? "3 or 6 (--columns X,Y,Z chooses some of more)" : "3 or 6");
 }
 
-[[noreturn]] void refuse_width(const FieldTexts& fields, const TableLines& lines) {
-  if (is_text_only(fields)) bad_input(at_line(lines.name(), lines.number()), in_quotes(lines.line()), "3 or 6 numbers");
-  bad_input(at_line(lines.name(), lines.number()), found_columns(fields, lines),
-            fields.size() > 3 ? "3 or 6 (--columns X,Y,Z chooses some of more)" : "3 or 6");
-}
-
-TableLayout lay_out_space(const FieldTexts& fields, const TableLines& lines, TableKind kind,
-                          const CloudRequest& request, std::vector<std::string>& remarks) {
-  TableLayout layout{.width = fields.size()};
+TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const CloudRequest& request,
+                          std::vector<std::string>& remarks) {
+  const FieldTexts& fields = table.fields;
+  TableLayout layout{.width = table.width};
+  const bool by_name = is_by_name(request.columns), has_comment = has_names(table, true);
+  const bool is_known = kind != TableKind::atoms && !find_space_columns(fields).empty() && may_be_known_header(fields);
+  if (has_comment) layout.names = table.names;
   if (request.columns) {
-    choose_in_space(fields, lines, *request.columns, layout);
-  } else if (is_header(fields, {0, 1, 2})) {
-    find_by_space_header(fields, lines, layout, remarks);
-  } else if (find_by_kind(fields, lines, kind, true, layout) || find_by_comment(fields, lines, layout, remarks)) {
+    choose_in_space(table, *request.columns, layout);
+  } else if (is_known || is_unknown_header(fields, {0, 1, 2})) {
+    find_by_space_header(table, layout, remarks);
+  } else if (find_by_comment(table, true, layout, remarks) || find_by_kind(table, kind, true, layout)) {
     return layout;
   } else {
-    if (fields.size() != 3 && fields.size() != 6) refuse_width(fields, lines);
+    if (fields.size() != 3 && fields.size() != 6) refuse_width(table);
     for (std::size_t i = 0; i < fields.size(); ++i) layout.numbers.push_back(i);
     layout.unnamed = fields.size() == 6;
   }
-  layout.header = is_by_name(request.columns) || is_header(fields, layout.numbers);
+  layout.header = by_name    ? !has_comment
+                  : is_known ? is_header(fields, layout.numbers)
+                             : is_unknown_header(fields, layout.numbers);
   if (!layout.header) return layout;
   layout.degrees = is_longitude(fields[layout.numbers[0]]) && is_latitude(fields[layout.numbers[1]]);
   layout.colors = find_color_columns(fields);
@@ -236,15 +265,25 @@ TableLayout lay_out_space(const FieldTexts& fields, const TableLines& lines, Tab
 
 }  // namespace
 
+void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space, TableLayout& layout) {
+  layout.names = names;
+  const std::optional<NamedColumns> plane = find_coordinates(names);
+  layout.numbers = in_space ? find_space_columns(names) : std::vector<std::size_t>{plane->x, plane->y};
+  if (in_space) layout.colors = find_color_columns(names);
+  if (!in_space) find_height_column(names, layout);
+}
+
+std::string found_columns(std::size_t count, std::string_view line) {
+  return counted(count, "column") + " (" + in_quotes(line) + ")";
+}
+
 bool is_by_name(const std::optional<std::vector<Column>>& columns) {
   return columns && std::any_of(columns->begin(), columns->end(), [](const Column& c) { return c.number == 0; });
 }
 
-TableLayout lay_out_table(const TableLines& lines, TableKind kind, const CloudRequest& request,
+TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& remarks) {
-  const FieldTexts fields = split(lines.line(), separator_of(lines.line()));
-  return request.in_space ? lay_out_space(fields, lines, kind, request, remarks)
-                          : lay_out_plane(fields, lines, kind, request, remarks);
+  return request.in_space ? lay_out_space(table, kind, request, remarks) : lay_out_plane(table, kind, request, remarks);
 }
 
 }  // namespace rbpa::app

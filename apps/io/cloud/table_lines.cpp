@@ -1,39 +1,96 @@
 #include "io/cloud/table_lines.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
 #include "io/bytes/available_memory.h"
 #include "io/failure.h"
-#include "io/text/fields.h"
+#include "io/text/plain_text.h"
 
 namespace rbpa::app {
+namespace {
+
+constexpr std::size_t at_once = std::size_t{1} << 20U;
+
+}  // namespace
 
 bool TableLines::next() {
-  while (!lines_.next_with_content())
-    if (!next_text()) return false;
+  do
+    while (!lines_.next_with_content())
+      if (!next_text(0)) return false;
+  while (lines_.line().starts_with("//"));
+  line_ = lines_.line();
+  spanned_ = 0;
+  is_open_ = false;
+  if (separator_ == '\t') widen();
+  if (separator_ != '\0' && std::memchr(line_.data(), '"', line_.size()) != nullptr) join();
   return true;
 }
 
+void TableLines::set_layout(char separator, std::size_t least_fields) {
+  separator_ = separator;
+  least_fields_ = least_fields;
+  if (line_.empty() || separator_ == '\0') return;
+  if (separator_ == '\t') widen();
+  if (std::memchr(line_.data(), '"', line_.size()) != nullptr) join();
+}
+
+/// Tabs at the ends of a line are blanks, unless fields would be missing without them.
+void TableLines::widen() {
+  if (count_fields(line_, separator_).all >= least_fields_) return;
+  const char* first = line_.data();
+  const char* last = first + line_.size();
+  while (first != text_.data() && is_blank(first[-1])) --first;
+  while (last != text_.data() + text_.size() && is_blank(*last)) ++last;
+  while (*first == ' ') ++first;
+  while (last[-1] == ' ' || last[-1] == '\r') --last;
+  line_ = {first, static_cast<std::size_t>(last - first)};
+}
+
+/// A text in quotes may be of several lines, and the piece of the file may end within it.
+void TableLines::join() {
+  const char* end = end_of_record(line_, text_.data() + text_.size(), separator_);
+  if (end == nullptr && !content_.is_in_memory()) {
+    const std::string_view text = ahead(line_.size() + at_once);
+    end = end_of_record(line_, text.data() + text.size(), separator_);
+  }
+  is_open_ = end == nullptr;
+  if (is_open_ || end <= line_.data() + line_.size()) return;
+  for (const std::size_t first = lines_.number(); lines_.rest().data() <= end && lines_.next();)
+    spanned_ = lines_.number() - first;
+  line_ = trimmed({line_.data(), static_cast<std::size_t>(end - line_.data())});
+}
+
+std::string_view TableLines::ahead(std::size_t size) {
+  const auto left = [&] { return static_cast<std::size_t>(text_.data() + text_.size() - line_.data()); };
+  if (left() >= size || content_.is_in_memory()) return {line_.data(), left()};
+  const std::size_t number = lines_.number(), length = line_.size();
+  taken_ = mark_ + static_cast<std::size_t>(line_.data() - text_.data());
+  next_text(size);
+  lines_ = Lines(text_, number - 1);
+  lines_.next();
+  line_ = text_.substr(0, length);
+  return text_;
+}
+
 /// All that is in memory, or some more of a file, up to the end of a line.
-bool TableLines::next_text() {
-  const bool is_first = taken_ == 0;
+bool TableLines::next_text(std::size_t at_least) {
   content_.skip(taken_);
-  constexpr std::size_t at_once = std::size_t{1} << 20U;
   std::string_view text = content_.ahead();
-  for (std::size_t before = 0; !content_.is_in_memory();) {
-    text = content_.ahead(before + at_once);
-    if (text.size() < before + at_once) break;  // the end of the file
-    const std::size_t last = text.substr(before).rfind('\n');
-    if (last != std::string_view::npos) {
-      text = text.substr(0, before + last + 1);
+  for (std::size_t wanted = std::max(at_once, at_least + at_once); !content_.is_in_memory(); wanted += at_once) {
+    text = content_.ahead(wanted);
+    if (text.size() < wanted) break;  // the end of the file
+    if (const std::size_t lines = size_of_lines(text); lines > at_least) {
+      text = text.substr(0, lines);
       break;
     }
-    before = text.size();
-    require_memory(before);
+    require_memory(text.size());
   }
+  const bool is_first = taken_ == 0 && lines_.number() == 0;
   taken_ = text.size();
-  text_ = is_first ? beyond_byte_order_mark(text, name()) : text;
+  text_ = is_first ? plain_text(text, name(), room_) : with_line_feeds(text, room_);
+  mark_ = text.size() - text_.size();
   lines_ = Lines(text_, lines_.number());
   return !text.empty();
 }
@@ -48,11 +105,12 @@ void TableLines::require_memory(std::size_t size) const {
 }
 
 std::string_view TableLines::comment_before() const {
-  std::string_view before = text_.substr(0, static_cast<std::size_t>(line().data() - text_.data()));
+  std::string_view before = text_.substr(0, static_cast<std::size_t>(line_.data() - text_.data()));
   before = before.substr(0, before.find_last_of('\n') + 1);  // without blanks before the line
   if (before.empty()) return {};
   before.remove_suffix(1);
   before = trimmed(before.substr(before.find_last_of('\n') + 1));
+  if (before.starts_with("//")) return trimmed(before.substr(2));
   return before.starts_with('#') ? trimmed(before.substr(1)) : std::string_view();
 }
 

@@ -5,6 +5,8 @@
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/cloud.h"
 #include "io/failure.h"
+#include "io/text/plain_text.h"
+#include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
@@ -28,13 +30,17 @@ MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
 MeshFile read_mesh(const MeshSource& source) {
   const InputBytes input(source.path, "a mesh file",
                          source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
-  return mesh_in(input.bytes(), input.name(), source.format);
+  const bool is_known = source.format != Format::by_content || input.bytes().empty();
+  return mesh_in(
+      input.bytes(), input.name(),
+      is_known ? source.format : format_of_content(Use::mesh, input.bytes(), input.name(), mesh_formats, std::nullopt));
 }
 
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format) {
   // A mesh without faces may be meant; no bytes at all come from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "a mesh");
-  MeshFile mesh = parse(format, bytes, name);
+  std::string room;
+  MeshFile mesh = parse(format, plain_text(bytes, name, format, room), name);
   // A halfedge mesh numbers its elements with int, and a soup its corners with 32 bits.
   constexpr std::size_t most = std::numeric_limits<int>::max() / 2;
   if (mesh.positions.size() > most || mesh.soup.corners.size() > most)

@@ -17,33 +17,12 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/geojson_geometry.h"
+#include "io/polygon/json_id.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {
 
 namespace {
-
-/// The text as nlohmann's parser wants it; how far it has come is seen by others.
-class JsonPosition {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  explicit JsonPosition(const char*& at) : at_(&at) {}
-  reference operator*() const { return **at_; }
-  JsonPosition& operator++() {
-    ++*at_;
-    return *this;
-  }
-  friend bool operator==(const JsonPosition& a, const JsonPosition& b) { return *a.at_ == *b.at_; }
-  friend bool operator!=(const JsonPosition& a, const JsonPosition& b) { return !(a == b); }
-
- private:
-  const char** at_;
-};
 
 /// What the value of a key is.
 enum class Slot { ignored, type, coordinates, object, objects, crs, properties };
@@ -130,6 +109,8 @@ class Events {
     }
     Frame& frame = frames_.back();
     frame.slot = slot_of(key);
+    frame.has_features = frame.has_features || key == "features";
+    frame.is_feature = frame.is_feature || frame.slot == Slot::object || frame.slot == Slot::properties;
     if (frame.slot != Slot::coordinates) return true;
     if (frame.geometry) refuse("coordinates twice in an object", "once");
     frame.geometry = GeoJsonGeometry(file_.points.size());
@@ -146,8 +127,9 @@ class Events {
           (frame.slot == Slot::objects && !frame.in_list))
         refuse("an object", "a " + expected(frame.slot));
     }
-    frames_.push_back(
-        {.geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size(), .points = file_.points.size()});
+    frames_.push_back({.begin = at_ - 1,
+                       .geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size(),
+                       .points = file_.points.size()});
     return true;
   }
   bool end_object() {
@@ -156,6 +138,7 @@ class Events {
     if (polygons_ != nullptr) count_feature(frames_.back(), frames_.size() == 1);
     if ((columns_.key || columns_.radius) && frames_.back().type == "Feature")
       end_fields(frames_.back().points, frames_.back().key, frames_.back().radius);
+    if (frames_.back().type == "Feature") ++features_;
     frames_.pop_back();
     return true;
   }
@@ -189,7 +172,10 @@ class Events {
   struct Frame {
     std::string type = {};
     Slot slot = Slot::ignored;
-    bool in_list = false;  // of Slot::objects
+    bool in_list = false;         // of Slot::objects
+    const char* begin = nullptr;  // behind its bracket, or at it
+    bool has_features = false;    // a member that is so called
+    bool is_feature = false;      // as its members say
     std::optional<GeoJsonGeometry> geometry = std::nullopt;
     std::size_t geometries = 0;                                // that were read before it
     std::size_t points = 0;                                    // the same
@@ -245,7 +231,18 @@ class Events {
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const {
     const std::size_t before = count_line_ends({begin_, static_cast<std::size_t>(at_ - begin_)});
     const bool behind_end = at_ != begin_ && at_[-1] == '\n';  // which the parser has seen already
-    bad_input(at_line(name_, before + (behind_end ? 0 : 1)), found, expected);
+    bad_input(at_line(name_, before + (behind_end ? 0 : 1)) + feature_text(), found, expected);
+  }
+  /// ": feature 700 (id 700)", as a file may be one line; nothing outside of features.
+  std::string feature_text() const {
+    const bool in_collection = frames_.size() > 1 && frames_.front().has_features;
+    if (!in_collection && (frames_.empty() || !frames_.front().is_feature)) return "";
+    return ": feature " + std::to_string(features_) + id_text(frames_[in_collection ? 1 : 0].begin);
+  }
+  /// Of the object that begins there; it may be anywhere in it.
+  std::string id_text(const char* begin) const {
+    const std::string id = json_id(std::find(begin, end_, '{'), end_);
+    return id.empty() ? "" : " (id " + shown(id) + ")";
   }
   bool check(const char* fault) const {
     if (fault != nullptr) refuse(fault, "coordinates: positions of two numbers or more, in lists");
@@ -366,26 +363,20 @@ class Events {
   std::optional<std::string> crs_name_ = std::nullopt;
   bool crs_is_unknown_ = false;
   std::size_t without_geometry_ = 0;
+  std::size_t features_ = 0;  // that have ended
   std::size_t events_ = 0;
 };
-
-/// What some editors put before the text.
-std::string_view without_mark(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  return text;
-}
 
 }  // namespace
 
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
                               const GroupColumns& properties) {
-  return Events(without_mark(text), name, vertices, nullptr, properties).read();
+  return Events(text, name, vertices, nullptr, properties).read();
 }
 
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name) {
   PolygonFile file;
-  file.vertices = Events(without_mark(text), name, true, &file).read();
+  file.vertices = Events(text, name, true, &file).read();
   for (NumberProperty& property : file.properties)
     property.values.resize(file.features, std::numeric_limits<double>::quiet_NaN());
   return file;

@@ -48,7 +48,7 @@ class PolyReader {
   double number(const std::string& what) {
     const std::string_view word = take_word(rest_);
     if (word.empty()) refuse("the end of the line", what);
-    const ParsedNumber parsed = parse_whole_number(word);
+    const ParsedNumber parsed = parse_written_number(word);
     if (parsed.fault != NumberFault::none) refuse(in_quotes(word), what + ": " + expected_instead(parsed.fault));
     return parsed.value;
   }

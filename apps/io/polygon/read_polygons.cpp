@@ -8,7 +8,10 @@
 #include "io/failure.h"
 #include "io/polygon/geojson.h"
 #include "io/polygon/wkt.h"
+#include "io/text/fields.h"
 #include "io/text/lines.h"
+#include "io/text/plain_text.h"
+#include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
@@ -30,7 +33,10 @@ PolygonFile parse(std::string_view bytes, const std::string& name, Format format
 PolygonFile read_polygons(const std::string& path, Format format) {
   const InputBytes input(path, "a file of polygons");
   if (input.bytes().empty()) bad_input(input.name(), "an empty file", "polygons");
-  return parse(input.bytes(), input.name(), format);
+  if (format == Format::by_content)
+    format = format_of_content(Use::polygons, input.bytes(), input.name(), polygon_formats, std::nullopt);
+  std::string room;
+  return parse(plain_text(input.bytes(), input.name(), format, room), input.name(), format);
 }
 
 namespace {
@@ -53,21 +59,19 @@ std::vector<std::string_view> words_of(std::string_view line) {
 std::vector<SizeAt> read_sizes(const std::string& path) {
   const InputBytes input(path, "a file of sizes");
   std::vector<SizeAt> sizes;
-  Lines lines(input.bytes());
+  std::string room;
+  Lines lines(plain_text(input.bytes(), input.name(), room));
   for (bool is_first = true; lines.next_with_content(); is_first = false) {
     const std::vector<std::string_view> words = words_of(lines.line());
     const std::string where = at_line(input.name(), lines.number());
     if (words.size() != 3) bad_input(where, counted(words.size(), "value"), "three: x, y and size");
+    if (is_first && std::none_of(words.begin(), words.end(), is_nearly_number)) continue;  // a header
     std::array<double, 3> value{};
-    bool is_header = false;
     for (std::size_t i = 0; i < 3; ++i) {
-      const ParsedNumber number = parse_whole_number(words[i]);
-      is_header = is_header || (is_first && number.fault == NumberFault::not_a_number);
-      if (number.fault != NumberFault::none && !is_header)
-        bad_input(where, in_quotes(words[i]), expected_instead(number.fault));
+      const ParsedNumber number = parse_written_number(words[i]);
+      if (number.fault != NumberFault::none) bad_input(where, in_quotes(words[i]), expected_instead(number.fault));
       value[i] = number.value;
     }
-    if (is_header) continue;
     if (!(value[2] > 0)) bad_input(where, "the size " + std::string(words[2]), "one above 0");
     sizes.push_back({{value[0], value[1]}, value[2]});
   }

@@ -205,18 +205,25 @@ void WktGeometries::take_position(std::vector<Point>& points) {
   for (int i = 0; i < 4; ++i) {
     skip_space();
     if (i >= 2 && (text_.empty() || text_.front() == ',' || text_.front() == ')')) break;
-    const ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
-    if (number.fault != NumberFault::none) {
+    const auto ends_at = [this](const char* end) {
+      return end == text_.data() + text_.size() || is_space(*end) || *end == ',' || *end == ')';
+    };
+    ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
+    if (number.fault != NumberFault::none || !ends_at(number.end)) {
       // Found is the word alone.
       const std::size_t size = std::min(text_.find_first_of(" \t\r\n,()"), text_.size());
-      if (size > 0) throw WktFault{text_.data(), in_quotes(text_.substr(0, size)), expected_instead(number.fault)};
-      refuse("a number");
+      const ParsedNumber word = parse_written_number(text_.substr(0, size));
+      if (word.fault == NumberFault::none)
+        number = word;
+      else if (number.fault != NumberFault::none && size > 0)
+        throw WktFault{text_.data(), in_quotes(text_.substr(0, size)), expected_instead(number.fault)};
+      else if (number.fault != NumberFault::none)
+        refuse("a number");
     }
     if (i < 2) coordinate[i] = number.value;
     if (i == 2 && !measured_) heights_.take(z = number.value);
     text_.remove_prefix(static_cast<std::size_t>(number.end - text_.data()));
-    if (!text_.empty() && !is_space(text_.front()) && text_.front() != ',' && text_.front() != ')')
-      refuse("a blank, ',' or ')' behind a number");
+    if (!ends_at(text_.data())) refuse("a blank, ',' or ')' behind a number");
   }
   points.push_back({coordinate[0], coordinate[1]});
   z_.push_back(z);

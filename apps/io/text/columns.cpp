@@ -47,10 +47,12 @@ void refuse_repeated_column(std::string_view columns) {
 
 std::vector<Column> parse_columns(const std::string& text) {
   const std::vector<std::string_view> words = words_between_commas(text);
-  if (words.size() != 2 || words[0].empty() || words[1].empty())
-    throw WrongUsage("--columns: found " + in_quotes(text) + ", expected X,Y (two column numbers or names)");
-  std::vector<Column> columns = {parse_column(words[0]), parse_column(words[1])};
-  if (columns[0] == columns[1]) refuse_one_column(text);
+  if (words.size() > 2 || words.front().empty() || words.back().empty())
+    throw WrongUsage("--columns: found " + in_quotes(text) +
+                     ", expected X,Y (two column numbers or names), or one column of geometries");
+  std::vector<Column> columns;
+  for (const std::string_view word : words) columns.push_back(parse_column(word));
+  if (columns.size() == 2 && columns[0] == columns[1]) refuse_one_column(text);
   return columns;
 }
 

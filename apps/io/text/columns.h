@@ -23,7 +23,7 @@ struct Column {
 /// The same of columns in space.
 [[noreturn]] void refuse_repeated_column(std::string_view columns);
 
-/// "X,Y", each a number from 1 or a name, and not the same. Throws WrongUsage.
+/// "X,Y", each a number from 1 or a name, and not the same; or one, which has geometries. Throws WrongUsage.
 std::vector<Column> parse_columns(const std::string& text);
 
 /// "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a number from 1 or a name, and no two the same. Throws WrongUsage.

@@ -1,6 +1,7 @@
 #include "io/text/fields.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <iterator>
 
@@ -36,26 +37,122 @@ bool commas_are_decimal(std::string_view line, char separator) {
   return count > 1;
 }
 
+FieldCount count_fields(std::string_view line, char separator) {
+  FieldCount count;
+  for (Fields fields(line, separator); !fields.at_end();) count.add(fields.take());
+  return count;
+}
+
+std::string_view text_of_field(std::string_view field, std::string& room) {
+  const std::string_view text = without_quotes(field);
+  if (text.size() == field.size() || text.find("\"\"") == std::string_view::npos) return text;
+  room.clear();
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    room += text[at];
+    if (text.substr(at, 2) == "\"\"") ++at;
+  }
+  return room;
+}
+
+std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room) {
+  std::vector<std::string_view> result;
+  std::string text;
+  for (Fields fields(line, separator); !fields.at_end();) {
+    const std::string_view field = fields.take();
+    result.push_back(text_of_field(field, text));
+    if (result.back().data() == text.data() && !text.empty()) result.back() = room.emplace_back(text);
+  }
+  return result;
+}
+
+const char* end_of_record(std::string_view line, const char* end, char separator) {
+  constexpr std::ptrdiff_t longest = std::ptrdiff_t{1} << 20U;  // of a text that goes on in other lines
+  const char* at = line.data();
+  const char* line_end = at + line.size();
+  const auto skip_blanks = [&] {
+    while (at != line_end && is_blank(*at) && (*at != separator || separator == blanks)) ++at;
+  };
+  while (true) {
+    skip_blanks();
+    if (separator == blanks && at != line_end && *at == '#') return line_end;
+    if (at != line_end && *at == '"') {
+      const char* const limit = end - at > longest ? at + longest : end;
+      const char* const behind = end_of_quoted(at, limit);
+      if (behind == nullptr) return nullptr;
+      if (at = behind; at > line_end) {
+        line_end = std::find(at, end, '\n');
+        skip_blanks();
+        const bool is_apart = at > behind && separator == blanks;
+        if (at != line_end && *at != separator && !is_apart) return nullptr;
+      }
+    }
+    const auto ends_field = [&](char c) { return separator == blanks ? is_blank(c) : c == separator; };
+    if (at == line_end || !ends_field(*at)) at = std::find_if(at, line_end, ends_field);
+    if (at == line_end) return line_end;
+    ++at;
+  }
+}
+
+namespace {
+
+bool separates(std::string_view line, char separator) {
+  Fields fields(line, separator);
+  if (!fields.at_end()) fields.take();
+  return !fields.at_end();
+}
+
+}  // namespace
+
 char separator_of(std::string_view line) {
   for (const char c : {';', '\t', blanks})
-    if ((c == blanks || line.find(c) != std::string_view::npos) && commas_are_decimal(line, c)) return c;
+    if ((c == blanks || separates(line, c)) && commas_are_decimal(line, c)) return c;
   for (const char c : {',', ';', '\t'})
-    if (line.find(c) != std::string_view::npos) return c;
+    if (separates(line, c)) return c;
   return blanks;
 }
 
-std::string_view beyond_byte_order_mark(std::string_view text, const std::string& name) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    bad_input(name, "text in UTF-16", "UTF-8 (iconv -f UTF-16 -t UTF-8)");
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  return text;
+std::optional<char> separator_hint(std::string_view line) {
+  line = without_quotes(line);
+  if (!line.starts_with("sep=") || line.size() > 5) return std::nullopt;
+  return line.size() == 5 ? line.back() : '\t';  // which was trimmed
 }
 
-bool is_separator_hint(std::string_view line) { return line.size() == 5 && line.starts_with("sep="); }
-
 bool is_number(std::string_view field) {
-  return parse_whole_number(with_point(field)).fault != NumberFault::not_a_number;
+  return parse_written_number(with_point(field)).fault != NumberFault::not_a_number;
+}
+
+bool is_nearly_number(std::string_view field) {
+  const auto has = [&](const auto& is) { return std::any_of(field.begin(), field.end(), is); };
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  if (is_number(field)) return true;
+  if (field.empty() || is_letter(field.front()) || field.front() == '_' || !has(is_digit)) return false;
+  const std::size_t sign = field.find_first_not_of("+-.");
+  if (sign != std::string_view::npos && is_digit(field[sign])) return true;
+  return !has([&](char c) { return is_letter(c) && std::string_view("eEdD").find(c) == std::string_view::npos; });
+}
+
+bool begins_with_geometry(std::string_view field) {
+  constexpr std::string_view kinds[] = {"POINT",      "LINESTRING",       "POLYGON",      "GEOMETRYCOLLECTION",
+                                        "MULTIPOINT", "MULTILINESTRING",  "MULTIPOLYGON", "TRIANGLE",
+                                        "TIN",        "POLYHEDRALSURFACE"};
+  if (same_letters(field.substr(0, 5), "SRID=")) field.remove_prefix(std::min(field.find(';') + 1, field.size()));
+  field = trimmed(field);
+  const std::size_t letters = std::min(field.find_first_of(" \t\n("), field.size());
+  std::string_view word = field.substr(0, letters);
+  const std::size_t behind = std::min(field.find_first_not_of(" \t\nzmZM", letters), field.size());
+  const auto is = [&](std::string_view kind) {
+    return word.size() <= kind.size() + 2 && same_letters(word.substr(0, kind.size()), kind);
+  };
+  if (std::none_of(std::begin(kinds), std::end(kinds), is)) return false;
+  if (same_letters(trimmed(field.substr(letters)).substr(0, 5), "EMPTY")) return true;
+  return behind < field.size() && field[behind] == '(';
+}
+
+bool is_geometry(std::string_view field) {
+  if (!begins_with_geometry(field)) return false;
+  const auto open = std::count(field.begin(), field.end(), '(');
+  return open == std::count(field.begin(), field.end(), ')') &&
+         (open == 0 || std::any_of(field.begin(), field.end(), is_digit));
 }
 
 bool is_missing(std::string_view field) {
@@ -77,7 +174,7 @@ std::size_t find_column(const std::vector<std::string_view>& header, const std::
 
 double DecimalComma::read(std::string_view field, const std::string& here) const {
   const bool one = std::count(field.begin(), field.end(), ',') == 1 && field.find('.') == std::string_view::npos;
-  const ParsedNumber number = parse_whole_number(with_point(field));
+  const ParsedNumber number = parse_written_number(with_point(field));
   if (!one || number.fault != NumberFault::none)
     bad_input(here, in_quotes(field), expected_instead(one ? number.fault : NumberFault::not_a_number));
   return number.value;

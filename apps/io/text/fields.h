@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,14 @@ constexpr char blanks = ' ';  ///< as a separator: any run of spaces and tabs
 inline std::string_view without_quotes(std::string_view field) {
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"') return field.substr(1, field.size() - 2);
   return field;
+}
+
+/// Behind the quote that ends the text in quotes at `quote`, in which two quotes are one (RFC 4180). Null where none does
+/// before `end`.
+inline const char* end_of_quoted(const char* quote, const char* end) {
+  for (const char* at = std::find(quote + 1, end, '"'); at != end; at = std::find(at + 2, end, '"'))
+    if (at + 1 == end || at[1] != '"') return at + 1;
+  return nullptr;
 }
 
 /// The fields of one line from left to right.
@@ -34,10 +44,11 @@ class Fields {
   std::string_view take() {
     const char* first = at_;
     const char* last = first;
+    if (last != end_ && *last == '"')
+      if (const char* const behind = end_of_quoted(first, end_)) last = behind;
     if (separator_ == blanks) {
       while (last != end_ && !is_blank(*last)) ++last;
     } else {
-      if (last != end_ && *last == '"') last = std::find(last + 1, end_, '"');
       last = std::find(last, end_, separator_);
     }
     leave_field(last);
@@ -77,27 +88,53 @@ class Fields {
   bool done_ = false;
 };
 
-inline std::vector<std::string_view> split(std::string_view line, char separator) {
-  std::vector<std::string_view> result;
-  for (Fields fields(line, separator); !fields.at_end();) result.push_back(without_quotes(fields.take()));
-  return result;
-}
+/// Of a line; what is empty behind the others may be missing in other lines.
+struct FieldCount {
+  std::size_t all = 0, to_last_text = 0;
 
-/// Comma, semicolon, tab or blanks: the first of them that the line contains. A comma that stands between the digits of
-/// a number in every field that has one separates nothing.
+  void add(std::string_view field) {
+    ++all;
+    if (!field.empty()) to_last_text = all;
+  }
+  /// Whether lines of both are of one table: they differ in empty fields at the end alone.
+  bool fits(const FieldCount& first) const {
+    return all >= first.to_last_text && (all <= first.all || to_last_text <= first.all);
+  }
+};
+FieldCount count_fields(std::string_view line, char separator);
+
+/// The text of a field, in which two quotes are one; `room` holds it where it is not as in the line.
+std::string_view text_of_field(std::string_view field, std::string& room);
+
+/// The texts of all fields; `room` holds those that are not as in the line.
+std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room);
+
+/// Where the record ends that begins as `line` does: at the end of that line, or of a later one before `end` where a text in quotes
+/// goes on. Null where such a text does not end, or goes on for more than a mebibyte.
+const char* end_of_record(std::string_view line, const char* end, char separator);
+
+/// Comma, semicolon, tab or blanks: the first of them that is in the line outside of quotes. A comma that stands between the digits
+/// of a number in every field that has one separates nothing.
 char separator_of(std::string_view line);
 
 /// Whether `line`, apart at `separator`, has commas, and every one of them stands in a number of its own: "1,5;2".
 bool commas_are_decimal(std::string_view line, char separator);
 
-/// The text behind the mark of UTF-8. Throws BadInput when it is UTF-16.
-std::string_view beyond_byte_order_mark(std::string_view text, const std::string& name);
-
-/// "sep=;", which Excel may write before everything else; the lines show it as well.
-bool is_separator_hint(std::string_view line);
+/// What "sep=;" says, which Excel may write before everything else.
+std::optional<char> separator_hint(std::string_view line);
 
 /// With a decimal point or comma.
 bool is_number(std::string_view field);
+
+/// Whether it was meant to be one, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or has no letters but
+/// those of exponents.
+bool is_nearly_number(std::string_view field);
+
+/// Whether it begins as well-known text does, and its brackets close.
+bool is_geometry(std::string_view field);
+
+/// Whether it has the name of a geometry, after which a bracket opens or there is EMPTY.
+bool begins_with_geometry(std::string_view text);
 
 /// What programs write where there is no value: "NA", nothing, and others.
 bool is_missing(std::string_view field);

@@ -39,27 +39,29 @@ class LineSelection {
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
   /// Whether a line is as the condition asks. Of its fields read(fields) makes the requested numbers, and
-  /// take_width(n) judges how many there are.
+  /// take_width(widths) judges how many there are.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
-    std::size_t count = 0;
+    FieldCount count;
     const std::size_t keys = where_->has_key() ? 1 : 0, of_groups = keys + (where_->has_radius() ? 1 : 0);
     const auto first_number = columns_.begin() + static_cast<std::ptrdiff_t>(of_groups);
-    for (; !fields.at_end(); ++count) {
-      if (keys > 0 && columns_[0] == count)
-        selection_->values()[0] = keys_.number_of(without_quotes(Fields(fields).take()));
-      if (of_groups > keys && columns_[keys] == count)
+    while (!fields.at_end()) {
+      const std::size_t column = count.all;
+      if (keys > 0 && columns_[0] == column)
+        selection_->values()[0] = keys_.number_of(text_of_field(Fields(fields).take(), room_));
+      if (of_groups > keys && columns_[keys] == column)
         selection_->values()[keys] = radius_of(without_quotes(Fields(fields).take()));
-      if (std::find(text_columns_.begin(), text_columns_.end(), count) != text_columns_.end())
-        compare_texts(count, without_quotes(Fields(fields).take()));
-      if (std::find(first_number, columns_.end(), count) == columns_.end()) {
-        fields.take();
+      if (std::find(text_columns_.begin(), text_columns_.end(), column) != text_columns_.end())
+        compare_texts(column, text_of_field(Fields(fields).take(), room_));
+      if (std::find(first_number, columns_.end(), column) == columns_.end()) {
+        count.add(fields.take());
         continue;
       }
+      count.add("a number");
       const double value = read(fields);
       for (auto i = static_cast<std::size_t>(first_number - columns_.begin()); i < columns_.size(); ++i)
-        if (columns_[i] == count)  // which may have been named in two ways
+        if (columns_[i] == column)  // which may have been named in two ways
           selection_->values()[i] = value;
     }
     take_width(count);
@@ -75,13 +77,19 @@ class LineSelection {
     try {
       take();
     } catch (const BadInput& refusal) {
-      if (!skip_invalid_) throw;
-      if (skipped_++ == 0) first_skipped_ = refusal.what();
+      if (!leaves_out(refusal)) throw;
     }
   }
 
   /// For messages about a line that would be left out.
   std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are no point)"; }
+
+  /// Leaves out the current line, if lines may be.
+  bool leaves_out(const BadInput& refusal) {
+    if (skip_invalid_ && skipped_++ == 0) first_skipped_ = refusal.what();
+    return skip_invalid_;
+  }
+  bool skips() const { return skip_invalid_; }
 
   /// What was selected, and what was left out. Throws BadInput when that is all there was.
   void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
@@ -117,6 +125,7 @@ class LineSelection {
   std::vector<std::size_t> text_columns_ = {};  // of its texts
   std::optional<Selection> selection_ = std::nullopt;
   Keys keys_ = {};
+  std::string room_ = {};
   std::size_t skipped_ = 0;
   std::string first_skipped_ = {};
 };

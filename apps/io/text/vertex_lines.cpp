@@ -28,7 +28,7 @@ double take_coordinate(std::string_view& rest, const Lines& lines, const std::st
   if (coordinate.fault == NumberFault::none && take_up_to(coordinate.end, rest)) return coordinate.value;
   const std::string_view word = take_word(rest);
   if (word.empty()) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "another number");
-  const ParsedNumber number = parse_whole_number(word);
+  const ParsedNumber number = parse_written_number(word);
   if (number.fault != NumberFault::none)
     bad_input(at_line(name, lines.number()), in_quotes(word), expected_instead(number.fault));
   return number.value;

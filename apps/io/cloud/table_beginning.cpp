@@ -1,0 +1,172 @@
+#include "io/cloud/table_beginning.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "io/cloud/xyz_atoms.h"
+#include "io/failure.h"
+#include "io/formats.h"
+#include "io/text/fields.h"
+#include "io/text/vertex_lines.h"
+
+namespace rbpa::app {
+namespace {
+
+class Starter {
+ public:
+  Starter(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
+          std::vector<std::string>& remarks)
+      : lines_(lines), kind_(kind), request_(request), selection_(selection), remarks_(remarks) {}
+
+  TableStart start() {
+    std::optional<char> said;
+    start_.has_line = lines_.next();
+    if (start_.has_line && (said = separator_hint(lines_.line()))) start_.has_line = lines_.next();
+    if (start_.has_line && kind_ != TableKind::atoms) {
+      comment_ = lines_.comment_before();
+      if (take_atoms()) return std::move(start_);
+      take_count();
+    }
+    if (start_.has_line)
+      lay_out(said);
+    else if (is_by_name(request_.columns))
+      bad_input(lines_.name(), "no header line", "one with the column names");
+    return std::move(start_);
+  }
+
+ private:
+  void next() {
+    start_.has_line = lines_.next();
+    if (start_.has_line && !lines_.comment_before().empty()) comment_ = lines_.comment_before();
+  }
+
+  /// The .xyz of chemistry; only that ending, or none, may have numbers for elements.
+  bool take_atoms() {
+    if (kind_ != TableKind::any || !parse_count(lines_.line())) return false;
+    const std::string_view known = input_ending(lines_.name());
+    const auto atoms = find_xyz_atoms(lines_.ahead(separator_sample), known.empty() || same_letters(known, "xyz"));
+    if (!atoms) return false;
+    start_.announced = AnnouncedPoints{atoms->count, lines_.number(), true};
+    lines_.pass_line(atoms->behind_comment);
+    start_.has_line = lines_.next();
+    if (request_.columns) {  // which may be chosen by these names
+      comment_.clear();
+      for (const std::string& name : atoms->names) comment_ += name + ' ';
+      return false;
+    }
+    const std::vector<std::string_view> names(atoms->names.begin(), atoms->names.end());
+    lay_out_by_names(names, request_.in_space, start_.layout);
+    start_.layout.width = count_fields(lines_.line(), blanks);
+    finish(blanks);
+    return true;
+  }
+
+  /// A line with one whole number, before lines with more, is the number of points.
+  void take_count() {
+    const std::optional<std::size_t> count = parse_count(lines_.line());
+    if (!count || start_.announced) return;
+    if (kind_ != TableKind::pts && (request_.skip_invalid || !is_before_points())) return;
+    start_.announced = AnnouncedPoints{*count, lines_.number()};
+    next();
+  }
+  bool is_before_points() const {
+    Lines behind(lines_.ahead(separator_sample));
+    const std::size_t least = kind_ == TableKind::any ? 2 : 6;
+    behind.next();
+    return behind.next_with_content() && count_fields(behind.line(), separator_of(behind.line())).all >= least;
+  }
+
+  void lay_out(std::optional<char> said) {
+    std::deque<std::string> room;
+    constexpr std::size_t most_tries = 1000;  // each looks at the lines ahead
+    std::optional<SeparatorChoice> choice;
+    for (std::size_t tries = 0;; ++tries) {
+      if (tries < most_tries)
+        choice = choose_separator(lines_.ahead(separator_sample), said, selection_.skips(), lines_.name());
+      try {
+        lay_out(*choice, said.has_value(), room);
+        return;
+      } catch (const BadInput& refusal) {
+        if (!selection_.leaves_out(refusal)) throw;
+      }
+      lines_.set_layout('\0', 0);
+      comment_.clear();
+      next();
+      if (!start_.has_line) return;
+      room.clear();
+    }
+  }
+
+  void lay_out(const SeparatorChoice& choice, bool is_said, std::deque<std::string>& room) {
+    std::vector<std::string> remarks;
+    char separator = choice.separator;
+    lines_.set_layout(separator, choice.fields.to_last_text);
+    if (!is_said && choice.lines > 0 && count_fields(lines_.line(), separator).all == 1) {  // a header has its own
+      separator = separator_of(lines_.line());
+      lines_.set_layout(separator, choice.fields.to_last_text);
+    }
+    if (lines_.is_open()) refuse_open();
+    TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice};
+    table.fields = split(lines_.line(), separator, room);
+    for (const std::string_view field : table.fields) table.width.add(field);
+    if (selection_.skips() && choice.lines > 0 && !choice.first_fits)
+      bad_input(at_line(lines_.name(), lines_.number()), found_columns(table.width.all, lines_.line()),
+                std::to_string(choice.fields.all) + " as in lines behind it");
+    const std::size_t least = std::min<std::size_t>(table.fields.size(), request_.in_space ? 3 : 2);
+    table.fields.resize(std::max(table.width.to_last_text, least));
+    if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
+    start_.layout = lay_out_table(table, kind_, request_, remarks);
+    if (start_.layout.header) {
+      start_.header = lines_.line();
+      start_.layout.names = table.fields;
+    }
+    remarks_.insert(remarks_.end(), remarks.begin(), remarks.end());
+    const bool was_said = is_said || choice.lines > 0;
+    finish(was_said ? choice.separator : separator);
+    if (!start_.layout.header) return;
+    lines_.set_layout('\0', 0);
+    next();
+    if (!start_.has_line) return;
+    take_count();
+    if (!was_said && start_.has_line) start_.separator = separator_of_data(separator);
+    lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
+  }
+
+  /// Of the line, where nothing is known of others. The commas of a geometry separate none of its fields.
+  char separator_of_data(char of_header) {
+    if (start_.layout.wkt) return count_fields(start_.header, of_header).all > 1 ? of_header : ';';
+    lines_.set_layout(of_header, 0);
+    const bool fits = !lines_.is_open() && count_fields(lines_.line(), of_header).all > 1;
+    return fits ? of_header : separator_of(lines_.line());
+  }
+
+  [[noreturn]] void refuse_open() const {
+    bad_input(at_line(lines_.name(), lines_.number()), "a text in quotes that does not end", "a quote behind it");
+  }
+
+  void finish(char separator) {
+    start_.any_table = true;
+    start_.separator = separator;
+    start_.first_line = lines_.number();
+    selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
+    start_.layout.names.clear();  // which may not stay
+    lines_.set_layout(separator, start_.layout.width.to_last_text);
+  }
+
+  TableLines& lines_;
+  TableKind kind_;
+  const CloudRequest& request_;
+  LineSelection& selection_;
+  std::vector<std::string>& remarks_;
+  std::string comment_ = {};  // right before the first line of the table, or the count before that
+  TableStart start_ = {};
+};
+
+}  // namespace
+
+TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
+                       std::vector<std::string>& remarks) {
+  return Starter(lines, kind, request, selection, remarks).start();
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,274 @@
+// What stands first in a table: a header, numbers in other writing, a count, comments with names, atoms of chemistry.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/cloud/point_blocks.h"
+#include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/text/fields.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using rbpa::Point;
+using rbpa::Point3;
+using namespace rbpa::app;
+
+namespace {
+
+using Points = std::vector<Point>;
+using Places = std::vector<Point3>;
+
+PointFile plane(const std::string& text, const PointSource& source = {}, const std::string& name = "t.txt") {
+  return points_in(text, name, source);
+}
+SpacePoints space(const std::string& text, const CloudRequest& request = {}, Format format = Format::text,
+                  const std::string& name = "t.txt") {
+  return space_points_in(text, name, format, request);
+}
+
+template <typename Read>
+std::string refusal(const Read& read) {
+  try {
+    read();
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+const std::string lines = "0 0 1\n1 0 2\n0 1 3\n";
+const Points points = {{0, 0}, {1, 0}, {0, 1}};
+const Places places = {{0, 0, 1}, {1, 0, 2}, {0, 1, 3}};
+
+CloudRequest where(const std::string& condition) { return {.where = Condition(condition, names_of_columns())}; }
+
+}  // namespace
+
+TEST_SUITE("first lines") {
+  TEST_CASE("what is nearly a number is no name") {
+    for (const std::string field : {"1", "-1.5", "1.0D0",
+                                    "\xE2\x88\x92"
+                                    "1",
+                                    "12o", "1..2", "1'000", "<0.5", "+3x", ".5.", "(1"})
+      CHECK(is_nearly_number(field));
+    for (const std::string field : {"x", "", "x1", "lon", "d1", "e2", "_1", "-", "NA", "x-2", "\xC3\xA9tage"})
+      CHECK_FALSE(is_nearly_number(field));
+  }
+
+  TEST_CASE("a first line with what is nearly a number is read, or refused as in any other line") {
+    struct Line {
+      std::string text, found;  ///< what is refused; empty where it is read
+      Point point = {};
+    };
+    const Line first[] = {{"1.0D0 2.0D0", "", {1, 2}},
+                          {"1.5d+2 -2.5D-1", "", {150, -0.25}},
+                          {"\xE2\x88\x92"
+                           "1 \xE2\x88\x92"
+                           "2",
+                           "",
+                           {-1, -2}},
+                          {"\xE2\x88\x92"
+                           "1.5e\xE2\x88\x92"
+                           "3 2",
+                           "",
+                           {-1.5e-3, 2}},
+                          {"1..2 3..4", "1..2"},
+                          {"12o 13o", "12o"},
+                          {"O 0", "O"},
+                          {"\xE2\x80\x93"
+                           "1 \xE2\x80\x93"
+                           "2",
+                           "\xE2\x80\x93"
+                           "1"},
+                          {"1'000 2'000", "1'000"},
+                          {"<1 <2", "<1"},
+                          {"0x1F 0x2F", "0x1F"},
+                          {"1_0 2_0", "1_0"}};
+    for (const Line& line : first) {
+      CAPTURE(line.text);
+      for (const bool is_first : {true, false}) {
+        const std::string text = is_first ? line.text + "\n1 0\n0 1\n" : "1 0\n" + line.text + "\n0 1\n";
+        if (line.found.empty()) {
+          CHECK(plane(text).points[is_first ? 0 : 1] == line.point);
+          CHECK(plane(text).points.size() == 3);
+        } else {
+          CHECK(refusal([&] { plane(text); }) ==
+                std::string("t.txt:") + (is_first ? "1" : "2") + ": found '" + line.found + "', expected a number");
+        }
+      }
+    }
+    CHECK(plane("1,0D0;2\n1,5;2\n").points == Points{{1, 2}, {1.5, 2}});
+    CHECK(space("1.0D0 2.0D0 3.0D0\n" + lines).points.size() == 4);
+    CHECK(refusal([] { space("1..0 2..0 3..0\n" + lines); }).starts_with("t.txt:1: found '1..0'"));
+    CHECK(refusal([] { plane("a b 3\n0 0 1\n"); }).starts_with("t.txt:1: found 'a', expected a number"));
+  }
+
+  TEST_CASE("names are names, whatever they look like") {
+    for (const std::string header : {"x y", "a b", "x1 y1", "d1 d2", "lon lat", "a_b c-d", "-x -y"})
+      CHECK(plane(header + "\n0 0\n1 0\n0 1\n").points == points);
+    CHECK(plane("id,lon,lat,2m_temperature,2015\n7,0,0,1,2\n7,1,0,1,2\n7,0,1,1,2\n").points == points);
+    CHECK(plane("0,0,E,N\n1,0,E,N\n0,1,E,N\n").points == points);  // directions, and no names
+    CHECK(space("x,y,z,2015\n0,0,1,9\n1,0,2,9\n0,1,3,9\n").points == places);
+  }
+
+  TEST_CASE("other formats read a D and the sign too") {
+    const std::string minus = "\xE2\x88\x92";
+    CHECK(space("OFF\n3 0 0\n0 0 1.0D0\n1 0 2\n0 1 3\n", {}, Format::off).points == places);
+    CHECK(space("v 0 0 1.0D+0\nv 1 0 2\nv 0 1 3\n", {}, Format::obj).points == places);
+    CHECK(plane("MULTIPOINT (1.0D0 " + minus + "2, 3 4)", {.format = Format::wkt}).points == Points{{1, -2}, {3, 4}});
+    CHECK(refusal([] { plane("POINT (1.0X0 2)", {.format = Format::wkt}); }) ==
+          "t.txt:1: found 'X0 2)', expected a blank, ',' or ')' behind a number");
+  }
+
+  TEST_CASE("--size-at: a header has nothing that is nearly a number") {
+    const Folder folder;
+    folder.file("s.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    const auto run = [&](const std::string& text) {
+      folder.file("t.size", text);
+      return folder.rbpa("fill s.poly --size 1 --size-at t.size -o m.off");
+    };
+    CHECK(run("x y size\n0 0 0.05\n1 1 0.5\n").code == 0);
+    const std::string whole = folder.content("m.off");
+    CHECK(run("0 0 5.0D-2\n1 1 0.5\n").code == 0);
+    CHECK(folder.content("m.off") == whole);
+    const Outcome typo = run("O 0 0.05\n1 1 0.5\n");
+    CHECK(typo.code == 3);
+    CHECK(typo.err == "rbpa: t.size:1: found 'O', expected a number\n");
+  }
+
+  TEST_CASE("a line with one whole number before lines with more is how many follow, behind a header too") {
+    for (const std::string before :
+         {"3\n", "x y z\n3\n", "# x y z\n3\n", "// made\n// X Y Z\n3\n", "//X Y Z\n\n3\n\n"}) {
+      CAPTURE(before);
+      CHECK(plane(before + lines).points == points);
+      CHECK(space(before + lines).points == places);
+      CHECK(space(before + lines, {}, Format::pts).points == places);
+      CHECK(plane(before + lines, {.skip_invalid = true}).points == points);
+      CHECK(space(before + lines, {.skip_invalid = true}).points == places);
+    }
+    CHECK(refusal([] { plane("4\n" + lines); }) ==
+          "t.txt: found 3 lines of points, expected 4 as line 1 says (--skip-invalid reads what is there)");
+    CHECK(refusal([] { plane("x y z\n2\n" + lines); }) ==
+          "t.txt: found 3 lines of points, expected 2 as line 2 says (--skip-invalid reads what is there)");
+    CHECK(refusal([] { plane("3\n"); }).starts_with("t.txt:1: found 1 column"));
+    CHECK(refusal([] { plane("1\n2\n3\n"); }).starts_with("t.txt:1: found 1 column"));
+  }
+
+  TEST_CASE("comments that name columns are headers: CloudCompare's, in the plane as in space") {
+    const std::string two = "7 0 0 1 0 0 1\n8 1 0 2 0 0 1\n";
+    for (const std::string mark : {"#", "# ", "//", "// "})
+      for (const std::string count : {"", "2\n"}) {
+        const std::string text = mark + "Class X Y Z Nx Ny Nz\n" + count + two;
+        CAPTURE(text);
+        CHECK(space(text).points == Places{{0, 0, 1}, {1, 0, 2}});
+        CHECK(space(text).normals == Places{{0, 0, 1}, {0, 0, 1}});
+        CHECK(space(text, where("class == 8")).points == Places{{1, 0, 2}});
+        CHECK(space(text, {.columns = parse_space_columns("X,Y,Z")}).points == Places{{0, 0, 1}, {1, 0, 2}});
+        CHECK(space(text, {}, Format::pts).normals.size() == 2);
+        CHECK(plane(text).points == Points{{0, 0}, {1, 0}});
+        CHECK(plane(text).heights.differ());
+        CHECK(plane(text, {.columns = parse_columns("Y,X")}).points == Points{{0, 0}, {0, 1}});
+      }
+    CHECK(plane("//lon;lat\n0;0\n1;0\n0;1\n").degrees);
+    CHECK(plane("// y x\n0 0\n1 0\n0 1\n").points == Points{{0, 0}, {0, 1}, {1, 0}});
+    CHECK(plane("0 0\n// 5 5\n1 0\n  // x\n0 1\n").points == points);
+  }
+
+  TEST_CASE("--skip-invalid passes whatever stands first") {
+    for (const std::string junk : {"4", "// names", "my cloud", "made by a b c d e", "1 2", "1 2 3 4 5 6 7", "x",
+                                   "NaN NaN NaN", "a;b;c;d", "\"open", "1,2,3,4 5"}) {
+      CAPTURE(junk);
+      for (const std::string header : {"", "x y z\n"}) {
+        CAPTURE(header);
+        CHECK(plane(junk + "\n" + header + lines, {.skip_invalid = true}).points == points);
+        CHECK(space(junk + "\n" + header + lines, {.skip_invalid = true}).points == places);
+        if (!header.empty()) {
+          CHECK(plane(header + junk + "\n" + lines, {.skip_invalid = true}).points == points);
+          CHECK(space(header + junk + "\n" + lines, {.skip_invalid = true}).points == places);
+        }
+      }
+    }
+    const PointFile file = plane("x,y,z\n4\n0,0,1\n1,0,2\n0,1,3\n", {.skip_invalid = true});
+    CHECK(file.points == points);
+    CHECK(file.remarks ==
+          std::vector<std::string>{"1 line is left out: t.txt:2: found 1 column ('4'), expected 3 as in line 1"});
+    CHECK(plane("junk\nlat,lon\n0,0\n0,1\n1,0\n", {.columns = parse_columns("lon,lat"), .skip_invalid = true}).points ==
+          points);
+    CHECK(refusal([] { plane("a\nb\n", {.skip_invalid = true}); }) ==
+          "t.txt: found 2 lines and no point, expected at least one (t.txt:1: found 'a', expected two numbers)");
+  }
+
+  TEST_CASE("a column of geometries has any name, or none") {
+    for (const std::string header : {"", "device,position,time\n"}) {
+      const std::string text =
+          header + "DT0.Position,POINT (0 0),2019-07-30 18:00:50\na,POINT (1 0),b\nc,\"POINT (0 1)\",d\n";
+      CHECK(plane(text).points == points);
+      CHECK(plane(text, {.columns = parse_columns("2")}).points == points);
+    }
+    const std::string text = "a,b,p\n7,8,POINT (0 0)\n7,8,POINT (1 0)\n7,8,POINT (0 1)\n";
+    CHECK(plane(text, {.columns = parse_columns("p")}).points == points);
+    CHECK(plane(text, {.columns = parse_columns("a,b")}).points == Points{{7, 8}, {7, 8}, {7, 8}});
+    CHECK(plane("lon,lat,p\n0,0,POINT (9 9)\n1,0,POINT (9 9)\n0,1,POINT (9 9)\n").points == points);
+    CHECK(refusal([&] { plane(text, {.columns = parse_columns("a")}); }) ==
+          "t.txt:2: found '7', expected a geometry, such as 'POINT (1 2)'");
+  }
+
+  TEST_CASE("atoms of chemistry: count, comment, element and x y z") {
+    const std::vector<std::string> elements = {"C", "Cl", "6", "C1", "Fe+3"};
+    for (const std::string& element : elements)
+      for (const std::string comment : {"", "comment here", "1 2 3", "# none", "0 1",
+                                        "Lattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3 pbc=\"F F F\""})
+        for (const std::string more : {"", " 0.5", " 1 2 3"}) {
+          std::string text = "3\n" + comment + "\n";
+          for (const Point3& p : places)
+            text += element + "  " + std::to_string(p.x) + "\t" + std::to_string(p.y) + " " + std::to_string(p.z) +
+                    more + "\n";
+          CAPTURE(text);
+          CHECK(space(text, {}, Format::text, "m.xyz").points == places);
+          CHECK(plane(text, {}, "m.xyz").points == points);
+          CHECK(plane(text, {}, "m.xyz").heights.differ());
+          if (element != "6") CHECK(space(text, where("element == '" + element + "'")).points == places);
+        }
+    const std::string moved = "Properties=id:I:1:pos:R:3:species:S:1:force:R:3\n";
+    CHECK(
+        space("2\n" + moved + "1 0 0 1 C 7 8 9\n2 1 0 2 N 7 8 9\n", where("element == 'N' and force_2 == 8")).points ==
+        Places{{1, 0, 2}});
+    CHECK(refusal([] { space("3\n\nC 0 0 1\nC 1 0 2\n"); }) ==
+          "t.txt: found 2 lines of points, expected 3 as line 1 says (--skip-invalid reads what is there)");
+    CHECK(refusal([] { space("1\n\nC 0 0 1\nC 1 0 2\n"); }) ==
+          "t.txt:4: found 'C 1 0 2', expected nothing behind the atoms, or more of them: 1 as line 1 says "
+          "(--skip-invalid reads what is there)");
+    const SpacePoints frames = space("1\nfirst\nC 0 0 1\n1\nsecond\nC 1 0 2\n");
+    CHECK(frames.points == Places{{0, 0, 1}});
+    CHECK(frames.remarks ==
+          std::vector<std::string>{
+              "the atoms are the 1 as line 1 says, of the first frame; what follows them is left out"});
+    // Where nothing says that they are atoms, numbers of elements are no coordinates.
+    const std::string bare = "6 0.5 0 1\n7 1 0 2\n8 0 1.5 3\n";
+    CHECK(refusal([&] { plane(bare, {}, "m.xyz"); }).find("--columns 2,3 reads atoms") != std::string::npos);
+    CHECK(refusal([&] { space(bare, {}, Format::text, "m.xyz"); }).find("--columns 2,3,4 reads atoms") !=
+          std::string::npos);
+    CHECK(plane(bare, {}, "m.csv").points.size() == 3);
+    CHECK(plane(bare, {.columns = parse_columns("2,3")}, "m.xyz").points[0] == Point{0.5, 0});
+  }
+
+  TEST_CASE("files by pieces begin as files in memory do") {
+    const Folder folder;
+    std::string many;
+    for (int i = 0; i < 200000; ++i) many += "C " + std::to_string(i) + " 1 2\n";
+    std::string table = "//X Y Z name\n200000\n";
+    for (int i = 0; i < 200000; ++i) table += std::to_string(i) + " 1 2 C\n";
+    for (const std::string& path : {folder.file("m.xyz", "200000\n\n" + many), folder.file("t.txt", table)}) {
+      const PointFile whole = read_points({.path = path});
+      const auto blocks = open_point_blocks({.path = path});
+      Points all, block;
+      while (blocks->next(block)) all.insert(all.end(), block.begin(), block.end());
+      CHECK(all == whole.points);
+      CHECK(all.size() == 200000);
+      CHECK(blocks->about().remarks == whole.remarks);
+    }
+  }
+}
