@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "cli/stats.h"
+#include "cli/void_files.h"
 #include "io/bytes/number.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
@@ -24,6 +26,7 @@ Json base(const PeriodicFacts& facts) {
           {"box", {facts.box.x, facts.box.y, facts.box.z}},
           {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
           {"alpha_rule", facts.alpha_rule},
+          {"complex", facts.walls == VoidWalls::full ? "full" : "solid"},
           {"tetrahedra", topology.tetrahedra},
           {"triangles", topology.triangles},
           {"edges", topology.edges},
@@ -35,23 +38,23 @@ Json base(const PeriodicFacts& facts) {
           {"area", topology.area}};
 }
 
-Json json_of(const PeriodicPart& part) {
-  return {{"volume", part.volume},
-          {"area", part.area},
-          {"dimension", part.dimension},
-          {"tetrahedra", part.tetrahedra},
-          {"points", part.points}};
+Json json_of(const PeriodicPart& part, bool is_void) {
+  Json json = is_void ? json_of_volumes(part.volume, part.outside_balls) : Json{{"volume", part.volume}};
+  json.update(Json{
+      {"area", part.area}, {"dimension", part.dimension}, {"tetrahedra", part.tetrahedra}, {"points", part.points}});
+  return json;
 }
 
 }  // namespace
 
-std::string text_of_periodic(const PeriodicTopology& topology) {
+std::string text_of_periodic(const PeriodicFacts& facts) {
+  const PeriodicTopology& topology = *facts.topology;
   const auto closed = static_cast<std::size_t>(std::count_if(topology.voids.begin(), topology.voids.end(),
                                                              [](const PeriodicPart& v) { return v.dimension == 0; }));
   return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
          counted(topology.solid_components.size(), "solid component") + ", " + counted(closed, "closed void") + ", " +
          counted(topology.voids.size() - closed, "channel") + ", volume " + rounded(topology.volume, 6) + ", area " +
-         rounded(topology.area, 6);
+         rounded(topology.area, 6) + " (voids of the " + (facts.walls == VoidWalls::full ? "full complex)" : "solid)");
 }
 
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {
@@ -70,29 +73,28 @@ void write_periodic_json(OutputFile& file, const PeriodicFacts& facts) {
   for (const auto& [key, parts] : {std::pair{"solid_component_list", &facts.topology->solid_components},
                                    std::pair{"void_list", &facts.topology->voids}}) {
     report[key] = Json::array();
-    for (const PeriodicPart& part : *parts) report[key].push_back(json_of(part));
+    for (const PeriodicPart& part : *parts) report[key].push_back(json_of(part, parts == &facts.topology->voids));
   }
   write_json(file, report, 1);
 }
 
-void write_periodic_voids(OutputFile& file, Format format, std::span<const PeriodicPart> voids) {
+void write_periodic_voids(OutputFile& file, Format format, const PeriodicFacts& facts) {
+  const std::vector<PeriodicPart>& voids = facts.topology->voids;
   if (format == Format::json) {
     std::string before = "[\n";
     for (const PeriodicPart& part : voids) {
       stop_if_interrupted();
-      file.write(before + json_of(part).dump());
+      file.write(before + json_of(part, true).dump());
       before = ",\n";
     }
     return file.write(voids.empty() ? "[]\n" : "\n]\n");
   }
-  file.write("number,volume,area,dimension,tetrahedra,points\n");
+  file.write(volume_columns(facts.walls) + ",area,dimension,tetrahedra,points\n");
   std::uint64_t number = 0;
   for (const PeriodicPart& part : voids) {
-    file.write_number(++number);
-    for (const double value : {part.volume, part.area}) {
-      file.write(",");
-      file.write_number(value);
-    }
+    write_volumes(file, ++number, part.volume, part.outside_balls);
+    file.write(",");
+    file.write_number(part.area);
     for (const std::size_t count : {std::size_t{part.dimension}, part.tetrahedra, part.points.size()}) {
       file.write(",");
       file.write_number(std::uint64_t{count});

@@ -35,6 +35,8 @@ class PeriodicRun : public Run {
  private:
   /// What somebody reads of it.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
+  std::string name_of_points() const;
+  void remark_range() const;
   void build();
   void select_within();
   void write();
@@ -48,6 +50,26 @@ class PeriodicRun : public Run {
   PeriodicFacts facts_;
 };
 
+/// "atoms" of a molecule, else "points".
+std::string PeriodicRun::name_of_points() const {
+  const Format format = request_.source.format;
+  return format == Format::pdb || format == Format::cif ? "atoms" : "points";
+}
+
+/// Points that are not all within one box may have been given the wrong one.
+void PeriodicRun::remark_range() const {
+  Point3 low = file_.points.front(), high = low;
+  for (const Point3& p : file_.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Point3 reach = {high.x - low.x, high.y - low.y, high.z - low.z}, &box = *request_.box;
+  if (reach.x <= box.x && reach.y <= box.y && reach.z <= box.z) return;
+  remark(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
+         rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
+         rounded(box.z, 3) + ": they count modulo its sides");
+}
+
 void PeriodicRun::build() {
   const SolidAlpha& alpha = request_.alpha;
   // Voids are made of the tetrahedra that are left out.
@@ -60,13 +82,15 @@ void PeriodicRun::build() {
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what() +
                    (needs_all && std::isfinite(alpha.radius)
-                        ? "; voids and counts need all tetrahedra (--quiet writes those within --alpha without them)"
+                        ? "; voids and counts at --alpha " + rounded(alpha.radius, 6) +
+                              " need all tetrahedra (--quiet writes those within --alpha without them)"
                         : ""));
   }
   facts_.points = file_.points.size();
   facts_.distinct = solid_.distinct;
   facts_.box = solid_.box;
   facts_.alpha = alpha.radius;
+  facts_.walls = request_.walls;
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
   if (needs_all) select_within();
@@ -84,7 +108,9 @@ void PeriodicRun::select_within() {
     facts_.alpha = request_.alpha.choose(without_offsets(solid_), radii);
     stop_if_interrupted();
   }
-  if (is_counted()) facts_.topology = periodic_topology(solid_, radii, facts_.alpha);
+  if (is_counted())
+    facts_.topology =
+        periodic_topology(solid_, radii, facts_.alpha, facts_.walls, options().threads, until_interrupted());
   solid_ = within(solid_, radii, facts_.alpha);
   stop_if_interrupted();
   facts_.count_seconds = lap();
@@ -119,14 +145,15 @@ void PeriodicRun::write() {
       write_surface(file, request_.boundary->format, {.vertices = solid_.positions, .triangles = boundary_});
     });
   if (request_.voids)
-    add(request_.voids->path,
-        [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, facts_.topology->voids); });
+    add(request_.voids->path, [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, facts_); });
 }
 
 void PeriodicRun::run() {
   const SpacePointSource& source = request_.source;
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   remark(file_.remarks);
+  if (file_.points.empty()) throw BadInput(input() + ": 0 " + name_of_points() + " selected, and a box needs some");
+  remark_range();
   facts_.read_seconds = lap();
   build();
   boundary_ = periodic_boundary(solid_);
@@ -136,14 +163,16 @@ void PeriodicRun::run() {
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
   publish();
 
-  if (solid_.simplices.empty()) say("rbpa", "there is no tetrahedron: no four points have a circumradius so small");
+  const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == VoidWalls::full;
+  if (solid_.simplices.empty() && !has_void)
+    say("rbpa", "there is no tetrahedron: no four points have a circumradius so small");
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids})
     if (target) files.push_back(target->path);
   if (facts_.topology)
     summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
-              ": " + text_of_periodic(*facts_.topology) + list_of(files));
+              ": " + text_of_periodic(facts_) + list_of(files));
 }
 
 }  // namespace

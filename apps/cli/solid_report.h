@@ -24,7 +24,8 @@ struct SolidFacts {
   SolidCounts counts = {};
   BoundaryMeasures measures = {};
   std::optional<BallUnion> balls = {};          ///< where asked for
-  std::optional<FullCounts> full = {};          ///< of the full complex, where asked for; then voids are its own
+  std::optional<FullCounts> full = {};          ///< of the full complex, where asked for
+  VoidWalls walls = VoidWalls::solid;           ///< of voids
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
   std::optional<double> choose_seconds = {};  ///< where a rule chooses alpha

@@ -62,7 +62,6 @@ Point3 parse_box(const std::string& text) {
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
     throw WrongUsage("--alpha: found plateau and --box, expected a radius, auto or min");
-  if (arguments.complex) throw WrongUsage("--complex: found --box as well, with which it is always the solid");
   if (arguments.balls) throw WrongUsage("--balls: found --box as well, expected one of them");
   for (const auto& [is_given, option] :
        {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
@@ -71,6 +70,13 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
     throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
                      " and --box, whose voids may have no end; expected json or csv");
+}
+
+/// Whether a ball can leave a void is asked of the full complex: triangles without a tetrahedron stop it as well.
+VoidWalls parse_walls(const SolidArguments& arguments) {
+  const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
+  const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
+  return is_full ? VoidWalls::full : VoidWalls::solid;
 }
 
 bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
@@ -109,7 +115,7 @@ SolidRequest parse(const SolidArguments& arguments) {
                        .boundary = {},
                        .voids = {},
                        .pockets = {},
-                       .is_full = arguments.complex && parse_is_full(*arguments.complex),
+                       .walls = parse_walls(arguments),
                        .width = parse_width(arguments.width),
                        .run = parse_run(arguments.run)};
   if (arguments.cover) {

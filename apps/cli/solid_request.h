@@ -17,6 +17,7 @@
 #include "rbpa/base/progress.h"
 #include "rbpa/solid.h"
 #include "rbpa/solid_radii.h"
+#include "rbpa/voids.h"
 
 namespace rbpa::app {
 
@@ -42,7 +43,7 @@ struct SolidRequest {
   std::optional<Target> boundary, voids, pockets;
   double voids_above = 0;
   std::size_t top = std::numeric_limits<std::size_t>::max();  ///< of voids, and of pockets
-  bool is_full = false;                                       ///< voids are those of the full complex
+  VoidWalls walls;  ///< of voids: as --complex says, else full where voids are what is asked for
   int width;
   RunOptions run;
 };

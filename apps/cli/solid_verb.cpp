@@ -44,6 +44,10 @@ class SolidRun : public Run {
   /// What somebody reads of it.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_lives() const { return arguments_.void_radii || request_.pockets; }
+  /// Whether voids are those of the full complex.
+  bool is_full() const { return request_.walls == VoidWalls::full; }
+  /// The triangles of facts_.voids.
+  const Surface& around_voids() const { return is_full() ? void_boundary_ : boundary_.surface; }
   bool has_boundary() const;
   void build();
   void select_within();
@@ -62,7 +66,7 @@ class SolidRun : public Run {
   SpacePoints file_;
   Solid solid_;
   SolidBoundary boundary_;
-  Surface void_boundary_;  // the triangles of facts_.voids
+  Surface void_boundary_;  // of voids of the full complex
   Solid triangulation_;    // of all points, and its radii, where they are needed
   std::vector<double> radii_;
   SolidFacts facts_;
@@ -84,7 +88,7 @@ bool SolidRun::has_boundary() const {
 
 void SolidRun::build() {
   const SolidAlpha& alpha = request_.alpha;
-  const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || request_.is_full || has_lives();
+  const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || is_full() || has_lives();
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
     solid_ =
@@ -96,6 +100,7 @@ void SolidRun::build() {
   facts_.points = file_.points.size();
   facts_.distinct = solid_.distinct;
   facts_.alpha = alpha.radius;
+  facts_.walls = request_.walls;
   facts_.alpha_rule = name_of({.rule = alpha.rule, .rank = alpha.rank});
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
@@ -142,7 +147,7 @@ void SolidRun::count() {
   Voids all = voids(file_.points, solid_, boundary_);
   facts_.counts = all.counts;
   facts_.voids = std::move(all.all);
-  if (request_.is_full) count_full_complex();
+  if (is_full()) count_full_complex();
   if (arguments_.balls && std::isfinite(facts_.alpha))
     facts_.balls = union_of_balls(file_.points, facts_.alpha, {.threads = options().threads});
   if (arguments_.json) facts_.components = solid_components(file_.points, solid_, boundary_).all;
@@ -154,8 +159,10 @@ void SolidRun::count_full_complex() {
   try {
     facts_.full =
         count_full(file_.points, triangulation_, radii_, facts_.alpha, options().threads, until_interrupted());
-    FullVoids found = full_voids(file_.points, void_space(file_.points, triangulation_, radii_, facts_.alpha,
-                                                          options().threads, until_interrupted()));
+    FullVoids found = full_voids(
+        file_.points,
+        void_space(file_.points, triangulation_, radii_, facts_.alpha, options().threads, until_interrupted()),
+        facts_.alpha, options().threads, until_interrupted());
     facts_.voids = std::move(found.all);
     void_boundary_ = std::move(found.boundary);
   } catch (const InvalidInput& e) {
@@ -165,11 +172,9 @@ void SolidRun::count_full_complex() {
 
 void SolidRun::find_lives() {
   const ProgressLine line = options().line("radii of voids");
-  const VoidLives all(file_.points, triangulation_, radii_, request_.is_full ? VoidWalls::full : VoidWalls::solid,
-                      options().threads);
+  const VoidLives all(file_.points, triangulation_, radii_, request_.walls, options().threads);
   if (arguments_.void_radii)
-    lives_ = all.of(facts_.alpha, request_.is_full ? void_boundary_ : boundary_.surface,
-                    largest(facts_.voids, request_.voids_above, request_.top));
+    lives_ = all.of(facts_.alpha, around_voids(), largest(facts_.voids, request_.voids_above, request_.top));
   if (request_.pockets) pockets_ = all.pockets(facts_.alpha);
 }
 
@@ -210,8 +215,8 @@ void SolidRun::write() {
     add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
   if (request_.voids)
     add(request_.voids->path, [&](OutputFile& file) {
-      write_voids(file, request_.voids->format, file_.points, request_.is_full ? void_boundary_ : boundary_.surface,
-                  largest(facts_.voids, request_.voids_above, request_.top), lives_);
+      write_voids(file, request_.voids->format, file_.points, around_voids(),
+                  largest(facts_.voids, request_.voids_above, request_.top), request_.walls, lives_);
     });
   if (request_.pockets)
     add(request_.pockets->path, [&](OutputFile& file) {
@@ -244,7 +249,7 @@ void SolidRun::run() {
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_solid_stats(file, facts_); });
   publish();
 
-  if (solid_.simplices.empty()) say_empty();
+  if (solid_.simplices.empty() && !(facts_.full && facts_.full->voids > 0)) say_empty();
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids, request_.pockets})

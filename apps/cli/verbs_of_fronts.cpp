@@ -180,9 +180,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "--cover", arguments.cover,
           "Share of the points that auto and min are about, such as 0.99, so that single ones do not decide them")
       ->type_name("SHARE");
-  verb.add_option("--box", arguments.box,
-                  "Points are those of a box with these sides that repeats, as under periodic boundary conditions; "
-                  "coordinates count modulo the sides. Voids have a dimension: 0, or in how many directions they go on")
+  verb.add_option(
+          "--box", arguments.box,
+          "Points are those of a box with these sides that repeats, as under periodic boundary conditions; "
+          "coordinates count modulo the sides. Voids have a dimension: in how many directions they percolate, 0 "
+          "where they are closed")
       ->type_name("LX,LY,LZ");
   add_output_options(verb, arguments, solid_formats);
   verb.add_option("--boundary", arguments.boundary,
@@ -193,7 +195,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   verb.add_option(
           "--voids", arguments.voids,
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
-          "indices of its points and triangles; csv")
+          "indices of its points and triangles; csv. volume_between_points is that of its tetrahedra, "
+          "volume_outside_balls what of it is at least alpha from every point")
       ->type_name("FILE");
   add_switch(
       verb, "--void-radii", arguments.void_radii,
@@ -207,9 +210,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   verb.add_option("--voids-above", arguments.voids_above, "Of --voids and --pockets those of more volume")
       ->type_name("VOLUME");
   verb.add_option("--top", arguments.top, "Of --voids and --pockets the K largest")->type_name("K");
-  verb.add_option("--complex", arguments.complex,
-                  "What voids are outside of: solid, the tetrahedra; full, the full alpha complex, whose triangles "
-                  "without a tetrahedron part voids too (default solid)")
+  verb.add_option(
+          "--complex", arguments.complex,
+          "What voids are outside of: full, the full alpha complex, whose triangles without a tetrahedron stop "
+          "a ball of radius alpha as well; solid, the tetrahedra alone (default full with --voids, --pockets or "
+          "--box, else solid)")
       ->type_name("solid|full");
   add_switch(verb, "--balls", arguments.balls,
              "Also compute volume and area of the union of balls of radius alpha around all points");
@@ -222,8 +227,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
       "Examples:\n"
       "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
       "  rbpa solid foam.ply --alpha 0.2 --voids voids.obj --json > foam.json\n"
-      "  rbpa solid atoms.pdb --alpha 1.8 --complex full --voids voids.csv --void-radii --pockets pockets.csv --top "
-      "20\n"
+      "  rbpa solid atoms.pdb --alpha 3.1 --voids voids.csv --void-radii --pockets pockets.csv --top 20\n"
       "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n"
       "  rbpa solid frame.xyz --alpha 2.5 --box 40,40,60 --voids channels.csv\n\n"
       "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a "

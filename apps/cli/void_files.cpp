@@ -35,16 +35,15 @@ void add_life(Json& json, const VoidLife& life) {
   json["depth"] = life.depth;
 }
 
-void write_csv(OutputFile& file, std::span<const SolidVoid> voids, const std::optional<std::vector<VoidLife>>& lives) {
-  file.write("number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
+void write_csv(OutputFile& file, std::span<const SolidVoid> voids, VoidWalls walls,
+               const std::optional<std::vector<VoidLife>>& lives) {
+  file.write(volume_columns(walls) + ",area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
   file.write(!lives ? "\n" : ",closes,filled,depth\n");
   std::uint64_t number = 0;
   for (const SolidVoid& hollow : voids) {
-    file.write_number(++number);
-    for (const double value : {hollow.volume, hollow.area}) {
-      file.write(",");
-      file.write_number(value);
-    }
+    write_volumes(file, ++number, hollow.volume, hollow.outside_balls);
+    file.write(",");
+    file.write_number(hollow.area);
     for (const std::size_t count : {hollow.islands, hollow.points.size()}) {
       file.write(",");
       file.write_number(std::uint64_t{count});
@@ -120,23 +119,44 @@ Target parse_voids(const std::string& path) {
 
 Json json_of(const SolidVoid& hollow) {
   const auto corner = [](const Point3& p) { return Json{p.x, p.y, p.z}; };
-  return {{"volume", hollow.volume},
-          {"area", hollow.area},
-          {"islands", hollow.islands},
-          {"box", Json::array({corner(hollow.low), corner(hollow.high)})},
-          {"points", hollow.points}};
+  Json json = json_of_volumes(hollow.volume, hollow.outside_balls);
+  json.update(Json{{"area", hollow.area},
+                   {"islands", hollow.islands},
+                   {"box", Json::array({corner(hollow.low), corner(hollow.high)})},
+                   {"points", hollow.points}});
+  return json;
+}
+
+std::string volume_columns(VoidWalls walls) {
+  return walls == VoidWalls::full ? "number,volume_between_points,volume_outside_balls"
+                                  : "number,volume_between_points";
+}
+
+void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls) {
+  file.write_number(number);
+  file.write(",");
+  file.write_number(between_points);
+  if (!outside_balls) return;
+  file.write(",");
+  file.write_number(*outside_balls);
+}
+
+Json json_of_volumes(double between_points, std::optional<double> outside_balls) {
+  Json json = {{"volume_between_points", between_points}};
+  if (outside_balls) json["volume_outside_balls"] = *outside_balls;
+  return json;
 }
 
 void write_voids(OutputFile& file, Format format, std::span<const Point3> points, const Surface& boundary,
-                 std::span<const SolidVoid> voids, const std::optional<std::vector<VoidLife>>& lives) {
-  if (format == Format::csv) return write_csv(file, voids, lives);
+                 std::span<const SolidVoid> voids, VoidWalls walls, const std::optional<std::vector<VoidLife>>& lives) {
+  if (format == Format::csv) return write_csv(file, voids, walls, lives);
   if (format == Format::json) return write_json(file, boundary, voids, lives);
   write_obj(file, points, boundary, voids);
 }
 
 void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pockets) {
   const bool is_csv = format == Format::csv;
-  file.write(is_csv ? "number,volume,closes,filled,depth,mouth_a,mouth_b,mouth_c\n" : "[");
+  file.write(is_csv ? "number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c\n" : "[");
   std::uint64_t number = 0;
   for (const Pocket& pocket : pockets) {
     stop_if_interrupted();
@@ -152,7 +172,7 @@ void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pock
       }
       file.write("\n");
     } else {
-      Json one = {{"volume", pocket.volume}};
+      Json one = json_of_volumes(pocket.volume, {});
       add_life(one, pocket.life);
       one["mouth"] = pocket.mouth;
       file.write(number == 1 ? "\n" : ",\n");

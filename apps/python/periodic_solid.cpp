@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -66,21 +67,22 @@ double periodic_alpha_of(const Doubles& points, const Box& box, bool in_one_piec
   });
 }
 
-using Part = std::tuple<std::size_t, Indices, double, double, unsigned>;
+using Part = std::tuple<std::size_t, Indices, double, double, unsigned, std::optional<double>>;
 std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
   std::vector<Part> result;
   for (PeriodicPart& part : parts)
     result.emplace_back(part.tetrahedra, line<std::int32_t>(std::move(part.points)), part.volume, part.area,
-                        part.dimension);
+                        part.dimension, part.outside_balls);
   return result;
 }
 
 /// With a triangulation of its own.
-py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha) {
+py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha, bool full) {
   const auto input = points3_of(points, "points");
   PeriodicTopology made = watched(input.size(), py::none(), [&](Watch&) {
     const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity());
-    return periodic_topology(all, circumradii(all.positions, all.simplices), alpha);
+    return periodic_topology(all, circumradii(all.positions, all.simplices), alpha,
+                             full ? VoidWalls::full : VoidWalls::solid);
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.betti[0], made.betti[1], made.betti[2], made.betti[3]);
@@ -99,7 +101,8 @@ void bind_periodic_solid(py::module_& module) {
              arg("progress"));
   module.def("periodic_alpha", &periodic_alpha_of, arg("points").noconvert(), arg("box"), arg("in_one_piece"),
              arg("threads"), arg("progress"));
-  module.def("periodic_topology", &periodic_topology_of, arg("points").noconvert(), arg("box"), arg("alpha"));
+  module.def("periodic_topology", &periodic_topology_of, arg("points").noconvert(), arg("box"), arg("alpha"),
+             arg("full"));
 }
 
 }  // namespace rbpa::python

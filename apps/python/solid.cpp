@@ -87,12 +87,13 @@ std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double 
 
 /// All of them column by column: where the triangles and points of each begin.
 void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
-  std::vector<double> volume, area;
+  std::vector<double> volume, outside, area;
   std::vector<std::array<double, 6>> box;
   std::vector<std::int64_t> islands, first_triangle = {0}, first_point = {0};
   std::vector<std::uint32_t> triangles, around;
   for (const SolidVoid& hollow : voids) {
     volume.push_back(hollow.volume);
+    if (hollow.outside_balls) outside.push_back(*hollow.outside_balls);
     area.push_back(hollow.area);
     box.push_back({hollow.low.x, hollow.low.y, hollow.low.z, hollow.high.x, hollow.high.y, hollow.high.z});
     islands.push_back(static_cast<std::int64_t>(hollow.islands));
@@ -102,6 +103,7 @@ void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
     first_point.push_back(static_cast<std::int64_t>(around.size()));
   }
   result["void_volume"] = line<double>(std::move(volume));
+  result["void_outside_balls"] = line<double>(std::move(outside));
   result["void_area"] = line<double>(std::move(area));
   result["void_box"] = rows<double>(std::move(box));
   result["void_islands"] = line<std::int64_t>(std::move(islands));
@@ -150,7 +152,7 @@ py::dict full_of(const Doubles& points, double alpha) {
     const Solid delaunay = solid(input, std::numeric_limits<double>::infinity());
     const std::vector<double> radii = circumradii(input, delaunay.simplices);
     return Made{count_full(input, delaunay, radii, alpha),
-                full_voids(input, void_space(input, delaunay, radii, alpha))};
+                full_voids(input, void_space(input, delaunay, radii, alpha), alpha)};
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.counts.components, made.counts.tunnels, made.counts.voids);

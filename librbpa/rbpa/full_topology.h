@@ -42,8 +42,10 @@ struct FullVoids {
   std::vector<SolidVoid> all;  ///< their triangles being those of this boundary; the largest volume first
 };
 
-/// The same, one by one. An island is a piece of triangles within a void that are connected through points.
-/// Requires: void_space() of these points.
-RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space);
+/// The same, one by one, each also with the volume outside of the balls of radius alpha around the points. An island is
+/// a piece of triangles within a void that are connected through points.
+/// Requires: void_space() of these points at this alpha.
+RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned threads = 0,
+                              const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

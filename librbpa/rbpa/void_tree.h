@@ -21,12 +21,6 @@
 
 namespace rbpa {
 
-/// What closes a void.
-enum class VoidWalls {
-  solid,  ///< tetrahedra: voids() of solid()
-  full  ///< and triangles that are in none: voids of the full alpha complex, pairs of dimension 2 of solid_persistence()
-};
-
 struct VoidNode {
   double closes = 0, filled = 0;  ///< a void for closes ≤ alpha < filled
   double volume = 0;              ///< when it closes

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,22 @@
 
 namespace rbpa {
 
+/// What closes a void.
+enum class VoidWalls {
+  solid,  ///< tetrahedra: voids() of solid()
+  full    ///< and triangles that are in none: what a ball of radius alpha cannot leave; voids of the full alpha complex
+};
+
 struct SolidVoid {
   std::vector<std::uint32_t> triangles;  ///< of the boundary, that bound it, by number; ascending
   std::vector<std::uint32_t> points;     ///< their corners; ascending
   std::size_t islands = 0;               ///< pieces of the solid that float in it
-  double volume = 0, area = 0;           ///< as accurate as measure() of a boundary
-  Point3 low, high;                      ///< opposite corners of its box
+  double volume = 0;  ///< of its tetrahedra, between the points; as accurate as measure() of a boundary
+  /// The volume within it that is at least alpha from every point, where the center of a ball may be. Known of voids of
+  /// the full complex.
+  std::optional<double> outside_balls = {};
+  double area = 0;   ///< of its triangles
+  Point3 low, high;  ///< opposite corners of its box
 };
 
 struct Voids {

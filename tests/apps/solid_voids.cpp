@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -101,11 +102,14 @@ TEST_SUITE("solid voids") {
     std::istringstream csv(folder.content("v.csv"));
     std::string line;
     std::getline(csv, line);
-    CHECK(line == "number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
+    CHECK(
+        line ==
+        "number,volume_between_points,volume_outside_balls,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
     for (std::size_t i = 0; i < expected.size(); ++i) {
       CAPTURE(i);
-      const double inside = expected[i]["volume"].get<double>();
-      for (const char* key : {"volume", "area", "islands", "box", "points"}) CHECK(found[i][key] == expected[i][key]);
+      const double inside = expected[i]["volume_between_points"].get<double>();
+      for (const char* key : {"volume_between_points", "volume_outside_balls", "area", "islands", "box", "points"})
+        CHECK(found[i][key] == expected[i][key]);
       CHECK(obj.names[i] == "void_" + std::to_string(i + 1));
       CHECK(is_closed(obj.groups[i]));
       CHECK(volume(obj.vertices, obj.groups[i]) == doctest::Approx(inside));
@@ -114,10 +118,10 @@ TEST_SUITE("solid voids") {
       CHECK(volume(points, triangles) == doctest::Approx(inside));
       REQUIRE(std::getline(csv, line));
       std::ostringstream row;
-      row << i + 1 << ',' << expected[i]["volume"].dump();
+      row << i + 1 << ',' << expected[i]["volume_between_points"].dump();
       CHECK(line.starts_with(row.str().substr(0, row.str().find(".0"))));
-      CHECK(std::count(line.begin(), line.end(), ',') == 10);
-      if (i > 0) CHECK(inside <= expected[i - 1]["volume"].get<double>());
+      CHECK(std::count(line.begin(), line.end(), ',') == 11);
+      if (i > 0) CHECK(inside <= expected[i - 1]["volume_between_points"].get<double>());
     }
     CHECK(!std::getline(csv, line));
   }
@@ -130,12 +134,13 @@ TEST_SUITE("solid voids") {
     Outcome outcome = folder.rbpa("solid c.xyz --alpha 1.7 --complex full --json --voids v.obj --stats s.json");
     REQUIRE(outcome.code == 0);
     CHECK(outcome.err.find("0 tetrahedra, ") != std::string::npos);
+    CHECK(outcome.err.find("there is no tetrahedron") == std::string::npos);
     CHECK(outcome.err.find("; full complex: 2 components, 0 tunnels, 1 void -> v.obj\n") != std::string::npos);
     const json report = json::parse(outcome.out);
     CHECK(report["betti"] == json{0, 0, 0});
     CHECK(report["full"] == json{{"points", 6}, {"edges", 7}, {"triangles", 4}, {"betti", {2, 0, 1}}});
     REQUIRE(report["void_list"].size() == 1);
-    CHECK(report["void_list"][0]["volume"].get<double>() == doctest::Approx(8.0 / 3));
+    CHECK(report["void_list"][0]["volume_between_points"].get<double>() == doctest::Approx(8.0 / 3));
     CHECK(report["void_list"][0]["islands"] == 0);
     CHECK(report["void_list"][0]["points"] == json{0, 1, 2, 3});
     const Obj obj = read_obj(folder.content("v.obj"));
@@ -156,7 +161,8 @@ TEST_SUITE("solid voids") {
     CHECK(full["void_list"].size() >= solid["void_list"].size());
     CHECK(full["full"]["betti"][2] == full["void_list"].size());
     const json file = json::parse(folder.content("v.json"));
-    for (std::size_t i = 0; i < file.size(); ++i) CHECK(file[i]["volume"] == full["void_list"][i]["volume"]);
+    for (std::size_t i = 0; i < file.size(); ++i)
+      CHECK(file[i]["volume_between_points"] == full["void_list"][i]["volume_between_points"]);
 
     folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
     outcome = folder.rbpa("solid flat.xyz --alpha 1 --complex full --json");
@@ -169,13 +175,74 @@ TEST_SUITE("solid voids") {
     CHECK(outcome.err == "rbpa: --complex: found 'most', expected solid or full\n");
   }
 
+  TEST_CASE("voids that are asked for are those of the full complex, which a ball cannot leave") {
+    const Folder folder;
+    // A ball at the center of C60 is 3.55 from all atoms, and passes no hexagon, which has no tetrahedron within 3.1.
+    const std::string data = "'" RBPA_TEST_DATA "/findings/mol_04_c60/";
+    for (const char* name : {"c60", "c60_rattled"}) {
+      const std::string options = "solid " + data + name + ".xyz' --alpha 3.1 -q ";
+      REQUIRE(folder.rbpa(options + "--voids v.json --pockets p.json").code == 0);
+      const json voids = json::parse(folder.content("v.json"));
+      REQUIRE(voids.size() == 1);
+      CHECK(voids[0]["volume_between_points"] > 140);
+      CHECK(voids[0]["volume_outside_balls"] > 0.3);  // a ball of radius 0.45, and little more
+      CHECK(voids[0]["volume_outside_balls"] < 0.5);
+      CHECK(json::parse(folder.content("p.json")).empty());
+      REQUIRE(folder.rbpa(options + "--voids v.json --complex solid").code == 0);
+      CHECK(json::parse(folder.content("v.json")).empty());
+    }
+    // What is tracked along a trajectory does not jump where a tetrahedron comes or goes.
+    std::istringstream in(read_file(RBPA_TEST_DATA "/findings/mol_04_c60/c60.xyz"));
+    std::vector<Position> atoms;
+    for (Position p{}; in >> p[0] >> p[1] >> p[2];) atoms.push_back(p);
+    REQUIRE(atoms.size() == 60);
+    std::mt19937 random(60);
+    std::array<double, 2> before{};
+    for (int frame = 0; frame < 40; ++frame) {
+      std::ostringstream text;
+      for (Position& p : atoms) {
+        for (double& x : p) x += 0.02 * (double(random()) / 4294967296.0 - 0.5);
+        text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+      }
+      folder.file("frame.xyz", text.str());
+      REQUIRE(folder.rbpa("solid frame.xyz --alpha 3 -q --voids v.json").code == 0);
+      const json voids = json::parse(folder.content("v.json"));
+      REQUIRE(voids.size() >= 1);
+      const std::array<double, 2> now = {voids[0]["volume_between_points"], voids[0]["volume_outside_balls"]};
+      if (frame > 0) {
+        CHECK(now[0] == doctest::Approx(before[0]).epsilon(0.03));
+        CHECK(now[1] == doctest::Approx(before[1]).epsilon(0.2));
+      }
+      before = now;
+    }
+
+    const std::string lysozyme = "solid '" RBPA_TEST_DATA "/mol3_2lyz.pdb' --where \"resname != 'HOH'\" --alpha 3.1 ";
+    const Outcome outcome = folder.rbpa(lysozyme + "--voids v.csv");
+    CHECK(outcome.err.find("; full complex: 1 component, 0 tunnels, 9 voids -> v.csv\n") != std::string::npos);
+    const std::string csv = folder.content("v.csv");
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 10);
+    CHECK(csv.find("\n3,65.8055") != std::string::npos);
+    CHECK(csv.find("\n4,36.1008") != std::string::npos);
+    CHECK(folder.rbpa(lysozyme + "--voids v.csv --complex solid").err.find("5 voids, ") != std::string::npos);
+    CHECK(folder.content("v.csv").starts_with("number,volume_between_points,area,"));
+
+    // Points in a plane have no voids.
+    folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
+    for (const char* files : {"--voids v.csv", "--voids v.json --void-radii --pockets p.csv", "--pockets p.json"}) {
+      CAPTURE(files);
+      CHECK(folder.rbpa(std::string("solid flat.xyz --alpha 1 ") + files).code == 0);
+    }
+  }
+
   TEST_CASE("no void is an empty list, a table without lines, and no group") {
     const Folder folder;
     folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     for (const char* name : {"v.json", "v.csv", "v.obj"})
       REQUIRE(folder.rbpa(std::string("solid c.xyz --alpha inf -q --voids ") + name).code == 0);
     CHECK(folder.content("v.json") == "[]\n");
-    CHECK(folder.content("v.csv") == "number,volume,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z\n");
+    CHECK(folder.content("v.csv") ==
+          "number,volume_between_points,volume_outside_balls,area,islands,points,low_x,low_y,low_z,high_x,high_y,high_"
+          "z\n");
     CHECK(folder.content("v.obj").empty());
   }
 
@@ -204,10 +271,9 @@ TEST_SUITE("solid voids") {
       // The largest, and those above a volume.
       REQUIRE(folder.rbpa(options + " --voids v1.json --void-radii --top 1").code == 0);
       CHECK(json::parse(folder.content("v1.json")) == json::array({voids[0]}));
-      const double second = voids[1]["volume"];
-      REQUIRE(folder.rbpa(options + " --voids v2.json --void-radii --voids-above " + voids[1]["volume"].dump()).code ==
-              0);
-      for (const json& hollow : json::parse(folder.content("v2.json"))) CHECK(hollow["volume"] > second);
+      const double second = voids[1]["volume_between_points"];
+      REQUIRE(folder.rbpa(options + " --voids v2.json --void-radii --voids-above " + json(second).dump()).code == 0);
+      for (const json& hollow : json::parse(folder.content("v2.json"))) CHECK(hollow["volume_between_points"] > second);
     }
     REQUIRE(folder.rbpa("solid c.xyz --alpha inf -q --voids none.csv --void-radii").code == 0);
     CHECK(folder.content("none.csv").ends_with(",filled,depth\n"));

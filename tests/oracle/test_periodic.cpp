@@ -5,14 +5,21 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "oracle/cgal_dangling.h"
 #include "oracle/cgal_periodic.h"
 #include "oracle/cgal_tetrahedra.h"
 #include "rbpa/base/error.h"
 #include "rbpa/periodic_solid.h"
+#include "rbpa/periodic_topology.h"
+#include "rbpa/solid_radii.h"
 #include "support/arguments.h"
 #include "support/periodic_sets.h"
 
@@ -44,6 +51,101 @@ std::vector<std::array<PeriodicCorner, 4>> sorted_rows(const PeriodicSolid& soli
   }
   std::sort(rows.begin(), rows.end());
   return rows;
+}
+
+using Vertices = std::vector<rbpa::PeriodicVertex>;  // ascending
+using Boxes = std::array<int, 3>;
+
+Boxes boxes_of(const rbpa::PeriodicVertex& vertex) { return {vertex.offset[0], vertex.offset[1], vertex.offset[2]}; }
+/// The image whose first corner is in the box.
+Vertices in_box(Vertices corners) {
+  const auto first = corners[0].offset;
+  for (auto& corner : corners)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      corner.offset[axis] = static_cast<std::int8_t>(corner.offset[axis] - first[axis]);
+  return corners;
+}
+
+std::size_t rank(const std::vector<Boxes>& vectors) {
+  std::size_t most = 0;
+  const auto cross = [](const Boxes& a, const Boxes& b) {
+    return Boxes{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  for (const Boxes& a : vectors) {
+    if (a != Boxes{}) most = std::max(most, std::size_t{1});
+    for (const Boxes& b : vectors) {
+      const Boxes n = cross(a, b);
+      if (n == Boxes{}) continue;
+      most = std::max(most, std::size_t{2});
+      for (const Boxes& c : vectors)
+        if (n[0] * c[0] + n[1] * c[1] + n[2] * c[2] != 0) return 3;
+    }
+  }
+  return most;
+}
+
+/// Of each void of the full complex its tetrahedra and its directions, sorted: by CGAL's triangulation of 27 images and
+/// its classification of their triangles, and by union–find over the cells in the box, each with its place. Requires:
+/// tetrahedra that fill the box.
+std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, double alpha) {
+  const auto named = [&](const auto& corners) {
+    Vertices vertices;
+    for (const std::uint32_t corner : corners) vertices.push_back(all.vertices[corner]);
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  };
+  const auto is_in_box = [](const Vertices& corners) { return boxes_of(corners[0]) == Boxes{}; };
+  const DelaunayByCgal delaunay(all.positions);
+  std::set<Vertices> filled, walls;
+  for (const auto& row : delaunay.within(alpha).simplices)
+    if (const Vertices corners = named(row); is_in_box(corners)) filled.insert(corners);
+  for (const auto& triangle : dangling_by_cgal(all.positions, alpha).triangles)
+    if (const Vertices corners = named(triangle); is_in_box(corners)) walls.insert(corners);
+  std::vector<Vertices> cells;  // that are left out
+  std::map<Vertices, std::vector<std::pair<std::size_t, Boxes>>> at_face;
+  for (const auto& row : delaunay.within(infinity).simplices) {
+    const Vertices corners = named(row);
+    if (!is_in_box(corners) || filled.contains(corners)) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      Vertices face = corners;
+      face.erase(face.begin() + static_cast<std::ptrdiff_t>(k));
+      const Boxes place = boxes_of(face[0]);
+      face = in_box(face);
+      if (!walls.contains(face)) at_face[face].emplace_back(cells.size(), place);
+    }
+    cells.push_back(corners);
+  }
+  std::vector<std::size_t> set(cells.size());
+  std::iota(set.begin(), set.end(), std::size_t{0});
+  std::vector<Boxes> place(cells.size(), Boxes{});
+  std::vector<std::vector<Boxes>> around(cells.size());
+  for (const auto& [face, both] : at_face) {
+    if (both.size() != 2) continue;  // beside a tetrahedron of the complex
+    const auto& [a, at_a] = both[0];
+    const auto& [b, at_b] = both[1];
+    Boxes step{};  // from where b is to where it meets a
+    for (std::size_t axis = 0; axis < 3; ++axis) step[axis] = place[a][axis] + at_a[axis] - at_b[axis] - place[b][axis];
+    const std::size_t from = set[b], to = set[a];
+    if (from == to) {
+      around[to].push_back(step);
+      continue;
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (set[c] == from) {
+        set[c] = to;
+        for (std::size_t axis = 0; axis < 3; ++axis) place[c][axis] += step[axis];
+      }
+    around[to].insert(around[to].end(), around[from].begin(), around[from].end());
+  }
+  std::vector<std::array<std::size_t, 2>> voids;
+  for (std::size_t s = 0; s < cells.size(); ++s)
+    if (const auto count = std::count(set.begin(), set.end(), s); count > 0) {
+      std::sort(around[s].begin(), around[s].end());
+      around[s].erase(std::unique(around[s].begin(), around[s].end()), around[s].end());
+      voids.push_back({static_cast<std::size_t>(count), rank(around[s])});
+    }
+  std::sort(voids.begin(), voids.end());
+  return voids;
 }
 
 }  // namespace
@@ -92,4 +194,46 @@ TEST_CASE("boxes that repeat have those of CGAL's Delaunay tetrahedra of 27 imag
     tetrahedra += expected.size();
   }
   CHECK(tetrahedra > 20 * sets);
+}
+
+TEST_CASE("voids of full complexes that repeat are those of CGAL's triangles of 27 images, with their directions") {
+  const std::uint64_t sets = argument("count", 100);
+  std::array<std::size_t, 4> dimensions{};
+  std::size_t compared = 0, only_full = 0;
+  for (std::uint64_t trial = 0; trial < sets; ++trial) {
+    Random random(800'000 + trial);
+    PeriodicSet set = periodic_set(trial, 30 + random.below(50), random);
+    PeriodicSolid delaunay;
+    try {
+      delaunay = rbpa::periodic_solid(set.points, set.box, infinity);
+    } catch (const rbpa::InvalidInput&) {
+      continue;
+    }
+    const std::vector<double> radii = rbpa::circumradii(delaunay.positions, delaunay.simplices);
+    Points3 points = wrapped(set, delaunay.box);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const AllImages all = all_images(points, delaunay.box);
+    for (const double share : {0.1, 0.3, 0.6, 0.9}) {
+      std::vector<double> sorted = radii;
+      std::sort(sorted.begin(), sorted.end());
+      // A square that is a double, for CGAL.
+      const double alpha = std::round(256 * sorted[static_cast<std::size_t>(share * double(sorted.size()))]) / 256;
+      if (!(alpha > 0)) continue;
+      std::vector<std::array<std::size_t, 2>> found;
+      const auto topology = rbpa::periodic_topology(delaunay, radii, alpha);
+      for (const rbpa::PeriodicPart& hollow : topology.voids) {
+        found.push_back({hollow.tetrahedra, hollow.dimension});
+        ++dimensions[hollow.dimension];
+      }
+      std::sort(found.begin(), found.end());
+      if (found != voids_by_images(all, alpha)) FAIL_CHECK(text(set) << ", alpha " << alpha);
+      const auto solid = rbpa::periodic_topology(delaunay, radii, alpha, rbpa::VoidWalls::solid);
+      only_full += found.size() > solid.voids.size() ? 1u : 0u;
+      ++compared;
+    }
+  }
+  CHECK(compared > sets);
+  CHECK(only_full > compared / 4);
+  for (const std::size_t count : dimensions) CHECK(count > 0);
 }

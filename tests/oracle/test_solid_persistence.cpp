@@ -4,15 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "oracle/gudhi_persistence.h"
+#include "rbpa/full_topology.h"
+#include "rbpa/solid.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/solid_persistence.h"
+#include "rbpa/solid_radii.h"
 #include "support/arguments.h"
+#include "support/data_folder.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
@@ -82,6 +89,12 @@ bool has_squares(const Points3& points) {
   });
 }
 
+std::string read_text(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
 Points3 distinct(Points3 points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -138,6 +151,29 @@ TEST_CASE("sets in a plane and on a line have GUDHI's pairs") {
     tunnels += expected[1].size();
   }
   CHECK(tunnels > argument("count", 200) / 4);
+}
+
+TEST_CASE("lysozyme has the voids of the full complex that GUDHI's pairs say, at every radius around that of a water") {
+  Points3 atoms;
+  std::istringstream lines(read_text(bundled_data() / "mol3_2lyz.pdb"));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("ATOM  "))  // waters are HETATM
+      atoms.push_back({std::stod(line.substr(30, 8)), std::stod(line.substr(38, 8)), std::stod(line.substr(46, 8))});
+  REQUIRE(atoms.size() == 1001);
+  const Diagram expected = by_gudhi(atoms);
+  const rbpa::Solid delaunay = rbpa::solid(atoms, infinity);
+  const std::vector<double> radii = rbpa::circumradii(atoms, delaunay.simplices);
+  for (const double alpha : {2.2, 2.6, 2.8, 3.1, 3.3, 3.6, 4.0}) {
+    CAPTURE(alpha);
+    const auto alive = std::count_if(expected[2].begin(), expected[2].end(),
+                                     [&](const Value& v) { return v[0] <= alpha && alpha < v[1]; });
+    const rbpa::FullVoids voids = rbpa::full_voids(atoms, rbpa::void_space(atoms, delaunay, radii, alpha), alpha);
+    CHECK(voids.all.size() == static_cast<std::size_t>(alive));
+    if (alpha != 3.1) continue;
+    REQUIRE(voids.all.size() == 9);
+    CHECK(voids.all[2].volume == doctest::Approx(65.8056).epsilon(1e-6));
+    CHECK(voids.all[3].volume == doctest::Approx(36.1009).epsilon(1e-6));
+  }
 }
 
 TEST_CASE("the comparison sees what is wrong") {

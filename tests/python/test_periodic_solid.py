@@ -1,11 +1,14 @@
 """Tetrahedra of points in a box that repeats."""
 
 import math
+import pathlib
 import pickle
 
 import numpy
 import pytest
 import rbpa
+
+FINDINGS = pathlib.Path(__file__).parents[1] / "data" / "findings"
 
 
 def test_a_grid_fills_its_box():
@@ -47,11 +50,38 @@ def test_a_channel_goes_on_in_one_direction():
     points = numpy.random.default_rng(4).random((6000, 3)) * 10
     points = points[numpy.hypot(points[:, 1] - 5, points[:, 2] - 5) > 2.5]
     solid = rbpa.periodic_solid(points, 10, 1.2)
-    (channel,) = solid.voids
-    assert channel.dimension == 1
+    channel = solid.voids[0]
+    assert solid.complex == "full" and channel.dimension == 1
+    assert 0 < channel.outside_balls < channel.volume
+    (channel,) = rbpa.periodic_solid(points, 10, 1.2, complex="solid").voids
+    assert channel.dimension == 1 and channel.outside_balls is None
     assert channel.volume == pytest.approx(math.pi * 2.5**2 * 10, rel=0.1)
-    assert solid.betti == (1, 3, 2, 0)
+    assert rbpa.periodic_solid(points, 10, 1.2, complex="solid").betti == (1, 3, 2, 0)
     assert len(solid.to_meshio().cells[0].data) == len(solid.simplices)
+
+
+def test_a_ball_does_not_pass_triangles_without_a_tetrahedron():
+    lattice = numpy.array([(x, y, z) for x in range(4) for y in range(4) for z in range(4)], float)
+    window = math.sqrt(0.5)  # of the square between four points; half the diagonal of a cube is 0.866
+    for alpha, dimensions in ((window * (1 - 1e-15), [3]), (window * (1 + 1e-15), [0] * 64)):
+        assert [void.dimension for void in rbpa.periodic_solid(lattice, 4, alpha).voids] == dimensions
+        assert [void.dimension for void in rbpa.periodic_solid(lattice, 4, alpha, complex="solid").voids] == [3]
+    cubes = rbpa.periodic_solid(lattice, 4, window * (1 + 1e-15))
+    assert cubes.betti == (1, 3, 66, 0)
+    lens = math.pi / 12 * (4 * window + 1) * (2 * window - 1) ** 2
+    for void in cubes.voids:
+        assert void.volume == 1
+        assert void.outside_balls == pytest.approx(1 - (4 / 3 * math.pi * window**3 - 3 * lens), rel=1e-9)
+    oxygens = numpy.loadtxt(FINDINGS / "mol_03_zeolite_window" / "lta_O_2x2x2.xyz")
+    for alpha, dimension in ((1.35 + 4.15 / 2, 3), (1.35 + 4.16 / 2, 0)):
+        assert rbpa.periodic_solid(oxygens, 23.838, alpha).voids[0].dimension == dimension
+    glass = numpy.load(FINDINGS / "mol_03_zeolite_window" / "silica.npy")
+    assert [rbpa.periodic_solid(glass, 35.8, alpha).voids[0].dimension for alpha in (2.51, 2.511)] == [1, 0]
+    c60 = numpy.loadtxt(FINDINGS / "mol_04_c60" / "c60.xyz")
+    solid = rbpa.solid(c60, 3.1)
+    (void,) = solid.full.voids
+    assert solid.voids == [] and void.volume == pytest.approx(162.6, abs=0.1)
+    assert void.outside_balls == pytest.approx(4 / 3 * math.pi * 0.45**3, rel=0.1)
 
 
 @pytest.mark.parametrize("box", [0, (1, 2), "wide", (1, 2, -3), math.inf, None])
@@ -70,6 +100,8 @@ def test_what_cannot_be_computed_is_refused():
         sparse.betti
     with pytest.raises(rbpa.InvalidInput, match="alpha"):
         rbpa.periodic_solid(points, 1, "best")
+    with pytest.raises(rbpa.InvalidInput, match="complex: found 'most', expected 'full' or 'solid'"):
+        rbpa.periodic_solid(points, 1, complex="most")
     many = numpy.random.default_rng(6).random((500_000, 3))
     with pytest.raises(rbpa.Cancelled):
         rbpa.periodic_solid(many, 1, progress=lambda *_: False)

@@ -21,6 +21,7 @@ def periodic_solid(
     box: Union[float, npt.ArrayLike],
     alpha: Union[float, Literal["auto", "min"]] = math.inf,
     *,
+    complex: Literal["full", "solid"] = "full",
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> PeriodicSolid:
@@ -35,6 +36,9 @@ def periodic_solid(
         The sides.
     alpha : float, "auto" or "min"
         As for `solid`; below half of the least side, unless there is no empty ball of that radius.
+    complex : "full" or "solid"
+        Whose voids and Betti numbers the result has. A ball of radius alpha cannot pass the triangles of the full alpha complex, of which some are
+        in no tetrahedron: what is closed, and in how many directions a channel percolates, is asked of "full". "solid" has tetrahedra alone for walls.
     threads, progress
         As for `solid`.
 
@@ -58,12 +62,15 @@ def periodic_solid(
     expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
     if isinstance(alpha, str) and alpha not in ("auto", "min"):
         raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
+    if complex not in ("full", "solid"):
+        raise InvalidInput(f"complex: found {shown(complex)}, expected 'full' or 'solid'")
     sides = _as_sides(box)
     if isinstance(alpha, str):
         radius = _core.periodic_alpha(array, sides, alpha == "auto", as_threads(threads), progress)
     else:
         radius = as_number(alpha, "alpha", expected)
-    return PeriodicSolid(array, sides, radius, _core.periodic_solid(array, sides, radius, as_threads(threads), progress))
+    made = _core.periodic_solid(array, sides, radius, as_threads(threads), progress)
+    return PeriodicSolid(array, sides, {"alpha": radius, "complex": complex, **made})
 
 
 def _as_sides(box: Union[float, npt.ArrayLike]) -> tuple[float, float, float]:
@@ -84,9 +91,11 @@ class PeriodicPart(NamedTuple):
     points : int32 array of shape (p,)
         Corners of the triangles that bound it, ascending.
     volume, area : float
-        In one box.
+        In one box. Of a void, the volume of its tetrahedra, between the points.
     dimension : int
         In how many independent directions it reaches images of itself: of a void, 0 is closed, 1 a channel, 2 a layer, 3 a network.
+    outside_balls : float or None
+        Of a void of the full complex, the volume within it that is at least alpha from every point: where the center of a ball may be.
     """
 
     tetrahedra: int
@@ -94,6 +103,7 @@ class PeriodicPart(NamedTuple):
     volume: float
     area: float
     dimension: int
+    outside_balls: Optional[float] = None
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -110,6 +120,8 @@ class PeriodicSolid(Result):
         The sides, rounded to 51 bits so that images are exact.
     alpha : float
         The radius that was given, or chosen.
+    complex : str
+        Whose voids and Betti numbers these are: "full" or "solid".
     vertices : float64 array of shape (v, 3)
         Corners of tetrahedra: points modulo the box, and images of them.
     vertex_points : int32 array of shape (v,)
@@ -132,6 +144,7 @@ class PeriodicSolid(Result):
     points: Floats
     box: Floats
     alpha: float
+    complex: str
     vertices: Floats
     vertex_points: Indices
     vertex_offsets: npt.NDArray[np.int8]
@@ -141,14 +154,14 @@ class PeriodicSolid(Result):
     duplicates: Indices
     isolated: Indices
 
-    def __init__(self, points: Floats, sides: tuple[float, float, float], alpha: float, made: dict[str, Any]) -> None:
+    def __init__(self, points: Floats, sides: tuple[float, float, float], made: dict[str, Any]) -> None:
         self._sides = sides
-        super().__init__({"alpha": alpha, **made}, points=points)
+        super().__init__(made, points=points)
 
     @cached_property
     def _topology(self) -> dict[str, Any]:
         self._require_unchanged()
-        made = _core.periodic_topology(self.points, self._sides, self.alpha)
+        made = _core.periodic_topology(self.points, self._sides, self.alpha, self.complex == "full")
         for key in ("solid_components", "voids"):
             made[key] = [PeriodicPart(*part) for part in made[key]]
             freeze(*(part.points for part in made[key]))
@@ -156,7 +169,7 @@ class PeriodicSolid(Result):
 
     @property
     def betti(self) -> tuple[int, int, int, int]:
-        """Betti numbers of the solid as a part of the torus that the box is: (1, 3, 3, 1) where it fills the box. Computed at the first access,
+        """Betti numbers of the complex as a part of the torus that the box is: (1, 3, 3, 1) where it fills the box. Computed at the first access,
         with all that follows, from a triangulation of its own.
 
         Raises
@@ -183,7 +196,7 @@ class PeriodicSolid(Result):
 
     @property
     def voids(self) -> list[PeriodicPart]:
-        """The components of what is outside, the largest volume first."""
+        """The components of what is outside of the complex, the largest volume first."""
         return self._topology["voids"]  # type: ignore[no-any-return]
 
     def to_meshio(self) -> Any:

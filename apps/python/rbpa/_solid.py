@@ -134,7 +134,9 @@ class SolidVoid:
     Attributes
     ----------
     volume, area : float
-        Without what floats in it; of all of its boundary.
+        Without what floats in it, between the points; of all of its boundary.
+    outside_balls : float or None
+        Of a void of the full complex, the volume within it that is at least alpha from every point: where the center of a ball may be.
     box : float64 array of shape (2, 3)
         The least and the greatest coordinates.
     islands : int
@@ -145,8 +147,18 @@ class SolidVoid:
         The points around it, ascending.
     """
 
-    def __init__(self, volume: float, area: float, box: Floats, islands: int, triangles: Indices, points: Indices) -> None:
+    def __init__(
+        self,
+        volume: float,
+        area: float,
+        box: Floats,
+        islands: int,
+        triangles: Indices,
+        points: Indices,
+        outside_balls: Optional[float] = None,
+    ) -> None:
         self.volume = volume
+        self.outside_balls = outside_balls
         self.area = area
         self.box = box
         self.islands = islands
@@ -160,6 +172,7 @@ class SolidVoid:
 
 def _voids_of(of: dict[str, Any]) -> list[SolidVoid]:
     triangles, points = of["first_triangle"].tolist(), of["first_point"].tolist()
+    outside = of["void_outside_balls"].tolist() or [None] * len(of["void_volume"])
     return [
         SolidVoid(
             volume,
@@ -168,6 +181,7 @@ def _voids_of(of: dict[str, Any]) -> list[SolidVoid]:
             islands,
             of["void_triangles"][triangles[i] : triangles[i + 1]].copy(),
             of["void_points"][points[i] : points[i + 1]].copy(),
+            outside[i],
         )
         for i, (volume, area, islands) in enumerate(
             zip(of["void_volume"].tolist(), of["void_area"].tolist(), of["void_islands"].tolist())

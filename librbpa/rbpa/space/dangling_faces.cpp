@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstddef>
 
-#include "rbpa/base/simplices_at.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/space/full/check_triangulation.h"
 #include "rbpa/space/full/faces_within.h"
@@ -48,7 +47,8 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
   Threads threads = space::check_triangulation("dangling_faces", points, delaunay, radii, alpha, wanted);
   if (delaunay.simplices.empty() && delaunay.distinct > 1)
     return flat_faces(solid_filtration(points, {.threads = wanted}), points.size(), alpha);
-  const space::FacesWithin faces(points, delaunay, radii, alpha, threads);
+  const space::Triangulated cells(points, delaunay);
+  const space::FacesWithin faces(cells, radii, alpha, threads);
   DanglingFaces result;
   for (std::uint32_t t = 0; t < radii.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k)
@@ -56,14 +56,13 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
         result.triangles.push_back(ascending(delaunay.simplices[t], k));
   std::sort(result.triangles.begin(), result.triangles.end());
 
-  const std::size_t bound = corner_bound<4>(delaunay.simplices);
-  const TetrahedraAt stars(delaunay.simplices, bound);
-  std::vector<std::uint8_t> has_edge(bound, 0);
+  const space::Stars stars(cells);
+  std::vector<std::uint8_t> has_edge(stars.bound(), 0);
   space::for_each_edge(
-      delaunay, stars, bound, threads,
-      [&](std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
-        const bool is_of_triangle = faces.has_triangle_at(a, b, around);
-        if (!is_of_triangle && !faces.has_edge_alone(a, b, around)) return false;
+      cells, stars, threads,
+      [&](std::uint32_t a, std::uint32_t b, std::span<const space::EdgeAt> ring) {
+        const bool is_of_triangle = faces.has_triangle_at(ring);
+        if (!is_of_triangle && !faces.has_edge_alone(ring)) return false;
         for (const std::uint32_t point : {a, b}) std::atomic_ref(has_edge[point]).store(1, std::memory_order_relaxed);
         return !is_of_triangle;
       },
@@ -71,7 +70,7 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
         result.edges.push_back({a, b});
       });
   result.points = delaunay.isolated;
-  for (std::uint32_t v = 0; v < bound; ++v)
+  for (std::uint32_t v = 0; v < stars.bound(); ++v)
     if (has_edge[v] == 0 && !stars[v].empty()) result.points.push_back(v);
   std::sort(result.points.begin(), result.points.end());
   return result;

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/simplices_at.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/solid_boundary.h"
 #include "rbpa/solid_components.h"
 #include "rbpa/solid_filtration.h"
 #include "rbpa/space/full/check_triangulation.h"
+#include "rbpa/space/full/edges.h"
 #include "rbpa/space/full/faces_within.h"
+#include "rbpa/space/full/outside_of_balls.h"
 #include "rbpa/space/solid_part.h"
 
 namespace rbpa {
@@ -34,30 +36,6 @@ meshops::DisjointSets connected_outside(const Solid& delaunay, const space::Face
       if (a != b) sets.link(a, b);
     }
   return sets;
-}
-
-/// Edges in the complex, and components of the points through them.
-std::pair<std::size_t, std::size_t> count_edges(std::size_t points, const Solid& delaunay,
-                                                const space::FacesWithin& faces, Threads& threads,
-                                                const std::function<bool()>& go_on) {
-  const std::size_t bound = corner_bound<4>(delaunay.simplices);
-  const TetrahedraAt stars(delaunay.simplices, bound);
-  meshops::DisjointSets sets(points);
-  std::size_t edges = 0, joined = 0;
-  space::for_each_edge(
-      delaunay, stars, bound, threads,
-      [&](std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) {
-        return faces.has_edge(a, b, around);
-      },
-      [&](std::uint32_t a, std::uint32_t b) {
-        ++edges;
-        const std::uint32_t c = sets.find(a), d = sets.find(b);
-        if (c == d) return;
-        sets.link(c, d);
-        ++joined;
-      },
-      go_on);
-  return {edges, delaunay.distinct - joined};
 }
 
 /// Of points in a plane.
@@ -104,7 +82,8 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
                       double alpha, unsigned wanted, const std::function<bool()>& go_on) {
   Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
   if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
-  const space::FacesWithin faces(points, delaunay, radii, alpha, threads, go_on);
+  const space::Triangulated cells(points, delaunay);
+  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
   FullCounts counts;
   counts.points = delaunay.distinct;
   meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
@@ -115,7 +94,10 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
     for (std::size_t k = 0; k < 4; ++k) counts.triangles += faces.is_first(t, k) && faces.has_triangle(t, k) ? 1U : 0U;
     counts.voids += !is_in && sets.is_least(t) && sets.find(outside) != t ? 1U : 0U;
   }
-  std::tie(counts.edges, counts.components) = count_edges(points.size(), delaunay, faces, threads, go_on);
+  const space::EdgeCounts edges = space::count_edges(
+      cells, threads, [&](std::span<const space::EdgeAt> ring) { return faces.has_edge(ring); }, go_on);
+  counts.edges = edges.edges;
+  counts.components = counts.points - edges.joined;
   // Euler: points − edges + triangles − tetrahedra = components − tunnels + voids.
   counts.tunnels =
       counts.components + counts.voids + counts.edges + counts.tetrahedra - counts.points - counts.triangles;
@@ -125,7 +107,8 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
 Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
                  unsigned wanted, const std::function<bool()>& go_on) {
   Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
-  const space::FacesWithin faces(points, delaunay, radii, alpha, threads, go_on);
+  const space::Triangulated cells(points, delaunay);
+  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
   meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
   const auto outside = static_cast<std::uint32_t>(radii.size());
   std::vector<std::uint32_t> kept;
@@ -134,18 +117,25 @@ Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::spa
   return space::part_of(delaunay, kept, [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
 }
 
-FullVoids full_voids(std::span<const Point3> points, const Solid& space) {
+FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned wanted,
+                     const std::function<bool()>& go_on) {
   SolidBoundary boundary = solid_boundary(space);
   const SolidComponents components = solid_components(points, space, boundary);
   FullVoids voids;
-  for (const SolidComponent& c : components.all)
+  Threads threads = threads_for(points.size(), wanted);
+  const std::vector<double> outside =
+      space::outside_of_balls({points, space}, components.number, components.all.size(), alpha, threads, go_on);
+  for (std::size_t i = 0; i < components.all.size(); ++i) {
+    const SolidComponent& c = components.all[i];
     voids.all.push_back({.triangles = {},
                          .points = {},
                          .islands = 0,
                          .volume = c.volume,
+                         .outside_balls = outside[i],
                          .area = c.area,
                          .low = c.low,
                          .high = c.high});
+  }
   voids.boundary = std::move(boundary.surface);
   for (std::uint32_t t = 0; t < boundary.tetrahedra.size(); ++t) {
     auto& corners = voids.boundary.triangles[t];

@@ -151,9 +151,10 @@ PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, 
     complete = is_complete(found);
   }
   if (last < alpha && !complete)
-    throw InvalidInput("alpha is " + text(alpha) + ", and a ball of half of the box's least side, " +
-                       text(std::min({torus.box().x, torus.box().y, torus.box().z})) +
-                       ", has no point inside: expected a radius below that half, or more points");
+    throw InvalidInput(
+        "a ball of half of the box's least side, " + text(std::min({torus.box().x, torus.box().y, torus.box().z})) +
+        ", has no point inside: expected " +
+        (std::isfinite(alpha) ? "alpha below that half, not " + text(alpha) + ", or " : "") + "more points in the box");
   if (!options.neighbors) found.neighbors = {};
   return found;
 }

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/simplices_at.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/input.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/steps.h"
 #include "rbpa/space/boundary/by_volume.h"
 #include "rbpa/space/boundary/measures.h"
+#include "rbpa/space/full/edges.h"
+#include "rbpa/space/full/faces_within.h"
+#include "rbpa/space/full/outside_of_balls.h"
 #include "rbpa/space/outer_faces.h"
 #include "rbpa/space/periodic/parts.h"
 
@@ -45,16 +49,17 @@ class Hull {
  public:
   explicit Hull(const PeriodicSolid& solid) : solid_(solid), measure_(solid.positions) {}
 
-  /// Replaces what was there.
-  void enclose(std::span<const std::uint32_t> tetrahedra, const std::vector<bool>& is_inside) {
+  /// Replaces what was there. is_bounding(t, k): whether the triangle across from corner k is a bound.
+  template <typename IsBounding>
+  void enclose(std::span<const std::uint32_t> tetrahedra, const IsBounding& is_bounding) {
     triangles_.clear();
     for (const std::uint32_t t : tetrahedra)
       for (std::size_t k = 0; k < 4; ++k)
-        if (is_inside[solid_.neighbors[t][k]] != is_inside[t]) triangles_.push_back(outer_face(solid_, t, k));
+        if (is_bounding(t, k)) triangles_.push_back(outer_face(solid_, t, k));
     bounding_ = triangles_.size();
     for (const std::uint32_t t : tetrahedra)
       for (std::size_t k = 0; k < 4; ++k)
-        if (is_inside[solid_.neighbors[t][k]] == is_inside[t] && space::step_across(solid_, t, k) != nowhere)
+        if (!is_bounding(t, k) && space::step_across(solid_, t, k) != nowhere)
           triangles_.push_back(outer_face(solid_, t, k));
   }
 
@@ -93,59 +98,76 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
   return points;
 }
 
-/// Edges of the tetrahedra inside. One is known by its points, and how many boxes these are apart.
-std::size_t count_edges(const PeriodicSolid& inside) {
-  const Solid by_points = without_offsets(inside);
-  const std::size_t bound = corner_bound<4>(by_points.simplices);
-  const TetrahedraAt stars(by_points.simplices, bound);
-  std::size_t count = 0;
-  std::vector<std::pair<std::uint32_t, std::array<int, 3>>> ends;
-  for (std::uint32_t a = 0; a < bound; ++a) {
-    ends.clear();
-    for (const std::uint32_t t : stars[a]) {
-      const auto& points = by_points.simplices[t];
-      const auto at = static_cast<std::size_t>(std::find(points.begin(), points.end(), a) - points.begin());
-      const auto& from = inside.vertices[inside.simplices[t][at]].offset;
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (points[k] <= a) continue;
-        const auto& to = inside.vertices[inside.simplices[t][k]].offset;
-        ends.push_back({points[k], {to[0] - from[0], to[1] - from[1], to[2] - from[2]}});
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    count += static_cast<std::size_t>(std::unique(ends.begin(), ends.end()) - ends.begin());
+/// Which tetrahedra are inside, and which triangles part voids.
+struct Complex {
+  const PeriodicSolid& delaunay;
+  std::vector<bool> is_inside;
+  std::optional<space::FacesWithin> faces = {};  // of the full complex
+
+  bool has_triangle(std::uint32_t t, std::size_t k) const {
+    return faces ? faces->has_triangle(t, k) : is_inside[t] || is_inside[delaunay.neighbors[t][k]];
   }
-  return count;
-}
+  bool has_edge(std::span<const space::EdgeAt> ring) const {
+    if (faces) return faces->has_edge(ring);
+    return std::any_of(ring.begin(), ring.end(), [&](const auto& at) { return is_inside[at.tetrahedron]; });
+  }
+  /// Of a piece or a void.
+  bool is_bounding(std::uint32_t t, std::size_t k) const {
+    return is_inside[delaunay.neighbors[t][k]] != is_inside[t] || (!is_inside[t] && has_triangle(t, k));
+  }
+};
 
-/// Points that are corners, and how many pieces they are connected to by tetrahedra.
-std::pair<std::size_t, std::size_t> count_points(const PeriodicSolid& inside) {
-  const Solid by_points = without_offsets(inside);
-  meshops::DisjointSets sets(corner_bound<4>(by_points.simplices));
-  std::vector<bool> is_corner(sets.size(), false);
-  std::size_t points = 0, joined = 0;
-  for (const auto& row : by_points.simplices)
-    for (const std::uint32_t corner : row) {
-      points += is_corner[corner] ? 0u : 1u;
-      is_corner[corner] = true;
-      joined += sets.join(row[0], corner) ? 1u : 0u;
+void count_simplices(const Complex& of, Threads& threads, const std::function<bool()>& go_on,
+                     PeriodicTopology& topology) {
+  const auto& neighbors = of.delaunay.neighbors;
+  for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
+    topology.tetrahedra += of.is_inside[t] ? 1u : 0u;
+    for (std::size_t k = 0; k < 4; ++k) {
+      topology.boundary_triangles += of.is_inside[t] && !of.is_inside[neighbors[t][k]] ? 1u : 0u;
+      topology.triangles += t < neighbors[t][k] && of.has_triangle(t, k) ? 1u : 0u;
     }
-  return {points, points - joined};
+  }
+  const space::EdgeCounts edges = space::count_edges(
+      space::Triangulated(of.delaunay), threads, [&](std::span<const space::EdgeAt> ring) { return of.has_edge(ring); },
+      go_on);
+  topology.edges = edges.edges;
+  topology.points = of.faces ? of.delaunay.distinct : edges.points;
+  topology.betti[0] = topology.points - edges.joined;
 }
 
-/// Betti numbers of what is inside. By duality b₂ is that of one-dimensional cohomology of the torus relative to the outside: a class for each
-/// void but one, and for each direction of the torus in which no void goes on.
+/// Betti numbers of the complex. By duality b₂ is that of one-dimensional cohomology of the torus relative to the
+/// outside: a class for each void but one, and for each direction of the torus in which no void percolates.
 void find_betti(const space::Parts& parts, PeriodicTopology& topology) {
   auto& [b0, b1, b2, b3] = topology.betti;
-  if (topology.tetrahedra == 0) return;
+  if (topology.points == 0) return;
   b3 = topology.voids.empty() ? 1 : 0;
   b2 = topology.voids.empty() ? 3 : topology.voids.size() + 2 - parts.directions_outside().value();
   b1 = b0 + b2 + topology.edges + topology.tetrahedra - b3 - topology.points - topology.triangles;
 }
 
+/// Of each part, for voids, the volume outside of the balls.
+std::vector<double> outside_of_balls(const Complex& of, const space::Parts& parts, double alpha, Threads& threads,
+                                     const std::function<bool()>& go_on) {
+  PeriodicSolid space;
+  std::vector<std::uint32_t> void_of;
+  space.vertices = of.delaunay.vertices;
+  space.positions = of.delaunay.positions;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    if (of.is_inside[parts.tetrahedra(i).front()]) continue;
+    for (const std::uint32_t t : parts.tetrahedra(i)) {
+      auto& row = space.neighbors.emplace_back();
+      for (std::size_t k = 0; k < 4; ++k) row[k] = of.has_triangle(t, k) ? Solid::none : 0;
+      space.simplices.push_back(of.delaunay.simplices[t]);
+      void_of.push_back(i);
+    }
+  }
+  return space::outside_of_balls(space::Triangulated(space), void_of, parts.size(), alpha, threads, go_on);
+}
+
 }  // namespace
 
-PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha) {
+PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
+                                   VoidWalls walls, unsigned wanted, const std::function<bool()>& go_on) {
   const std::size_t all = delaunay.simplices.size();
   meshops::require(radii.size() == all, "periodic_topology: expected a radius for each tetrahedron");
   meshops::require(delaunay.neighbors.size() == all, "periodic_topology: the triangulation has no neighbors");
@@ -153,41 +175,45 @@ PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<cons
     for (const std::uint32_t n : row)
       meshops::require(n < all,
                        "periodic_topology: expected tetrahedra that fill the box, from periodic_solid() at infinity");
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
 
+  Threads threads = threads_for(delaunay.distinct, wanted);
+  Complex of{delaunay, std::vector<bool>(all)};
+  for (std::size_t t = 0; t < all; ++t) of.is_inside[t] = radii[t] <= alpha;
+  if (walls == VoidWalls::full) of.faces.emplace(space::Triangulated(delaunay), radii, alpha, threads, go_on);
   PeriodicTopology topology;
-  const PeriodicSolid inside = within(delaunay, radii, alpha);
-  topology.tetrahedra = inside.simplices.size();
-  for (const auto& row : inside.neighbors)
-    for (const std::uint32_t n : row) topology.boundary_triangles += n == Solid::none ? 1u : 0u;
-  topology.triangles = (4 * topology.tetrahedra + topology.boundary_triangles) / 2;
-  topology.edges = count_edges(inside);
-  std::tie(topology.points, topology.betti[0]) = count_points(inside);
+  count_simplices(of, threads, go_on, topology);
 
-  std::vector<bool> is_inside(all);
-  for (std::size_t t = 0; t < all; ++t) is_inside[t] = radii[t] <= alpha;
-  const space::Parts parts(delaunay, is_inside);
+  const auto is_bounding = [&](std::uint32_t t, std::size_t k) { return of.is_bounding(t, k); };
+  const space::Parts parts(delaunay, of.is_inside, of.faces ? &*of.faces : nullptr);
   Hull hull(delaunay);
   std::vector<std::uint32_t> tetrahedra;  // all inside
   for (std::uint32_t t = 0; t < all; ++t)
-    if (is_inside[t]) tetrahedra.push_back(t);
-  hull.enclose(tetrahedra, is_inside);
+    if (of.is_inside[t]) tetrahedra.push_back(t);
+  hull.enclose(tetrahedra, is_bounding);
   const space::ClosedMeasures whole = hull.measures();
   topology.volume = whole.volume;
   topology.area = whole.area;
 
+  std::vector<double> outside;
+  if (of.faces) outside = outside_of_balls(of, parts, alpha, threads, go_on);
   std::vector<space::ClosedMeasures> measures;
   std::vector<PeriodicPart> found;
+  Steps step(go_on);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    hull.enclose(parts.tetrahedra(i), is_inside);
+    step(parts.tetrahedra(i).size());
+    hull.enclose(parts.tetrahedra(i), is_bounding);
     measures.push_back(hull.measures());
-    found.push_back({.tetrahedra = parts.tetrahedra(i).size(),
-                     .points = points_of(delaunay, hull.bounding()),
-                     .volume = measures.back().volume,
-                     .area = measures.back().area,
-                     .dimension = parts.directions(i).value()});
+    PeriodicPart& part = found.emplace_back();
+    part.tetrahedra = parts.tetrahedra(i).size();
+    part.points = points_of(delaunay, hull.bounding());
+    part.volume = measures.back().volume;
+    part.area = measures.back().area;
+    part.dimension = parts.directions(i).value();
+    if (of.faces && !of.is_inside[parts.tetrahedra(i).front()]) part.outside_balls = outside[i];
   }
   for (const std::uint32_t i : space::by_volume(measures))
-    (is_inside[parts.tetrahedra(i).front()] ? topology.solid_components : topology.voids)
+    (of.is_inside[parts.tetrahedra(i).front()] ? topology.solid_components : topology.voids)
         .push_back(std::move(found[i]));
   find_betti(parts, topology);
   return topology;

@@ -187,6 +187,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
                           corners_of(boundary, triangles),
                           islands[key[v]],
                           -of.volume,
+                          {},
                           of.area,
                           of.low,
                           of.high});

@@ -121,7 +121,7 @@ TEST_CASE(
         CHECK(!all[3].contains(ascending));
       }
       CHECK(space.distinct == delaunay.distinct);
-      const rbpa::FullVoids one_by_one = rbpa::full_voids(set.points, space);
+      const rbpa::FullVoids one_by_one = rbpa::full_voids(set.points, space, alpha, 1);
       REQUIRE(one_by_one.all.size() == voids);
       std::size_t triangles = 0;
       for (std::size_t i = 0; i < voids; ++i) {
@@ -168,7 +168,7 @@ TEST_CASE("a tetrahedron's triangles within a sphere are an island in its void")
   for (const Point3& p : on_unit_sphere(600, 9)) points.push_back({6 * p.x, 6 * p.y, 6 * p.z});
   const Solid delaunay = rbpa::solid(points, infinity);
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
-  const rbpa::FullVoids voids = rbpa::full_voids(points, rbpa::void_space(points, delaunay, radii, 1.7));
+  const rbpa::FullVoids voids = rbpa::full_voids(points, rbpa::void_space(points, delaunay, radii, 1.7), 1.7);
   REQUIRE(voids.all.size() >= 2);
   CHECK(voids.all[0].islands == 1);
   CHECK(voids.all[0].volume > 700);

@@ -14,6 +14,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
+#include "rbpa/dangling_faces.h"
 #include "rbpa/solid_radii.h"
 #include "support/periodic_sets.h"
 
@@ -23,6 +24,7 @@ using rbpa::PeriodicSolid;
 using rbpa::PeriodicTopology;
 using rbpa::PeriodicVertex;
 using rbpa::Point3;
+using rbpa::VoidWalls;
 
 TEST_SUITE_BEGIN("space");
 
@@ -93,13 +95,15 @@ struct Model {
   std::array<std::size_t, 4> counts, betti;
 };
 
-Model model_of(const PeriodicSolid& solid) {
+/// Of these tetrahedra, and of further simplices.
+Model model_of(const PeriodicSolid& solid, const std::vector<std::vector<PeriodicVertex>>& more = {}) {
   Chains chains;
   for (const auto& row : rows_of(solid)) {
     std::vector<PeriodicVertex> ascending(row.begin(), row.end());
     std::sort(ascending.begin(), ascending.end());
     add(chains, ascending);
   }
+  for (const auto& ascending : more) add(chains, ascending);
   std::array<std::size_t, 5> ranks = {0, 0, 0, 0, 0};
   Model model{};
   for (std::size_t d = 1; d < 4; ++d) ranks[d] = rank(chains.boundary[d]);
@@ -108,6 +112,26 @@ Model model_of(const PeriodicSolid& solid) {
     model.betti[d] = model.counts[d] - ranks[d] - ranks[d + 1];
   }
   return model;
+}
+
+/// What the full complex of 27 images of all points has beyond tetrahedra, where the least corner is in the box.
+/// Simplices near the sides of the images, of which some are wrong, have no such corner.
+std::vector<std::vector<PeriodicVertex>> dangling_by_images(const Points3& in_box, const Point3& box, double alpha) {
+  const AllImages all = all_images(in_box, box);
+  const rbpa::Solid delaunay = rbpa::solid(all.positions, infinity);
+  const rbpa::DanglingFaces found =
+      rbpa::dangling_faces(all.positions, delaunay, rbpa::circumradii(all.positions, delaunay.simplices), alpha);
+  std::vector<std::vector<PeriodicVertex>> simplices;
+  const auto add = [&](const auto& corners) {
+    std::vector<PeriodicVertex> ascending;
+    for (const std::uint32_t corner : corners) ascending.push_back(all.vertices[corner]);
+    std::sort(ascending.begin(), ascending.end());
+    if (ascending[0].offset == std::array<std::int8_t, 3>{0, 0, 0}) simplices.push_back(ascending);
+  };
+  for (const auto& triangle : found.triangles) add(triangle);
+  for (const auto& edge : found.edges) add(edge);
+  for (const std::uint32_t point : found.points) add(std::array{point});
+  return simplices;
 }
 
 double sum(const std::vector<PeriodicPart>& parts, double PeriodicPart::*what) {
@@ -140,9 +164,9 @@ Points3 without(const std::function<double(const Point3&)>& depth) {
 
 }  // namespace
 
-TEST_CASE("counts and Betti numbers of a periodic solid are those of its boundary matrices; parts fill the box") {
+TEST_CASE("counts and Betti numbers of periodic complexes are those of their boundary matrices; parts fill the box") {
   std::array<std::size_t, 4> dimensions = {0, 0, 0, 0};
-  std::size_t checked = 0, whole = 0, with_tunnels = 0;
+  std::size_t checked = 0, whole = 0, with_tunnels = 0, only_full = 0;
   for (std::uint64_t trial = 0; trial < 60; ++trial) {
     Random random(4800 + trial);
     const PeriodicSet set = periodic_set(trial, 40 + random.below(60), random);
@@ -158,8 +182,9 @@ TEST_CASE("counts and Betti numbers of a periodic solid are those of its boundar
     for (const double share : {0.0, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.98, 1.0}) {
       const double alpha = sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))] * (share == 0 ? 0.9 : 1);
       CAPTURE(alpha);
-      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha);
-      const Model model = model_of(rbpa::within(made.delaunay, made.radii, alpha));
+      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha, VoidWalls::solid);
+      const PeriodicSolid within = rbpa::within(made.delaunay, made.radii, alpha);
+      const Model model = model_of(within);
       CHECK(std::array{topology.points, topology.edges, topology.triangles, topology.tetrahedra} == model.counts);
       CHECK(topology.betti == model.betti);
       const double box = made.delaunay.box.x * made.delaunay.box.y * made.delaunay.box.z;
@@ -174,6 +199,22 @@ TEST_CASE("counts and Betti numbers of a periodic solid are those of its boundar
           if (i > 0) CHECK((*parts)[i].volume <= (*parts)[i - 1].volume);
           ++dimensions[(*parts)[i].dimension];
         }
+      const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, alpha, VoidWalls::full, 2);
+      const Model full_model =
+          model_of(within, dangling_by_images(wrapped(set, made.delaunay.box), made.delaunay.box, alpha));
+      CHECK(std::array{full.points, full.edges, full.triangles, full.tetrahedra} == full_model.counts);
+      CHECK(full.betti == full_model.betti);
+      CHECK(full.volume == topology.volume);
+      CHECK(full.area == topology.area);
+      CHECK(full.volume + sum(full.voids, &PeriodicPart::volume) == doctest::Approx(box));
+      CHECK(sum(full.voids, &PeriodicPart::area) >= topology.area * (1 - 1e-12));
+      for (const PeriodicPart& hollow : full.voids) {
+        REQUIRE(hollow.outside_balls.has_value());
+        CHECK(*hollow.outside_balls >= 0);
+        CHECK(*hollow.outside_balls < hollow.volume);
+        ++dimensions[hollow.dimension];
+      }
+      only_full += full.voids.size() > topology.voids.size() ? 1u : 0u;
       ++checked;
       whole += topology.betti == std::array<std::size_t, 4>{1, 3, 3, 1} ? 1u : 0u;
       with_tunnels += topology.betti[1] > 0 ? 1u : 0u;
@@ -182,6 +223,7 @@ TEST_CASE("counts and Betti numbers of a periodic solid are those of its boundar
   CHECK(checked > 200);
   CHECK(whole > 20);
   CHECK(with_tunnels > 100);
+  CHECK(only_full > 40);
   for (const std::size_t count : dimensions) CHECK(count > 0);
 }
 
@@ -189,7 +231,12 @@ TEST_CASE("a ball, a channel, a layer and a network that are left out have as ma
   const auto bent = [](double x) { return x - 10 * std::floor(x / 10) - 5; };  // from −5 to 5
   const auto topology_without = [&](const std::function<double(const Point3&)>& depth) {
     const Case made = triangulated(without(depth), {10, 10, 10});
-    return rbpa::periodic_topology(made.delaunay, made.radii, 1.2);
+    const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, 1.2);
+    const PeriodicTopology solid = rbpa::periodic_topology(made.delaunay, made.radii, 1.2, VoidWalls::solid);
+    REQUIRE(full.voids.size() >= solid.voids.size());  // points are so dense that triangles part next to nothing
+    CHECK(full.voids[0].dimension == solid.voids[0].dimension);
+    CHECK(full.voids[0].volume == doctest::Approx(solid.voids[0].volume).epsilon(0.01));
+    return solid;
   };
   const auto about = [](double value) { return doctest::Approx(value).epsilon(0.15); };
   // Across the corner of the box, so that they are in pieces there.
@@ -231,11 +278,13 @@ TEST_CASE("measures of a periodic solid are the same bytes in any order of the p
     Random random(4900 + trial);
     PeriodicSet set = periodic_set(trial % 8, 60, random);
     set.points = wrapped(set, set.box);
-    std::vector<PeriodicTopology> all;
+    std::vector<PeriodicTopology> all, all_full;
     for (int time = 0; time < 3; ++time) {
       try {
         const Case made = triangulated(set.points, set.box);
-        all.push_back(rbpa::periodic_topology(made.delaunay, made.radii, 1.5));
+        for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full})
+          (walls == VoidWalls::solid ? all : all_full)
+              .push_back(rbpa::periodic_topology(made.delaunay, made.radii, 1.5, walls));
       } catch (const rbpa::InvalidInput&) {
       }
       random.shuffle(set.points);
@@ -243,17 +292,112 @@ TEST_CASE("measures of a periodic solid are the same bytes in any order of the p
         for (Point3& p : set.points) p = {p.x + 3.25, p.y - 1.125, p.z + 7.5};
     }
     CAPTURE(set.name);
-    for (const PeriodicTopology& other : all) {
-      CHECK(other.volume == all[0].volume);
-      CHECK(other.area == all[0].area);
-      CHECK(other.betti == all[0].betti);
-      REQUIRE(other.voids.size() == all[0].voids.size());
-      for (std::size_t i = 0; i < other.voids.size(); ++i) {
-        CHECK(other.voids[i].volume == all[0].voids[i].volume);
-        CHECK(other.voids[i].area == all[0].voids[i].area);
-        CHECK(other.voids[i].dimension == all[0].voids[i].dimension);
-        CHECK(other.voids[i].points.size() == all[0].voids[i].points.size());
+    for (const auto* same : {&all, &all_full})
+      for (const PeriodicTopology& other : *same) {
+        const PeriodicTopology& first = same->front();
+        CHECK(other.volume == first.volume);
+        CHECK(other.area == first.area);
+        CHECK(other.betti == first.betti);
+        REQUIRE(other.voids.size() == first.voids.size());
+        for (std::size_t i = 0; i < other.voids.size(); ++i) {
+          CHECK(other.voids[i].volume == first.voids[i].volume);
+          CHECK(other.voids[i].area == first.voids[i].area);
+          CHECK(other.voids[i].dimension == first.voids[i].dimension);
+          CHECK(other.voids[i].points.size() == first.voids[i].points.size());
+          if (first.voids[i].outside_balls)
+            CHECK(*other.voids[i].outside_balls == doctest::Approx(*first.voids[i].outside_balls).epsilon(1e-9));
+        }
       }
+  }
+}
+
+TEST_CASE("bricks of points have windows of three sizes: which directions they open at each radius is exact") {
+  // Euler's brick: all diagonals of faces are integers, so that half of each is a double. The diagonal of the brick is
+  // 270.6.
+  const Point3 brick = {44, 117, 240};
+  const int along_x = 7, along_y = 4, along_z = 3;
+  const Point3 box = {along_x * brick.x, along_y * brick.y, along_z * brick.z};
+  Points3 points;
+  for (int x = 0; x < along_x; ++x)
+    for (int y = 0; y < along_y; ++y)
+      for (int z = 0; z < along_z; ++z) points.push_back({x * brick.x, y * brick.y, z * brick.z});
+  const Case made = triangulated(points, box);
+  const auto at = [&](double alpha, VoidWalls walls = VoidWalls::full) {
+    return rbpa::periodic_topology(made.delaunay, made.radii, alpha, walls);
+  };
+  const auto below = [](double x) { return std::nextafter(x, 0.0); };
+  struct Step {
+    double alpha;
+    unsigned dimension;
+    std::size_t voids;
+  };
+  const std::size_t bricks = 7 * 4 * 3;
+  for (const Step& step : {Step{below(62.5), 3, 1}, Step{62.5, 2, 3}, Step{below(122), 2, 3}, Step{122, 1, 12},
+                           Step{below(133.5), 1, 12}, Step{133.5, 0, bricks}, Step{135, 0, bricks}}) {
+    CAPTURE(step.alpha);
+    const PeriodicTopology topology = at(step.alpha);
+    REQUIRE(topology.voids.size() == step.voids);
+    for (const PeriodicPart& hollow : topology.voids) {
+      CHECK(hollow.dimension == step.dimension);
+      CHECK(hollow.volume == box.x * box.y * box.z / double(step.voids));
+    }
+    CHECK(topology.betti[0] == (step.alpha < 120 ? 3 : 1));  // edges along z
+    CHECK(topology.betti[2] == step.voids + 2 - step.dimension);
+    CHECK(topology.betti[3] == 0);
+    // The solid leaks through every window.
+    CHECK(at(step.alpha, VoidWalls::solid).voids.size() == 1);
+  }
+  CHECK(at(135.5).voids.empty());
+  CHECK(at(135.5).betti == std::array<std::size_t, 4>{1, 3, 3, 1});
+}
+
+TEST_CASE("of a cubic lattice the balls leave what the formula says, and of random points what samples say") {
+  Points3 cubic;
+  for (int i = 0; i < 64; ++i) cubic.push_back({double(i % 4), double(i / 4 % 4), double(i / 16)});
+  const Case lattice = triangulated(cubic, {4, 4, 4});
+  const double pi = std::acos(-1.0);
+  for (const double r : {0.3, 0.5, 0.6, 0.7, std::nextafter(std::sqrt(0.5), 1.0)}) {
+    CAPTURE(r);
+    const double lens = r > 0.5 ? pi / 12 * (4 * r + 1) * (2 * r - 1) * (2 * r - 1) : 0;
+    const double left = 1 - (4 * pi / 3 * r * r * r - 3 * lens);
+    const PeriodicTopology topology = rbpa::periodic_topology(lattice.delaunay, lattice.radii, r);
+    CHECK(topology.voids.size() == (r > 0.705 ? 64 : 1));
+    for (const PeriodicPart& hollow : topology.voids)
+      CHECK(*hollow.outside_balls / hollow.volume == doctest::Approx(left).epsilon(1e-12));
+  }
+  for (const std::size_t count : {40u, 150u}) {
+    Random random(4970 + count);
+    const PeriodicSet set = {"uniform",
+                             [&] {
+                               Points3 points;
+                               for (std::size_t i = 0; i < count; ++i)
+                                 points.push_back({8 * random.unit(), 9 * random.unit(), 10 * random.unit()});
+                               return points;
+                             }(),
+                             {8, 9, 10}};
+    const Case made = triangulated(set.points, set.box);
+    for (const double alpha : {0.8, 1.2, 1.7}) {
+      CAPTURE(alpha);
+      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha);
+      double outside = 0;
+      for (const PeriodicPart& hollow : topology.voids) outside += *hollow.outside_balls;
+      constexpr int samples = 40'000;
+      int far = 0;
+      for (int i = 0; i < samples; ++i) {
+        const Point3 q = {8 * random.unit(), 9 * random.unit(), 10 * random.unit()};
+        const auto apart = [](double a, double b, double side) {
+          const double d = std::abs(a - b);
+          return std::min(d, side - d);
+        };
+        far += std::none_of(set.points.begin(), set.points.end(),
+                            [&](const Point3& p) {
+                              return std::hypot(apart(p.x, q.x, 8), apart(p.y, q.y, 9), apart(p.z, q.z, 10)) < alpha;
+                            })
+                   ? 1
+                   : 0;
+      }
+      const double share = double(far) / samples;
+      CHECK(std::abs(outside / 720 - share) < 4 * std::sqrt(share * (1 - share) / samples) + 1e-4);
     }
   }
 }

@@ -221,8 +221,8 @@ TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles the
       for (const std::uint32_t t : found.tetrahedra) CHECK(filtration.tetrahedron_alpha[t] <= *pairs[i].death);
       if (i % 7 == 0 && std::isfinite(pairs[i].birth)) {
         const rbpa::FullVoids at_birth = rbpa::full_voids(
-            set.points,
-            rbpa::void_space(set.points, filtration.delaunay, filtration.tetrahedron_alpha, pairs[i].birth));
+            set.points, rbpa::void_space(set.points, filtration.delaunay, filtration.tetrahedron_alpha, pairs[i].birth),
+            pairs[i].birth);
         // Triangles that stand in it are counted twice there, and bound nothing here.
         CHECK(std::any_of(at_birth.all.begin(), at_birth.all.end(), [&](const rbpa::SolidVoid& v) {
           return std::abs(v.volume - found.volume) <= 1e-9 * v.volume && found.area <= v.area * (1 + 1e-9);

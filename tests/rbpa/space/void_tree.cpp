@@ -185,7 +185,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
         const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
         rbpa::FullVoids voids{.boundary = boundary.surface, .all = {}};
         if (walls == VoidWalls::full)
-          voids = rbpa::full_voids(set.points, rbpa::void_space(set.points, delaunay, radii, alpha));
+          voids = rbpa::full_voids(set.points, rbpa::void_space(set.points, delaunay, radii, alpha), alpha);
         else
           voids.all = rbpa::voids(set.points, solid, boundary).all;
         std::vector<std::uint32_t> nodes = rbpa::nodes_of(tree, delaunay, radii, alpha, voids.boundary, voids.all);

@@ -1,25 +1,39 @@
 #include "rbpa/space/full/faces_within.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "rbpa/space/outer_faces.h"
 #include "rbpa/space/predicate/least_sphere.h"
 
 namespace rbpa::space {
 
-FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                         double alpha, Threads& threads, const std::function<bool()>& go_on)
-    : points_(points), delaunay_(delaunay), radii_(radii), alpha_(alpha), has_triangle_(4 * radii.size()) {
+bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha) {
+  const auto end = [&](const EdgeAt& at, std::size_t k) -> const Point3& {
+    return delaunay.position(at.tetrahedron, k);
+  };
+  if (!is_least_sphere_within(end(ring[0], ring[0].from), end(ring[0], ring[0].to), alpha)) return false;
+  return std::none_of(ring.begin(), ring.end(), [&](const EdgeAt& at) {
+    const auto [k, l] = others(at);
+    const Point3 &a = end(at, at.from), &b = end(at, at.to);
+    return in_least_sphere(a, b, end(at, k)) || in_least_sphere(a, b, end(at, l));
+  });
+}
+
+FacesWithin::FacesWithin(const Triangulated& delaunay, std::span<const double> radii, double alpha, Threads& threads,
+                         const std::function<bool()>& go_on)
+    : delaunay_(delaunay), radii_(radii), alpha_(alpha), has_triangle_(4 * radii.size()) {
   constexpr std::size_t at_a_time = 1u << 12;
+  const auto& neighbors = delaunay_.neighbors;
+  // Which corner of the tetrahedron across from corner k is across from t.
+  const auto back = [&](std::uint32_t t, std::size_t k) {
+    const auto& others = neighbors[neighbors[t][k]];
+    return static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
+  };
+  const auto is_empty_beside = [&](std::uint32_t t, std::size_t k) {
+    const auto face = [&](std::size_t i) -> const Point3& { return delaunay_.position(t, outer_faces[k][i]); };
+    const LeastSphere sphere(face(0), face(1), face(2));
+    return sphere.is_within(alpha_) && !sphere.has_inside(delaunay_.position(t, k));
+  };
   const auto is_alone_within = [&](std::uint32_t t, std::size_t k) {
-    const auto& corners = delaunay_.simplices[t];
-    const LeastSphere sphere(points_[corners[outer_faces[k][0]]], points_[corners[outer_faces[k][1]]],
-                             points_[corners[outer_faces[k][2]]]);
-    if (!sphere.is_within(alpha_) || sphere.has_inside(points_[corners[k]])) return false;
-    const std::uint32_t beyond = delaunay_.neighbors[t][k];
-    if (beyond == Solid::none) return true;
-    return !sphere.has_inside(points_[delaunay_.simplices[beyond][back(t, k)]]);
+    return is_empty_beside(t, k) && (is_on_hull(t, k) || is_empty_beside(neighbors[t][k], back(t, k)));
   };
   // Each by its first tetrahedron, and then read from there.
   AskFromAnyThread ask(go_on);
@@ -32,28 +46,10 @@ FacesWithin::FacesWithin(std::span<const Point3> points, const Solid& delaunay, 
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
     ask();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (is_first(t, k)) continue;
-        const std::uint32_t first = delaunay_.neighbors[t][k];
-        has_triangle_[4 * std::size_t{t} + k] = has_triangle_[4 * std::size_t{first} + back(t, k)];
-      }
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!is_first(t, k))
+          has_triangle_[4 * std::size_t{t} + k] = has_triangle_[4 * std::size_t{neighbors[t][k]} + back(t, k)];
   });
-}
-
-bool FacesWithin::has_triangle_at(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
-  for (const std::uint32_t t : around)
-    for (std::size_t k = 0; k < 4; ++k)
-      if (const std::uint32_t corner = delaunay_.simplices[t][k]; corner != a && corner != b && has_triangle(t, k))
-        return true;
-  return false;
-}
-
-bool FacesWithin::has_edge_alone(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> around) const {
-  if (!is_least_sphere_within(points_[a], points_[b], alpha_)) return false;
-  for (const std::uint32_t t : around)
-    for (const std::uint32_t corner : delaunay_.simplices[t])
-      if (corner != a && corner != b && in_least_sphere(points_[a], points_[b], points_[corner])) return false;
-  return true;
 }
 
 }  // namespace rbpa::space

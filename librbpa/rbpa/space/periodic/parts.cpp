@@ -19,7 +19,7 @@ Boxes step_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) {
   return {0, 0, 0};
 }
 
-Parts::Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside) {
+Parts::Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside, const FacesWithin* walls) {
   const std::size_t count = solid.simplices.size();
   std::vector<Boxes> place(count);
   std::vector<bool> is_placed(count, false);
@@ -34,7 +34,7 @@ Parts::Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside) {
       const std::uint32_t t = order_[at];
       for (std::size_t k = 0; k < 4; ++k) {
         const std::uint32_t n = solid.neighbors[t][k];
-        if (is_inside[n] != is_inside[t]) continue;
+        if (is_inside[n] != is_inside[t] || (walls != nullptr && !is_inside[t] && walls->has_triangle(t, k))) continue;
         const Boxes step = step_across(solid, t, k);
         const Boxes there = {place[t][0] + step[0], place[t][1] + step[1], place[t][2] + step[2]};
         if (!is_placed[n]) {

@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "rbpa/periodic_solid.h"
+#include "rbpa/space/full/faces_within.h"
 #include "rbpa/space/periodic/rank.h"
 
 namespace rbpa::space {
 
 class Parts {
  public:
-  /// Pieces of those inside and of those outside. Requires: a tetrahedron across from each corner.
-  Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside);
+  /// Pieces of those inside and of those outside; where `walls` is given, its triangles part the latter. Requires: a
+  /// tetrahedron across from each corner.
+  Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside, const FacesWithin* walls);
 
   std::size_t size() const { return begin_.size() - 1; }
   std::span<const std::uint32_t> tetrahedra(std::size_t part) const {

@@ -1,0 +1,28 @@
+// What: how much of voids of the full alpha complex is outside of the balls of radius alpha around the points.
+// How:  the volume of the tetrahedra of a void, less that of balls by inclusion and exclusion, of which each
+//       tetrahedron has the share in its angles: docs/solid.md, section 11.
+// Law:  which simplices count is exact; sizes and angles are rounded, their sum is exact and rounded once.
+// Cost: linear in the tetrahedra of voids.
+// Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/full/triangulated.h"
+
+namespace rbpa::space {
+
+/// Returns the volume of each of `voids` voids that is at least alpha from every point.
+/// Requires: the tetrahedra of voids, without a neighbor across a triangle of the complex; the void of each, by number;
+///           0 < alpha < infinity unless there are no tetrahedra.
+/// Throws:   Cancelled where `go_on` returns false.
+std::vector<double> outside_of_balls(const Triangulated& space, std::span<const std::uint32_t> void_of,
+                                     std::size_t voids, double alpha, Threads& threads,
+                                     const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa::space

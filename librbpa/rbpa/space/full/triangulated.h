@@ -1,0 +1,30 @@
+// What: the tetrahedra of a triangulation, of points or of a box that repeats, as what is computed of both has them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/periodic_solid.h"
+#include "rbpa/solid.h"
+
+namespace rbpa::space {
+
+/// Corners are vertices. Refers to what it is made of.
+struct Triangulated {
+  std::span<const Point3> positions;  ///< of the vertices
+  std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
+  std::span<const PeriodicVertex> vertices =
+      {};  ///< in a box, the image that each vertex is; otherwise vertices are points
+
+  Triangulated(std::span<const Point3> points, const Solid& solid)
+      : positions(points), simplices(solid.simplices), neighbors(solid.neighbors) {}
+  explicit Triangulated(const PeriodicSolid& solid)
+      : positions(solid.positions), simplices(solid.simplices), neighbors(solid.neighbors), vertices(solid.vertices) {}
+
+  std::uint32_t point(std::uint32_t vertex) const { return vertices.empty() ? vertex : vertices[vertex].point; }
+  const Point3& position(std::uint32_t t, std::size_t k) const { return positions[simplices[t][k]]; }
+};
+
+}  // namespace rbpa::space
