@@ -89,19 +89,24 @@ namespace {
 /// Of heights or not.
 std::optional<Crs> system_of_name(std::string_view name) {
   const std::string folded = upper(name);
-  constexpr std::string_view urn = "URN:OGC:DEF:CRS:";
+  // Of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", the first is that of the plane.
+  const auto before = [](std::string_view text, char sign) {
+    return text.substr(0, std::min(text.find(sign), text.size()));
+  };
+  constexpr std::string_view urn = "URN:OGC:DEF:CRS:", compound_urn = "URN:OGC:DEF:CRS,CRS:";
   for (const std::string_view url : {"HTTP://WWW.OPENGIS.NET/DEF/CRS/", "HTTPS://WWW.OPENGIS.NET/DEF/CRS/"})
     if (folded.starts_with(url)) {  // authority/version/code
       const std::string_view rest = name.substr(url.size());
-      return crs_of(rest.substr(0, std::min(rest.find('/'), rest.size())), rest.substr(rest.rfind('/') + 1));
+      return crs_of(before(rest, '/'), rest.substr(rest.rfind('/') + 1));
     }
-  if (folded.starts_with(urn)) {
-    const std::string_view rest = name.substr(urn.size());  // authority:version:code
-    return crs_of(rest.substr(0, std::min(rest.find(':'), rest.size())), rest.substr(rest.rfind(':') + 1));
-  }
+  for (const std::string_view start : {urn, compound_urn})
+    if (folded.starts_with(start)) {
+      const std::string_view rest = before(name.substr(start.size()), ',');  // authority:version:code
+      return crs_of(before(rest, ':'), rest.substr(rest.rfind(':') + 1));
+    }
   const std::size_t colon = name.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  return crs_of(name.substr(0, colon), name.substr(colon + 1));
+  return crs_of(name.substr(0, colon), before(name.substr(colon + 1), '+'));
 }
 
 std::optional<Crs> plane(std::optional<Crs> crs) { return crs && is_vertical(*crs) ? std::nullopt : std::move(crs); }
@@ -211,7 +216,8 @@ PlaneSystem find_plane(const std::vector<std::string_view>& items, int depth = 0
   for (const std::string_view item : items) {
     const WktNode node = node_of(item);
     PlaneSystem found{};
-    if (is_among(node.keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < deepest)
+    if (is_among(node.keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS", "COORDINATEMETADATA"}) &&
+        depth < deepest)
       found = find_plane(node.items, depth + 1);
     else if (is_among(node.keyword,
                       {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS", "PROJCS", "PROJCRS",

@@ -74,6 +74,7 @@ const std::vector<Text> texts = {
          "\"EPSG\",4326]]]]," +
          vertical2 + "]",
      "EPSG:26910"},
+    {"COORDINATEMETADATA[" + projcrs(",ID[\"EPSG\",26910]") + ",EPOCH[2016.47]]", "EPSG:26910"},
     {"GEOGCRS[\"WGS 84\",CS[ellipsoidal,2],ID[\"EPSG\",4326]]", "EPSG:4326 in degrees"},
     {"GEODCRS[\"WGS 84\",CS[ellipsoidal,3],ID[\"EPSG\",4979]]", "EPSG:4979 in degrees"},
     {"GEODCRS[\"WGS 84\",CS[Cartesian,3],ID[\"EPSG\",4978]]", "EPSG:4978"},
@@ -123,6 +124,26 @@ TEST_SUITE("systems of coordinates") {
         const bool said = folder.rbpa("info p.las").err.find("--crs EPSG:CODE names it") != std::string::npos;
         CHECK(said == (name == "none"));
       }
+    }
+  }
+
+  TEST_CASE("names of systems: of either case, and of a compound one its horizontal part") {
+    for (const auto& [name, crs] : std::vector<std::pair<std::string, std::string>>{
+             {"EPSG:6339", "EPSG:6339"},
+             {"epsg:6339+5703", "EPSG:6339"},
+             {"EPSG:4326+5773", "EPSG:4326 in degrees"},
+             {"urn:ogc:def:crs:EPSG::6339", "EPSG:6339"},
+             {"urn:ogc:def:crs:EPSG:10.0:6339", "EPSG:6339"},
+             {"urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", "EPSG:6339"},
+             {"urn:ogc:def:crs:OGC:1.3:CRS84", "OGC:CRS84 in degrees"},
+             {"http://www.opengis.net/def/crs/EPSG/0/6339", "EPSG:6339"},
+             {"EPSG:5703", "none"},
+             {"urn:ogc:def:crs:EPSG::5703", "none"},
+             {"EPSG:+5703", "none"},
+             {"EPSG:", "none"},
+             {"6339", "none"}}) {
+      CAPTURE(name);
+      CHECK(text_of(crs_of_name(name)) == crs);
     }
   }
 
