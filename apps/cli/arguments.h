@@ -57,8 +57,8 @@ std::vector<std::string> ogr_paths(const Target& target);
 /// A file for the points in no polygon, by its ending.
 Target parse_isolated(const std::string& path);
 
-/// The format of an input, as --format says it, else by the ending, or of standard input by its content. `known` are those
-/// there are, and `argument` is what the command line calls the input.
+/// The format of an input, as --format says it, else by the ending, or of standard input by its content. `known` are
+/// those there are, and `argument` is what the command line calls the input.
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
                     const std::string& argument);
 

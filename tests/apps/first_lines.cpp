@@ -246,6 +246,8 @@ TEST_SUITE("first lines") {
     CHECK(frames.remarks ==
           std::vector<std::string>{
               "the atoms are the 1 as line 1 says, of the first frame; what follows them is left out"});
+    // A count before x, y, z and an intensity is no number of atoms.
+    CHECK(plane("2\n10.5 0 1 5\n1 0 2 5\n", {}, "m.xyz").points == Points{{10.5, 0}, {1, 0}});
     // Where nothing says that they are atoms, numbers of elements are no coordinates.
     const std::string bare = "6 0.5 0 1\n7 1 0 2\n8 0 1.5 3\n";
     CHECK(refusal([&] { plane(bare, {}, "m.xyz"); }).find("--columns 2,3 reads atoms") != std::string::npos);

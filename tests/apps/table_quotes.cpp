@@ -1,4 +1,5 @@
-// Texts in quotes as RFC 4180 has them, and by which sign fields are apart: in any column, at once, by pieces and packed.
+// Texts in quotes as RFC 4180 has them, and by which sign fields are apart: in any column, at once, by pieces and
+// packed.
 #include <doctest/doctest.h>
 
 #include <string>

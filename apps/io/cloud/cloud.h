@@ -28,7 +28,8 @@ namespace rbpa::app {
 /// What is wanted of a file.
 struct CloudRequest {
   bool in_space = false;  ///< x, y, z, normals and colours; else x and y, and whether heights differ
-  /// Of a table: x, y, or geometries, or x, y, z, or these and the normal's. Absent: as its header names them, else the first.
+  /// Of a table: x, y, or geometries, or x, y, z, or these and the normal's. Absent: as its header names them, else the
+  /// first.
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< which points count, by fields beside them
   bool heights = false;                           ///< in the plane: z as well, where there is one

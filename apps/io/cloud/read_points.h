@@ -38,7 +38,8 @@ bool may_be_packed(const PointSource& source);
 /// the file, the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
-/// Of standard input whose content has shown its format. Throws WrongUsage where an option asks for what it does not have.
+/// Of standard input whose content has shown its format. Throws WrongUsage where an option asks for what it does not
+/// have.
 void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
                       const std::optional<Condition>& where);
 

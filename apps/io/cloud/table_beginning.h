@@ -1,5 +1,5 @@
-// What: what a table begins with before its first point: "sep=;", the number of points, a comment with names, a header, or the count
-//       and the comment of atoms.
+// What: what a table begins with before its first point: "sep=;", the number of points, a comment with names, a header,
+//       or the count and the comment of atoms.
 // Law:  where lines that are no point may be left out, the first lines are left out until the others go on as one does.
 #pragma once
 

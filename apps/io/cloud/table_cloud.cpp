@@ -169,7 +169,7 @@ class TableCloud final : public Cloud {
         at = number.end;
       } else {
         const char* const field = at;
-        if (column == 0 && *at == '/') return nullptr;  // two of them begin a comment
+        if (column == 0 && at != end && *at == '/') return nullptr;  // two of them begin a comment
         while (at != end && !is_blank(*at) && *at != separator && *at != '\n' && *at != '"' && *at != '#') ++at;
         if (at == field) return nullptr;
         if (role[column] == height) take_height({field, static_cast<std::size_t>(at - field)});

@@ -1,8 +1,9 @@
 // What: which columns of a table are which, by its first line and by the request.
-// Law:  a first line with nothing that is nearly a number in a column that counts, and no number elsewhere, is a header; where its
-//       names are known, such as lat and lon, they say which columns are x and y, or that there is one of geometries in well-known
-//       text. A comment right before the first line of numbers is a header as well, if it has as many names and x, y, in
-//       space also z, are among them. Where nothing is known by name, a column whose first value is a geometry is one of them.
+// Law:  a first line with nothing that is nearly a number in a column that counts, and no number elsewhere, is a
+//       header; where its names are known, such as lat and lon, they say which columns are x and y, or that there is
+//       one of geometries in well-known text. A comment right before the first line of numbers is a header as well, if
+//       it has as many names and x, y, in space also z, are among them. Where nothing is known by name, a column whose
+//       first value is a geometry is one of them.
 #pragma once
 
 #include <array>

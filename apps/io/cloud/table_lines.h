@@ -1,6 +1,6 @@
 // What: the lines of a table, of a text in memory or of a file of which some is read at a time.
-// Law:  blank lines and those that begin with '#' or "//" are passed over, and counted. A text in quotes may go on in lines behind
-//       the one it begins in, which are then one line, wherever pieces of the file end.
+// Law:  blank lines and those that begin with '#' or "//" are passed over, and counted. A text in quotes may go on in
+//       lines behind the one it begins in, which are then one line, wherever pieces of the file end.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What: by which sign the fields of a table are apart.
-// Law:  what "sep=" says; else that which makes lines of data of most of the first lines, with as many fields as the first line: one
-//       that is a header counts more than the ending of the name, and that more than how many lines there are. Commas that are
-//       decimal in all of them separate nothing.
+// Law:  what "sep=" says; else that which makes lines of data of most of the first lines, with as many fields as the
+//       first line: one that is a header counts more than the ending of the name, and that more than how many lines
+//       there are. Commas that are decimal in all of them separate nothing.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,8 @@ struct SeparatorChoice {
 /// The text that is looked at.
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
-/// For the table in `text`, of which nothing but its beginning counts. `said`: by "sep="; `by_most`: the first line may be none of it.
+/// For the table in `text`, of which nothing but its beginning counts. `said`: by "sep="; `by_most`: the first line may
+/// be none of it.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 

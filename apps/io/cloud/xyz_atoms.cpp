@@ -45,6 +45,17 @@ std::vector<std::string> names_of(std::string_view properties) {
   return has_place ? names : std::vector<std::string>();
 }
 
+/// Whether a line of numbers is no comment, as the next has as many fields.
+bool are_both_data(std::string_view line, std::string_view next) {
+  std::size_t numbers = 0;
+  for (Fields fields(line, blanks); !fields.at_end();)
+    if (is_number(fields.take()))
+      ++numbers;
+    else
+      return false;
+  return numbers == count_fields(next, blanks).all;
+}
+
 }  // namespace
 
 bool is_atom_line(std::string_view line, bool by_number) {
@@ -65,12 +76,12 @@ std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number) {
   if (!count || *count == 0 || !lines.next()) return std::nullopt;
   XyzAtoms atoms{.count = *count, .names = names_of(properties_in(lines.line()))};
   const bool says_columns = !atoms.names.empty();
-  const bool comment_is_atom = is_atom_line(lines.line(), true);
+  const std::string_view comment = lines.line();
   atoms.behind_comment = lines.rest().data() - 1;
   if (!lines.next()) return std::nullopt;
   if (says_columns)
     return count_fields(lines.line(), blanks).all >= atoms.names.size() ? std::optional(atoms) : std::nullopt;
-  if (!is_atom_line(lines.line(), by_number && !comment_is_atom)) return std::nullopt;
+  if (!is_atom_line(lines.line(), by_number && !are_both_data(comment, lines.line()))) return std::nullopt;
   atoms.names = {"element", "x", "y", "z"};
   return atoms;
 }

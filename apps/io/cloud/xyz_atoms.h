@@ -1,5 +1,7 @@
-// What: the .xyz of chemistry as a table: the number of atoms, a line of comment, and a line for each atom: its element and x, y, z.
-// Source: extended XYZ, https://github.com/libAtoms/extxyz: "Properties=species:S:1:pos:R:3:..." in the comment names the columns.
+// What: the .xyz of chemistry as a table: the number of atoms, a line of comment, and a line for each atom: its element
+//       and x, y, z.
+// Source: extended XYZ, https://github.com/libAtoms/extxyz: "Properties=species:S:1:pos:R:3:..." in the comment names
+//         the columns.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +18,8 @@ struct XyzAtoms {
   const char* behind_comment = nullptr;  ///< its end in the text
 };
 
-/// What `text` begins with, of which the first line is the number of atoms: nothing where no line of an atom is the third.
-/// `by_number`: elements may be numbers.
+/// What `text` begins with, of which the first line is the number of atoms: nothing where no line of an atom is the
+/// third. `by_number`: elements may be numbers.
 std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number);
 
 /// Whether a line is an atom's: the symbol of an element, or a label that begins with a letter, and three numbers.

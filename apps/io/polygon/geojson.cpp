@@ -237,7 +237,9 @@ class Events {
   std::string feature_text() const {
     const bool in_collection = frames_.size() > 1 && frames_.front().has_features;
     if (!in_collection && (frames_.empty() || !frames_.front().is_feature)) return "";
-    return ": feature " + std::to_string(features_) + id_text(frames_[in_collection ? 1 : 0].begin);
+    const std::string id = id_text(frames_[in_collection ? 1 : 0].begin);
+    const bool is_only = !in_collection && features_ == 0 && id.empty();
+    return is_only ? "" : ": feature " + std::to_string(features_) + id;
   }
   /// Of the object that begins there; it may be anywhere in it.
   std::string id_text(const char* begin) const {

@@ -21,8 +21,8 @@ inline std::string_view without_quotes(std::string_view field) {
   return field;
 }
 
-/// Behind the quote that ends the text in quotes at `quote`, in which two quotes are one (RFC 4180). Null where none does
-/// before `end`.
+/// Behind the quote that ends the text in quotes at `quote`, in which two quotes are one (RFC 4180). Null where none
+/// does before `end`.
 inline const char* end_of_quoted(const char* quote, const char* end) {
   for (const char* at = std::find(quote + 1, end, '"'); at != end; at = std::find(at + 2, end, '"'))
     if (at + 1 == end || at[1] != '"') return at + 1;
@@ -109,12 +109,12 @@ std::string_view text_of_field(std::string_view field, std::string& room);
 /// The texts of all fields; `room` holds those that are not as in the line.
 std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room);
 
-/// Where the record ends that begins as `line` does: at the end of that line, or of a later one before `end` where a text in quotes
-/// goes on. Null where such a text does not end, or goes on for more than a mebibyte.
+/// Where the record ends that begins as `line` does: at the end of that line, or of a later one before `end` where a
+/// text in quotes goes on. Null where such a text does not end, or goes on for more than a mebibyte.
 const char* end_of_record(std::string_view line, const char* end, char separator);
 
-/// Comma, semicolon, tab or blanks: the first of them that is in the line outside of quotes. A comma that stands between the digits
-/// of a number in every field that has one separates nothing.
+/// Comma, semicolon, tab or blanks: the first of them that is in the line outside of quotes. A comma that stands
+/// between the digits of a number in every field that has one separates nothing.
 char separator_of(std::string_view line);
 
 /// Whether `line`, apart at `separator`, has commas, and every one of them stands in a number of its own: "1,5;2".
@@ -126,8 +126,8 @@ std::optional<char> separator_hint(std::string_view line);
 /// With a decimal point or comma.
 bool is_number(std::string_view field);
 
-/// Whether it was meant to be one, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or has no letters but
-/// those of exponents.
+/// Whether it was meant to be one, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or has no
+/// letters but those of exponents.
 bool is_nearly_number(std::string_view field);
 
 /// Whether it begins as well-known text does, and its brackets close.

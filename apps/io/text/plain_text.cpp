@@ -69,7 +69,8 @@ std::size_t end_of_line_with(std::string_view text, std::string_view word, std::
   return text.size();
 }
 
-/// The same of a header, behind which there may be bytes. Where its first line ends in CR alone, LF is the first of these.
+/// The same of a header, behind which there may be bytes. Where its first line ends in CR alone, LF is the first of
+/// these.
 std::size_t end_of_header(std::string_view bytes, std::string_view word, std::string_view& line) {
   const std::size_t end = end_of_line_with(bytes, word, line);
   const std::string_view first_end = bytes.substr(std::min(bytes.find_first_of("\r\n"), bytes.size()), 2);

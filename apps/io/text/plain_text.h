@@ -1,6 +1,7 @@
-// What: the text of a file as all readers of text take it: without the mark of its encoding, and with lines that end in LF.
-// Law:  bytes, or the same behind the mark of UTF-8, or with CR or CRLF at the end of any line, are one text. What is no text
-//       stays as it is. Lines keep their numbers.
+// What: the text of a file as all readers of text take it: without the mark of its encoding, and with lines that end in
+//       LF.
+// Law:  bytes, or the same behind the mark of UTF-8, or with CR or CRLF at the end of any line, are one text. What is
+//       no text stays as it is. Lines keep their numbers.
 // Cost: one search for CR; where a line ends in CR alone, a copy.
 #pragma once
 
@@ -11,8 +12,8 @@
 
 namespace rbpa::app {
 
-/// The text that `bytes` are, or as far as they are text in a file of that format; in `room` where it is not among them. Throws
-/// BadInput where it is UTF-16 or UTF-32.
+/// The text that `bytes` are, or as far as they are text in a file of that format; in `room` where it is not among
+/// them. Throws BadInput where it is UTF-16 or UTF-32.
 std::string_view plain_text(std::string_view bytes, const std::string& name, std::string& room);
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room);
 
