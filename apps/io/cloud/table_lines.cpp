@@ -78,13 +78,16 @@ std::string_view TableLines::ahead(std::size_t size) {
 bool TableLines::next_text(std::size_t at_least) {
   content_.skip(taken_);
   std::string_view text = content_.ahead();
-  for (std::size_t wanted = std::max(at_once, at_least + at_once); !content_.is_in_memory(); wanted += at_once) {
+  std::size_t searched = 0;  // for ends of lines
+  for (std::size_t wanted = at_least + at_once; !content_.is_in_memory(); wanted += at_once) {
     text = content_.ahead(wanted);
     if (text.size() < wanted) break;  // the end of the file
-    if (const std::size_t lines = size_of_lines(text); lines > at_least) {
-      text = text.substr(0, lines);
+    const std::size_t lines = size_of_lines(text.substr(searched));
+    if (lines > 0 && searched + lines > at_least) {
+      text = text.substr(0, searched + lines);
       break;
     }
+    searched = text.size() - 1;
     require_memory(text.size());
   }
   const bool is_first = taken_ == 0 && lines_.number() == 0;
