@@ -204,7 +204,7 @@ TEST_SUITE("history") {
       if (which == 2) return history.split_vertex(mesh, h, h, hook, Keep::manifold).added.vertex;
       if (which == 3) return history.split_edge(mesh, h).added.vertex;
       if (which == 4) return history.split_face(mesh, f).added.vertex;
-      return history.split_vertex(mesh, h, h).added.vertex;
+      return history.split_vertex(mesh, h, h, PlaceVertex(), Keep::manifold).added.vertex;
     };
     std::vector<std::vector<int>> records = {snapshot(mesh)};
     std::vector<TestMesh::Point> places;

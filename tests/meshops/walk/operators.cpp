@@ -56,7 +56,7 @@ TEST_SUITE("walk") {
   TEST_CASE(
       "calls with wrong arguments, effects and callables are done or refused; what is refused changes not a bit") {
     std::map<std::string, Judge::Tally> sum;
-    const int meshes = rbpa_test::trials(400);
+    const int meshes = rbpa_test::trials(150);
     for (int seed = 1; seed <= meshes; ++seed) {
       CAPTURE(seed);
       RandomChoices random(static_cast<std::uint64_t>(seed));
