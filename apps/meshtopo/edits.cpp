@@ -13,6 +13,7 @@
 #include "meshops/topology/orient.h"
 #include "meshtopo/components.h"
 #include "meshtopo/exact.h"
+#include "meshtopo/nesting.h"
 
 namespace rbpa::app {
 namespace {
@@ -80,19 +81,27 @@ std::vector<std::vector<Triangle>> triangles_by_piece(const MeshFile& mesh, cons
 
 void orient(EditedMesh& edited) {
   meshops::Orientation orientation = meshops::orient(edited.mesh.soup, until_interrupted());
-  std::vector<bool> faces_inward(orientation.pieces.size(), false);
+  std::vector<bool> to_reverse(orientation.pieces.size(), false);
   Oriented report;
-  const std::vector<std::vector<Triangle>> triangles = triangles_by_piece(edited.mesh, orientation);
+  std::vector<std::vector<Triangle>> triangles = triangles_by_piece(edited.mesh, orientation);
+  std::vector<int> signs;
   for (std::size_t p = 0; p < triangles.size(); ++p) {
     if (!orientation.pieces[p].orientable)
       report.not_orientable.push_back(edited.face_was[orientation.pieces[p].first_face]);
-    const int sign = volume_sign(edited.mesh.positions, triangles[p]);
-    report.outward += sign != 0;
-    faces_inward[p] = sign < 0;
+    signs.push_back(volume_sign(edited.mesh.positions, triangles[p]));
+    if (signs.back() == 0) triangles[p].clear();
+  }
+  const std::vector<std::size_t> depth = depths(edited.mesh.positions, triangles);
+  for (std::size_t p = 0; p < triangles.size(); ++p) {
+    if (signs[p] == 0) continue;
+    const bool is_wall_of_cavity = depth[p] % 2 == 1;
+    ++(is_wall_of_cavity ? report.inward : report.outward);
+    report.nested += depth[p] > 0;
+    to_reverse[p] = is_wall_of_cavity == (signs[p] > 0);
   }
   for (std::size_t f = 0; f < edited.mesh.soup.faces(); ++f) {
     const std::uint32_t piece = orientation.piece[f];
-    if (piece != meshops::Orientation::none && faces_inward[piece]) orientation.reversed[f].flip();
+    if (piece != meshops::Orientation::none && to_reverse[piece]) orientation.reversed[f].flip();
     report.faces += orientation.reversed[f];
   }
   meshops::reverse_faces(edited.mesh.soup, orientation.reversed);

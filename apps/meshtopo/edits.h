@@ -31,7 +31,9 @@ struct Dropped {
 
 struct Oriented {
   std::size_t faces = 0;                         ///< that are reversed
-  std::size_t outward = 0;                       ///< closed components that enclose a volume; all of them face outward
+  std::size_t outward = 0;                       ///< closed components that enclose a volume, and face outward
+  std::size_t inward = 0;                        ///< those in an odd number of others, the walls of cavities
+  std::size_t nested = 0;                        ///< those in one or more others
   std::vector<std::size_t> not_orientable = {};  ///< the first face of each component, as the file numbers it
 };
 

@@ -12,6 +12,7 @@
 #include "meshtopo/edits.h"
 #include "meshtopo/fill.h"
 #include "meshtopo/geometry.h"
+#include "meshtopo/measures.h"
 #include "meshtopo/tunnels.h"
 
 namespace rbpa::app {
@@ -33,6 +34,7 @@ struct Examined {
   meshops::TopologyReport topology;
   std::vector<meshops::SoupDefect> defects;
   std::vector<GeometricDefect> geometric_defects;
+  Measures measures = {};
 };
 
 struct Findings {

@@ -82,6 +82,8 @@ Json as_json(const Findings& findings) {
   if (edits.orient)
     json["orient"] = {{"faces_reversed", edits.orient->faces},
                       {"facing_outward", edits.orient->outward},
+                      {"facing_inward", edits.orient->inward},
+                      {"nested", edits.orient->nested},
                       {"not_orientable", edits.orient->not_orientable}};
   if (findings.fill) {
     const auto& [rims, holes, islands] = findings.fill->not_chosen;
@@ -98,20 +100,30 @@ Json as_json(const Findings& findings) {
   return json;
 }
 
+Json as_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json as_json(const Measures& measures) {
+  return {{"area", measures.area},
+          {"volume", as_json(measures.volume)},
+          {"box", measures.box ? Json(*measures.box) : Json(nullptr)}};
+}
+
 Json as_json(const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
-  return {{"vertices", t.vertices},
-          {"edges", t.edges},
-          {"faces", t.faces},
-          {"euler", t.euler()},
-          {"components", t.components},
-          {"boundary_curves", t.boundary_curves},
-          {"genus", or_null(t.genus)},
-          {"betti", t.betti},
-          {"pinches", t.pinches},
-          {"isolated", t.isolated},
-          {"defects", mesh.defects.size()},
-          {"geometric_defects", mesh.geometric_defects.size()}};
+  Json json = {{"vertices", t.vertices},
+               {"edges", t.edges},
+               {"faces", t.faces},
+               {"euler", t.euler()},
+               {"components", t.components},
+               {"boundary_curves", t.boundary_curves},
+               {"genus", or_null(t.genus)},
+               {"betti", t.betti},
+               {"pinches", t.pinches},
+               {"isolated", t.isolated},
+               {"defects", mesh.defects.size()},
+               {"geometric_defects", mesh.geometric_defects.size()}};
+  json.update(as_json(mesh.measures));
+  return json;
 }
 
 Json as_json(const CheckResult& result) {
@@ -141,6 +153,8 @@ void write_report_json(OutputFile& file, const Findings& findings, const std::st
   report.member("isolated", t.isolated);
   report.list("defects", findings.given.defects, in_file);
   report.list("geometric_defects", findings.given.geometric_defects, in_file);
+  const Json measures = as_json(findings.given.measures);
+  for (const auto& [key, value] : measures.items()) report.member(key, value);
   report.list("per_component", t.per_component, piece);
   if (findings.repair) report.list("repair", *findings.repair, in_file);
   if (findings.has_changes()) report.member("changes", as_json(findings));

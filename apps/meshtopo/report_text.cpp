@@ -18,6 +18,17 @@ std::string genus_of_piece(const meshops::ComponentReport& piece) {
   return piece.orientable ? std::to_string(*piece.genus()) : "not orientable";
 }
 
+std::string sizes(const Measures& measures) {
+  std::string text = "area               " + rounded(measures.area, 9) + "\n";
+  if (measures.volume) text += "volume             " + rounded(*measures.volume, 9) + "\n";
+  if (!measures.box) return text;
+  const auto& [low, high] = *measures.box;
+  for (std::size_t k = 0; k < 3; ++k)
+    text += std::string(k == 0 ? "box                " : "                   ") + "xyz"[k] + " " + text_of(low[k]) +
+            " .. " + text_of(high[k]) + "\n";
+  return text;
+}
+
 std::string numbers(const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
   const auto& [b0, b1, b2] = t.betti;
@@ -42,7 +53,7 @@ std::string numbers(const Examined& mesh) {
     text += label;
     text += right(value, 19 - label.size() + width) + "\n";
   }
-  return text;
+  return text + sizes(mesh.measures);
 }
 
 /// "  ... and 5 more".
@@ -103,6 +114,11 @@ std::string changes(const Findings& findings) {
   if (report.orient) {
     text += "  orient: " + counted(report.orient->faces, "face reversed", "faces reversed") + ", " +
             counted(report.orient->outward, "closed component faces outward", "closed components face outward") + "\n";
+    if (report.orient->nested > 0)
+      text += "  orient: " + counted(report.orient->nested, "closed component lies", "closed components lie") +
+              " in others, of which " + std::to_string(report.orient->inward) +
+              " in an odd number, as walls of cavities, and face" + (report.orient->inward == 1 ? "s" : "") +
+              " inward\n";
     for (const std::size_t face : report.orient->not_orientable)
       text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and as it was\n";
   }

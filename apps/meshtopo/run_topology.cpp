@@ -182,7 +182,8 @@ class Run {
     meshops::Examination found = meshops::examine(mesh.soup, until_interrupted());
     return {.topology = std::move(found.report),
             .defects = std::move(found.defects),
-            .geometric_defects = find_geometric_defects(mesh)};
+            .geometric_defects = find_geometric_defects(mesh),
+            .measures = measure(mesh)};
   }
 
   EditedMesh edit(const MeshFile& mesh) const {

@@ -1,6 +1,7 @@
 // What meshtopo reports, repairs and draws.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -98,10 +99,38 @@ TEST_SUITE("meshtopo") {
     for (const auto& [key, value] : r.items()) keys.push_back(key);
     CHECK(keys == std::vector<std::string>{"vertices", "edges", "faces", "euler", "components", "boundary_curves",
                                            "genus", "betti", "pinches", "isolated", "defects", "geometric_defects",
-                                           "per_component"});
+                                           "area", "volume", "box", "per_component"});
     CHECK(r["per_component"] ==
           nlohmann::ordered_json::parse(R"([{"first_face": 0, "vertices": 5, "edges": 8, "faces": 5, "euler": 2,
             "boundary_curves": 0, "orientable": true, "genus": 0, "betti": [1, 0, 1]}])"));
+  }
+
+  TEST_CASE("area, volume and box: of pieces that are closed and oriented the volume, and of all vertices the box") {
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    const auto r = nlohmann::json::parse(folder.meshtopo("m.off --json").out);
+    CHECK(r["volume"] == doctest::Approx(1.0 / 3).epsilon(1e-15));
+    CHECK(r["area"] == doctest::Approx(1 + std::sqrt(5.0)).epsilon(1e-15));
+    CHECK(r["box"] == nlohmann::json::parse("[[0, 0, 0], [1, 1, 1]]"));
+    CHECK(folder.meshtopo("m.off").out.find("area               3.23606798\nvolume             0.333333333\n"
+                                            "box                x 0 .. 1\n                   y 0 .. 1\n"
+                                            "                   z 0 .. 1\n") != std::string::npos);
+    std::string turned = pyramid_off;
+    turned.replace(turned.find("3 0 1 4"), 7, "3 4 1 0");
+    folder.file("turned.off", turned);
+    CHECK(nlohmann::json::parse(folder.meshtopo("turned.off --json").out)["volume"] == nullptr);
+    folder.file("open.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n0 2 0\n7 8 9\n3 0 1 2\n");
+    const auto open = nlohmann::json::parse(folder.meshtopo("open.off --json").out);
+    CHECK(open["volume"] == nullptr);
+    CHECK(open["area"] == 2);
+    CHECK(open["box"] == nlohmann::json::parse("[[0, 0, 0], [7, 8, 9]]"));
+    // Far away the volume is as exact as the coordinates.
+    folder.file(
+        "far.obj",
+        "v 500000 4649000 0\nv 500001 4649000 0\nv 500000 4649001 0\nv 500000 4649000 1\nf 1 3 2\nf 1 2 4\nf 1 4 "
+        "3\nf 2 3 4\n");
+    CHECK(nlohmann::json::parse(folder.meshtopo("far.obj --json").out)["volume"] ==
+          doctest::Approx(1.0 / 6).epsilon(1e-15));
   }
 
   TEST_CASE("every format gives the same report, from a file and from standard input") {

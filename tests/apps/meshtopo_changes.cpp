@@ -9,6 +9,7 @@
 #include "meshtopo/exact.h"
 #include "meshtopo/weld.h"
 #include "support/changed_mesh.h"
+#include "support/data_folder.h"
 #include "support/mesh_files.h"
 
 using namespace apps_test;
@@ -206,16 +207,18 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
 }
 
 TEST_SUITE("meshtopo --orient") {
-  TEST_CASE("closed components face outward, nested ones too, whatever the order and the faces that are turned") {
+  TEST_CASE(
+      "closed components face outward, walls of cavities inward, whatever the order and the faces that are turned") {
     std::mt19937 random(53);
     Mesh mesh;
     mesh.add_box({0, 0, 0}, {8, 8, 8});
     mesh.add_box({2, 2, 2}, {4, 4, 4});
     mesh.add_box({-9, 0, 0}, {-8, 1, 1});
+    for (std::size_t f = 6; f < 12; ++f) std::reverse(mesh.faces[f].begin(), mesh.faces[f].end());
     const Folder folder;
     folder.file("whole.off", mesh.off());
     const auto expected = places_of(folder, "whole.off");
-    CHECK(six_volumes(folder, "whole.off") == 6 * (512 + 8 + 1));
+    CHECK(six_volumes(folder, "whole.off") == 6 * (512 - 8 + 1));
     for (int i = 0; i < 8; ++i) {
       Mesh turned = mesh;
       turned.shuffle(random);
@@ -227,9 +230,113 @@ TEST_SUITE("meshtopo --orient") {
         }
       folder.file("m.off", turned.off());
       const json r = changed(folder, "m.off --orient -o o.off --check oriented,closed");
-      CHECK(r["changes"]["orient"] ==
-            json{{"faces_reversed", count}, {"facing_outward", 3}, {"not_orientable", json::array()}});
+      CHECK(r["changes"]["orient"] == json{{"faces_reversed", count},
+                                           {"facing_outward", 2},
+                                           {"facing_inward", 1},
+                                           {"nested", 1},
+                                           {"not_orientable", json::array()}});
       CHECK(places_of(folder, "o.off") == expected);
+    }
+    CHECK(
+        folder.meshtopo("whole.off --orient -o o.off")
+            .out.find("  orient: 0 faces reversed, 2 closed components face outward\n"
+                      "  orient: 1 closed component lies in others, of which 1 in an odd number, as walls of cavities, "
+                      "and faces inward\n") != std::string::npos);
+  }
+
+  TEST_CASE("how deep closed surfaces lie in others is that of boxes, those that touch among them") {
+    std::mt19937 random(57);
+    for (int trial = 0; trial < 40; ++trial) {
+      // Boxes in boxes, or beside them: of each the place in its parent is known, and corners and sides may touch those of it.
+      struct Box {
+        std::array<double, 3> low, high;
+        std::size_t depth;
+      };
+      std::vector<Box> boxes = {{{0, 0, 0}, {64, 64, 64}, 0}};
+      const auto grow = [&](const auto& self, const Box& parent) -> void {
+        const double x = parent.low[0], half = (parent.high[0] - x) / 2;
+        if (half < 4) return;
+        for (int side = 0; side < 2; ++side) {
+          if (random() % 4 == 0) continue;
+          Box child{parent.low, parent.high, parent.depth + 1};
+          const double gap = random() % 3 == 0 ? 0 : 1;  // on the walls of the parent, or not
+          for (std::size_t k = 0; k < 3; ++k) {
+            child.low[k] += gap;
+            child.high[k] -= gap + 1;
+          }
+          child.low[0] = x + side * half + gap;
+          child.high[0] = x + side * half + half - 1;
+          boxes.push_back(child);
+          self(self, child);
+        }
+      };
+      grow(grow, Box(boxes.front()));
+      Mesh mesh;
+      double volume = 0;
+      for (const Box& box : boxes) {
+        mesh.add_box(box.low, box.high);
+        double own = 1;
+        for (std::size_t k = 0; k < 3; ++k) own *= box.high[k] - box.low[k];
+        volume += box.depth % 2 == 0 ? own : -own;
+      }
+      mesh.shuffle(random);
+      const Folder folder;
+      folder.file("m.off", mesh.off());
+      const json r = changed(folder, "m.off --orient -o o.off");
+      CHECK(six_volumes(folder, "o.off") == 6 * volume);
+      CHECK(r["result"]["volume"] == doctest::Approx(volume).epsilon(1e-14));
+      CHECK(r["changes"]["orient"]["nested"] == boxes.size() - 1);
+      const json again = changed(folder, "o.off --orient -o p.off");
+      CHECK(again["changes"]["orient"]["faces_reversed"] == 0);
+    }
+  }
+
+  TEST_CASE("surfaces that touch from outside are in none; a hollow solid is one, as rbpa solid writes it") {
+    Mesh mesh;
+    mesh.add_box({0, 0, 0}, {1, 1, 1});
+    mesh.add_box({1, 0, 0}, {2, 1, 1});
+    mesh.add_box({2, 1, 0}, {3, 2, 1});
+    mesh.add_box({3, 2, 1}, {4, 3, 2});
+    const Folder folder;
+    folder.file("m.off", mesh.off());
+    const json r = changed(folder, "m.off --orient -o o.off");
+    CHECK(r["changes"]["orient"]["nested"] == 0);
+    CHECK(r["changes"]["orient"]["faces_reversed"] == 0);
+    const std::string hollow = (rbpa_test::bundled_data() / "findings/case_orient_cavity/hollow_right.off").string();
+    const json of_other = changed(folder, hollow + " --orient -o o.off");
+    CHECK(of_other["changes"]["orient"]["faces_reversed"] == 0);
+    CHECK(of_other["volume"] == 7);
+    CHECK(of_other["result"]["volume"] == 7);
+    // The shell of a sphere's points has a void, whose wall the program writes as it is.
+    std::string points;
+    for (int i = 0; i < 400; ++i) {
+      const double h = 1 - (2.0 * i + 1) / 400, s = std::sqrt(1 - h * h), a = 2.39996322972865332 * i;
+      for (const double size : {1.0, 1.2})
+        points += std::to_string(size * s * std::cos(a)) + " " + std::to_string(size * s * std::sin(a)) + " " +
+                  std::to_string(size * h) + "\n";
+    }
+    folder.file("p.xyz", points);
+    REQUIRE(folder.rbpa("solid p.xyz --alpha 0.3 --boundary b.off -q").code == 0);
+    const json solid = changed(folder, "b.off --orient -o o.off");
+    CHECK(solid["changes"]["orient"]["faces_reversed"] == 0);
+    CHECK(solid["changes"]["orient"]["facing_inward"] == 1);
+    CHECK(solid["volume"] == solid["result"]["volume"]);
+  }
+
+  TEST_CASE("sides of lines and planes are exact, at the ends of double too") {
+    using rbpa::app::side_along_x;
+    using rbpa::app::side_of_plane;
+    for (const double size : {1.0, 1e-320, 1e-160, 1e307}) {
+      CAPTURE(size);
+      const std::array<double, 3> o = {0, 0, 0}, y = {0, size, 0}, z = {0, 0, size}, x = {size, 0, 0};
+      CHECK(side_along_x(o, y, z) == 1);
+      CHECK(side_along_x(o, z, y) == -1);
+      CHECK(side_along_x(y, z, {5, size / 2, size / 2}) == 0);
+      CHECK(side_of_plane(o, y, z, x) == 1);
+      CHECK(side_of_plane(o, z, y, x) == -1);
+      CHECK(side_of_plane(o, y, z, {0, size, size}) == 0);
+      CHECK(side_of_plane(o, y, z, {5e-324, size, size}) == 1);
+      CHECK(side_of_plane(x, y, z, {size, std::nextafter(0.0, -1), 0}) == -1);
     }
   }
 
@@ -240,7 +347,8 @@ TEST_SUITE("meshtopo --orient") {
                 "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n");
     const json r = changed(folder, "m.off --orient -o o.off");
     CHECK(r["changes"]["orient"] ==
-          json::parse(R"({"faces_reversed": 0, "facing_outward": 0, "not_orientable": [3]})"));
+          json::parse(
+              R"({"faces_reversed": 0, "facing_outward": 0, "facing_inward": 0, "nested": 0, "not_orientable": [3]})"));
     CHECK(folder.content("o.off") == folder.content("m.off"));
     CHECK(folder.meshtopo("m.off --orient -o o.off")
               .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
