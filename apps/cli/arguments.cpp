@@ -154,6 +154,14 @@ std::vector<std::string> ogr_paths(const Target& target) {
   return paths;
 }
 
+std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {
+  if (!text) return std::nullopt;
+  Shift shift = parse_shift("--shift", *text);
+  if (std::none_of(targets.begin(), targets.end(), [](const Target& to) { return has_single_precision(to.format); }))
+    throw WrongUsage("--shift: found no .stl or .glb to write, which are in single precision, expected one");
+  return shift;
+}
+
 Target parse_isolated(const std::string& path) {
   const std::optional<Format> format = find_known(Use::shape, ending(path));
   constexpr Format others[] = {Format::svg, Format::png, Format::shp};

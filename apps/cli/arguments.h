@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/formats.h"
+#include "io/mesh/single_precision.h"
 #include "rbpa/triangulate.h"
 
 namespace rbpa::app {
@@ -53,6 +54,9 @@ bool any_has_vertices(const std::vector<Target>& targets);
 
 /// The files of a target of GDAL, in the order of their endings.
 std::vector<std::string> ogr_paths(const Target& target);
+
+/// What --shift says, of targets of which one or more are in single precision.
+std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
 /// A file for the points in no polygon, by its ending.
 Target parse_isolated(const std::string& path);

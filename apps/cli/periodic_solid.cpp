@@ -142,7 +142,8 @@ void PeriodicRun::write() {
   });
   if (request_.boundary)
     add(request_.boundary->path, [&](OutputFile& file) {
-      write_surface(file, request_.boundary->format, {.vertices = solid_.positions, .triangles = boundary_});
+      write_surface(file, request_.boundary->format,
+                    {.vertices = solid_.positions, .triangles = boundary_, .shift = request_.shift});
     });
   if (request_.voids)
     add(request_.voids->path, [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, facts_); });

@@ -127,6 +127,8 @@ SolidRequest parse(const SolidArguments& arguments) {
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
     throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
+  request.shift =
+      parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
   if (arguments.voids) request.voids = parse_voids(*arguments.voids);
   if (arguments.box) {
     request.box = parse_box(*arguments.box);

@@ -184,8 +184,9 @@ void SolidRun::write_boundary(OutputFile& file, Format format) const {
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
   const SplitFans fans = split_fans(indexable_surface(surface, until_interrupted()), until_interrupted());
-  const VerticesOfPoints vertices({.vertices = file_.points, .triangles = {}, .colors = file_.colors}, fans.triangles,
-                                  fans.point, true);
+  const VerticesOfPoints vertices(
+      {.vertices = file_.points, .triangles = {}, .colors = file_.colors, .shift = request_.shift}, fans.triangles,
+      fans.point, true);
   write_surface(file, format, vertices.mesh());
 }
 
@@ -256,6 +257,11 @@ void SolidRun::run() {
     if (target) files.push_back(target->path);
   summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
             ": " + text_of_solid(facts_) + list_of(files));
+  if (const std::string line =
+          text_of_shift(request_.boundary ? request_.boundary->format : Format::npy, file_.points,
+                        boundary_.surface.triangles, request_.shift, request_.boundary ? request_.boundary->path : "");
+      !line.empty())
+    summarize(line);
 }
 
 }  // namespace

@@ -46,8 +46,12 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
   // An .npy file has the canonical order whatever other files have.
   if (format == Format::npy) return write_surface(file, format, {.vertices = points, .triangles = surface.triangles});
-  SpaceMesh mesh{
-      .vertices = points, .triangles = surface.triangles, .normals = normals, .colors = colors, .certainty = certainty};
+  SpaceMesh mesh{.vertices = points,
+                 .triangles = surface.triangles,
+                 .normals = normals,
+                 .colors = colors,
+                 .certainty = certainty,
+                 .shift = shift};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
   const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "cli/surface_report.h"
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
+#include "io/mesh/single_precision.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface.h"
@@ -27,6 +29,7 @@ struct SurfaceFiles {
   const SurfaceFacts& facts;             ///< its holes and unused points, and whether vertices are fans
   const std::vector<bool>& filled;       ///< of each triangle, whether it fills a hole; empty: none does
   bool compact;
+  std::optional<Shift> shift;  ///< of STL and GLB
 
   /// Of a picture, so many pixels wide.
   void write(OutputFile& file, Format format, int width) const;

@@ -117,6 +117,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
                          .components = {},
                          .filled = {},
                          .targets = {},
+                         .shift = {},
                          .width = parse_width(arguments.width),
                          .run = parse_run(arguments.run)};
   if (request.normals == NormalSource::none && request.radii.size() > 1)
@@ -159,6 +160,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {
     if (!request.filled) throw WrongUsage("--refine: found neither --fill-holes nor --watertight, expected one");
     for (const Target& target : request.targets)

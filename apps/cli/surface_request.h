@@ -10,6 +10,7 @@
 #include "cli/point_arguments.h"
 #include "cli/run.h"
 #include "cli/verbs.h"
+#include "io/mesh/single_precision.h"
 #include "rbpa/base/point3.h"
 #include "triangulation/component_choice.h"
 #include "triangulation/hole_choice.h"
@@ -31,6 +32,7 @@ struct SurfaceRequest {
   ComponentChoice components;
   std::optional<HoleChoice> filled;  ///< absent: none are filled
   std::vector<Target> targets;
+  std::optional<Shift> shift;  ///< of those in single precision
   int width;
   RunOptions run;
 };

@@ -33,6 +33,7 @@
 #include "rbpa/surface_components.h"
 #include "rbpa/surface_levels.h"
 #include "triangulation/close_surface.h"
+#include "triangulation/watertight_file.h"
 
 namespace rbpa::app {
 namespace {
@@ -59,6 +60,7 @@ class SurfaceRun : public Run {
   std::vector<bool> kept_by_choice() const;
   void fill();
   void require_watertight() const;
+  std::vector<std::string> shifts() const;
   void write();
   SurfaceFiles files() const;
   void say_empty() const;
@@ -267,9 +269,23 @@ void SurfaceRun::require_watertight() const {
     return crossing_triangles(points(), surface_.triangles, most, how);
   });
   const std::string left = openings(facts_, points(), surface_, crossing, crossing.size() < most);
-  if (left.empty()) return;
-  if (surface_.triangles.empty()) say_empty();
-  throw Failure("not watertight: " + left + "; nothing is written");
+  if (!left.empty()) {
+    if (surface_.triangles.empty()) say_empty();
+    throw Failure("not watertight: " + left + "; nothing is written");
+  }
+  for (const Target& target : request_.targets) {
+    const std::string why = step("looking for crossings", [&](const SurfaceOptions& how) {
+      return why_file_is_open(target.format, target.path, points(), surface_.triangles, request_.shift, how);
+    });
+    if (!why.empty()) throw Failure("not watertight: " + why + "; nothing is written");
+  }
+}
+
+std::vector<std::string> SurfaceRun::shifts() const {
+  std::vector<std::string> lines;
+  for (const Target& target : request_.targets)
+    lines.push_back(text_of_shift(target.format, points(), surface_.triangles, request_.shift, target.path));
+  return lines;
 }
 
 SurfaceFiles SurfaceRun::files() const {
@@ -282,7 +298,8 @@ SurfaceFiles SurfaceRun::files() const {
           .order = order_,
           .facts = facts_,
           .filled = filled_,
-          .compact = arguments_.compact};
+          .compact = arguments_.compact,
+          .shift = request_.shift};
 }
 
 void SurfaceRun::write() {
@@ -360,6 +377,7 @@ void SurfaceRun::run() {
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
 
+  const std::vector<std::string> shifted = shifts();
   write();
   facts_.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& file) { write_surface_json(file, facts_); });
@@ -368,6 +386,8 @@ void SurfaceRun::run() {
 
   if (surface_.triangles.empty()) say_empty();
   summarize(summary());
+  for (const std::string& line : shifted)
+    if (!line.empty()) summarize(line);
   for (const std::string& line : explanations(facts_)) summarize(line);
 }
 

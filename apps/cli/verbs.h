@@ -115,6 +115,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   bool compact = false;
   bool manifold = false;
   bool watertight = false;
+  std::optional<std::string> shift;
   bool json = false;
   RunArguments run;
 };
@@ -124,7 +125,7 @@ void run_surface(const SurfaceArguments& arguments);
 struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
   std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
-  std::optional<std::string> box, boundary, voids, complex;
+  std::optional<std::string> box, boundary, shift, voids, complex;
   std::optional<std::string> pockets, voids_above, top;
   bool void_radii = false;
   std::string width = "1200";

@@ -130,9 +130,17 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Fill holes by triangles between their points that cross nothing: all, rims as well, those of at "
                   "most N edges, or of a length of at most L")
       ->type_name("all|rims|N|length=L");
-  add_switch(verb, "--watertight", arguments.watertight,
-             "Drop open islands, fill holes and rims, and write a closed --manifold surface without crossings; where "
-             "that cannot be, write nothing, say what is left, and exit with 1");
+  add_switch(
+      verb, "--watertight", arguments.watertight,
+      "Drop open islands, fill holes and rims, and write a closed --manifold surface without crossings, which holds "
+      "of what .stl and .glb keep of it too; where that cannot be, write nothing, say what is left, and exit "
+      "with 1");
+  verb.add_option(
+          "--shift", arguments.shift,
+          "Of .stl and .glb, in single precision: subtract X,Y,Z from all coordinates, or the middle of their box. "
+          "What is "
+          "subtracted is said, and stands in the header of .stl; .glb keeps the place, as its node is moved back")
+      ->type_name("X,Y,Z|auto");
   add_switch(
       verb, "--refine", arguments.refine,
       "With --fill-holes or --watertight: add points inside what is filled, so that it is as fine and as smooth as "
@@ -192,6 +200,12 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "of it: ply (which has the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "
                   "input indices of its triangles, npy")
       ->type_name("FILE");
+  verb.add_option(
+          "--shift", arguments.shift,
+          "Of a boundary as .stl or .glb, in single precision: subtract X,Y,Z from all coordinates, or the middle of "
+          "their box. What is "
+          "subtracted is said, and stands in the header of .stl; .glb keeps the place, as its node is moved back")
+      ->type_name("X,Y,Z|auto");
   verb.add_option(
           "--voids", arguments.voids,
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "

@@ -158,6 +158,11 @@ TopologyPlan plan(TopologyArguments arguments) {
     throw WrongUsage(change_option(arguments) +
                      ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check");
   }
+  if (arguments.shift) {
+    plan.shift = parse_shift("--shift", *arguments.shift);
+    if (!plan.written || !has_single_precision(plan.written->format))
+      throw WrongUsage("--shift: found no .stl to write, which is in single precision, expected one");
+  }
   if (arguments.shortest && !arguments.generators) throw WrongUsage("--shortest: found no --generators, expected it");
   plan.shortest = arguments.shortest;
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);

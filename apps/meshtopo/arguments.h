@@ -20,6 +20,7 @@ struct TopologyArguments {
   bool json = false;
   std::optional<std::string> output;
   std::optional<std::string> output_format;
+  std::optional<std::string> shift;
   std::optional<std::string> weld;
   std::optional<std::string> keep_largest;
   std::optional<std::string> drop_small;
@@ -53,6 +54,7 @@ struct TopologyPlan {
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
+  std::optional<Shift> shift = std::nullopt;             ///< of that mesh, as STL
   std::optional<TopologyTarget> generators = std::nullopt;
   bool shortest = false;  ///< generators
 

@@ -1,47 +1,17 @@
 #include "meshtopo/geometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "io/interrupt.h"
 #include "io/mesh/equal_positions.h"
+#include "io/mesh/zero_area.h"
 #include "io/sort.h"
-#include "rbpa/collinear.h"
 
 namespace rbpa::app {
 namespace {
 
 using Face = std::span<const std::uint32_t>;
-using Positions = std::vector<Position>;
-
-/// The planes of two coordinates on which a face is looked at.
-constexpr std::pair<std::size_t, std::size_t> planes[] = {{0, 1}, {1, 2}, {2, 0}};
-
-/// Whether three points span an area on one of the planes for certain. The error of the determinant is below
-/// (3 + 16ε)ε times the sum of its two products (Shewchuk 1997, section 4.4), ε = 2⁻⁵³, unless products underflow, which
-/// changes it by less than 2⁻¹⁰⁷³. Where they overflow no comparison holds.
-bool surely_span_area(const Position& a, const Position& b, const Position& c) {
-  constexpr double error = 4e-16, least = 1e-300;
-  return std::any_of(std::begin(planes), std::end(planes), [&](const auto& plane) {
-    const auto& [x, y] = plane;
-    const double one = (a[x] - c[x]) * (b[y] - c[y]), other = (a[y] - c[y]) * (b[x] - c[x]);
-    const double area = std::abs(one - other);
-    return area > least && area > error * (std::abs(one) + std::abs(other)) && std::isfinite(area);
-  });
-}
-
-/// Points lie on one line in space when they do so on all three planes.
-bool is_on_a_line(Face face, const Positions& positions) {
-  for (std::size_t i = 2; i < face.size(); ++i)
-    if (surely_span_area(positions[face[0]], positions[face[1]], positions[face[i]])) return false;
-  return std::all_of(std::begin(planes), std::end(planes), [&](const auto& plane) {
-    std::vector<Point> points;
-    for (const std::uint32_t corner : face)
-      points.push_back({positions[corner][plane.first], positions[corner][plane.second]});
-    return are_collinear(points);
-  });
-}
 
 bool names_each_once(Face face, std::vector<std::uint32_t>& scratch) {
   if (face.size() == 3) return face[0] != face[1] && face[1] != face[2] && face[2] != face[0];

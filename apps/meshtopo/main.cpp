@@ -42,6 +42,10 @@ int main(int argc, char** argv) {
   app.add_option("--output-format", arguments.output_format,
                  "Format of the mesh that is written, where its ending does not say")
       ->type_name("NAME");
+  app.add_option("--shift", arguments.shift,
+                 "Of a mesh that is written as .stl, in single precision: subtract X,Y,Z from all coordinates, or the "
+                 "middle of their box. What is subtracted is said, and stands in the file's header")
+      ->type_name("X,Y,Z|auto");
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
@@ -57,8 +61,10 @@ int main(int argc, char** argv) {
   app.add_option("--drop-small", arguments.drop_small,
                  "Drop components of fewer than N triangles, or of an area below A, in squared units of the vertices")
       ->type_name("N|area=A");
-  app.add_flag("--orient", arguments.orient,
-               "Reverse faces so that those of a component agree, and closed ones face outward")
+  app.add_flag(
+         "--orient", arguments.orient,
+         "Reverse faces so that those of a component agree, and closed ones face outward, or inward where they are "
+         "the walls of cavities: in an odd number of others")
       ->disable_flag_override();
   app.add_option(
          "--fill-holes", arguments.fill_holes,
@@ -71,8 +77,8 @@ int main(int argc, char** argv) {
       ->type_name("L");
   app.add_option("--check", arguments.checks,
                  "Properties that each mesh is to have, such as closed,manifold,oriented,genus=0,components=1; exit "
-                 "code 4 when one does not hold, and a line for each on standard error. Of the mesh as it is written, "
-                 "when it is changed")
+                 "code 4 when one does not hold, and a line for each on standard error. Of the mesh as a reader of the "
+                 "file finds it, when one is written, and as it is changed")
       ->type_name("LIST")
       ->expected(1)
       ->take_all();

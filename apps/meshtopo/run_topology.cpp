@@ -59,6 +59,7 @@ class Run {
   template <typename Report>
   void examine_mesh(const MeshSource& source, Report report) {
     const MeshFile mesh = read(source);
+    for (const std::string& remark : mesh.remarks) say("meshtopo", name_of(source) + ": " + remark);
     Findings findings = {.mesh = mesh, .given = examine(mesh)};
     std::optional<EditedMesh> edited;
     if (plan_.edits.any()) {
@@ -100,10 +101,14 @@ class Run {
       findings.tunnels = simpler->report;
     }
     const MeshFile& result = simpler ? simpler->mesh : whole_surface;
-    if (findings.has_changes() || (repaired && !plan_.checks.empty())) findings.result = examine(result);
-    if (plan_.written)
-      write(outputs_.add(plan_.written->path),
-            [&](OutputFile& file) { write_mesh(file, plan_.written->format, result.positions, result.soup); });
+    const bool is_stl = plan_.written && plan_.written->format == Format::stl;
+    const bool is_wanted = findings.has_changes() || (repaired && !plan_.checks.empty());
+    const bool is_kept = !is_stl || keep_in_stl(result, is_wanted, findings);
+    if (is_wanted && !is_stl) findings.result = examine(result);
+    if (plan_.written && is_kept)
+      write(outputs_.add(plan_.written->path), [&](OutputFile& file) {
+        write_mesh(file, plan_.written->format, result.positions, result.soup, plan_.shift);
+      });
     if (plan_.generators) {
       const Generators found = find_loops(result);
       write(outputs_.add(plan_.generators->path), [&](OutputFile& file) {
@@ -112,6 +117,39 @@ class Run {
     }
     check(findings, source);
     report(findings);
+  }
+
+  /// Examines what a reader of the file will find, and says what that has lost. Returns whether to write it.
+  bool keep_in_stl(const MeshFile& mesh, bool is_wanted, Findings& findings) {
+    const std::string& name = plan_.written->path;
+    const TriangulatedFaces faces(mesh.positions, mesh.soup);
+    const std::string why = why_not_kept(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
+    const SinglePositions positions = single_positions(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
+    const MeshFile kept = as_stl_mesh(positions, faces.triangles);
+    const bool joins = kept.positions.size() < mesh.positions.size();  // also where a vertex has no face
+    if (is_wanted || joins) findings.result = examine(kept);
+    if (joins && why.empty()) {
+      const auto count = [&](meshops::SoupDefectKind kind) {
+        const auto& defects = findings.result->defects;
+        return static_cast<std::size_t>(
+            std::count_if(defects.begin(), defects.end(), [&](const auto& defect) { return defect.kind == kind; }));
+      };
+      const std::size_t edges = count(meshops::SoupDefectKind::non_manifold_edge),
+                        vertices = count(meshops::SoupDefectKind::pinch);
+      if (edges > 0)
+        say("meshtopo", name + ": STL cannot keep " + app::counted(edges, "edge") + " that " +
+                            (edges == 1 ? "was" : "were") + " cut (ply, obj and off can)");
+      if (vertices > 0)
+        say("meshtopo", name + ": STL cannot keep apart the vertices of " + app::counted(vertices, "place") +
+                            " at which surfaces touch (ply, obj and off can)");
+      if (!is_wanted) findings.result.reset();
+    }
+    const std::string shifted = text_of_shift(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
+    if (why.empty() && !shifted.empty()) say("meshtopo", shifted);
+    if (why.empty()) return true;
+    say("meshtopo", why + "; it is not written");
+    if (worst_ == done) worst_ = check_failed;
+    return false;
   }
 
   void report_one() {

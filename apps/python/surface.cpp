@@ -223,9 +223,18 @@ py::dict closed(const Doubles& points, const Indices& triangles, const Indices& 
   return result;
 }
 
+/// Throws InvalidInput: single precision does not keep the triangles.
+void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::string& path) {
+  std::string why = app::why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, path);
+  if (why.empty()) return;
+  constexpr std::string_view option = "--shift auto";
+  if (const std::size_t at = why.find(option); at != std::string::npos) why.replace(at, option.size(), "shift=\"auto\"");
+  throw InvalidInput("save: " + why);
+}
+
 /// A mesh file by its ending; with a vertex for each fan, or the points as they are.
 void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
-           const Indices& neighbors, bool manifold) {
+           const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
   const std::string path = name;
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
@@ -238,6 +247,8 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   with_file_errors([&] {
     return watched(links.triangles.size(), py::none(), [&](Watch&) {
       app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
+      if (shift) mesh.shift = app::parse_shift("shift", *shift);
+      if (app::has_single_precision(*format)) require_kept(*format, mesh, path);
       SplitFans fans;
       std::optional<app::VerticesOfPoints> own;
       if (*format == app::Format::glb || (manifold && *format != app::Format::npy)) {
@@ -286,7 +297,7 @@ void bind_surface(py::module_& module) {
              arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("is_new").noconvert(), arg("threads"),
              arg("progress"));
   module.def("save_surface", &saved, arg("path"), arg("points").noconvert(), arg("normals").noconvert(),
-             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("manifold"));
+             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("manifold"), arg("shift"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
 }

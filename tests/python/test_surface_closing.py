@@ -158,3 +158,17 @@ def test_noisy_points_are_moved_onto_the_surface():
         rbpa.scale_space(points, 0)
     with pytest.raises(rbpa.InvalidInput, match="steps"):
         rbpa.scale_space(points, "some")
+
+
+def test_single_precision_keeps_what_is_written_or_refuses(tmp_path):
+    points, normals = sphere_with_gaps()
+    there = rbpa.surface(points + [500000, 4649000, 0], normals, 0.2)
+    for name in ("shifted.stl", "shifted.glb"):
+        there.save(tmp_path / name, shift="auto")
+    with pytest.raises(rbpa.InvalidInput, match='far.stl: single precision .* \\(not with shift="auto", nor as .ply'):
+        there.save(tmp_path / "far.stl")
+    assert not (tmp_path / "far.stl").exists()
+    there.save(tmp_path / "far.stl", shift=(500000, 4649000, 0))
+    assert (tmp_path / "far.stl").read_bytes().startswith(b"shift 500000,4649000,0 ")
+    with pytest.raises(rbpa.InvalidInput, match="shift: found '1.0,2.0', expected three numbers"):
+        there.save(tmp_path / "far.stl", shift=(1, 2))

@@ -4,11 +4,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/formats.h"
+#include "io/mesh/single_precision.h"
 #include "meshops/topology/polygon_soup.h"
 
 namespace rbpa::app {
@@ -19,6 +22,7 @@ struct MeshFile {
   /// Where each point and face stands in a text, from 1; empty when the file is binary.
   std::vector<std::size_t> point_lines;
   std::vector<std::size_t> face_lines;
+  std::vector<std::string> remarks = {};  ///< what is left out
 
   /// Room for faces as the file announces them, most of them triangles.
   void reserve_faces(std::size_t count) {
@@ -40,7 +44,7 @@ MeshFile read_mesh(const MeshSource& source);
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format);
 
 /// OFF with any of the prefixes ST, C, N; one vertex a line, x y z first, and one face a line, whose colours are passed
-/// over. Throws BadInput naming the line; when the file is too short for what it announces, before memory is allocated.
+/// over; or, of fewer lines, the numbers of vertices and faces as one sequence of words, and nothing else. Throws BadInput naming the line; when the file is too short for what it announces, before memory is allocated.
 MeshFile read_off_mesh(std::string_view text, const std::string& name);
 
 /// The number properties x, y, z of the element "vertex" and the list vertex_indices or vertex_index of the element
@@ -56,10 +60,14 @@ MeshFile read_ply_mesh(std::string_view bytes, const std::string& name);
 MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 
 /// Points are numbered by their first corner in the file. Binary when the size is that of the number of facets at byte
-/// 80, or when it does not begin with "solid", or when there are zero bytes in it; coordinates are then floats, else
-/// the doubles nearest to the text. Normals, colours and names are passed over. Throws BadInput naming the line, or the
-/// facet of a binary file (counted from 0).
+/// 80, or when it does not begin with "solid", or when there are zero bytes in it and no facet in the next line; coordinates
+/// are then floats, else the doubles nearest to the text. Normals, colours and names are passed over, and so is, with a remark,
+/// what follows the last facet, or each facet as its attributes. Throws BadInput naming the line, or the facet of a binary
+/// file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
+
+/// What read_stl_mesh() makes of a file of these triangles.
+MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// A Claim: the facets of a binary file. ASCII claims nothing.
 double claimed_stl_size(std::string_view first, const std::string& name);

@@ -43,29 +43,32 @@ std::size_t announced_facets(std::string_view bytes) {
   return load<std::uint32_t>(bytes.data() + header_size - 4, std::endian::little);
 }
 
+bool begins_with_word(const Lines& lines, std::string_view word) {
+  std::string_view rest = lines.line();
+  return same_letters(take_word(rest), word);
+}
+
+/// By its size, or as it is no text: the header of a binary file may begin with "solid" too.
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);
   if (!lines.next_with_content()) return false;
-  std::string_view rest = lines.line();
-  return !same_letters(take_word(rest), "solid") || bytes.find('\0') != std::string_view::npos;
+  if (!begins_with_word(lines, "solid")) return true;
+  if (lines.next_with_content() && (begins_with_word(lines, "facet") || begins_with_word(lines, "endsolid")))
+    return false;
+  return bytes.find('\0') != std::string_view::npos;
 }
 
-MeshFile read_binary(std::string_view bytes, const std::string& name) {
-  if (bytes.size() < header_size)
-    bad_input(name, counted(bytes.size(), "byte"),
-              "'solid' or the " + std::to_string(header_size) + " bytes before binary facets");
-  const std::size_t facets = announced_facets(bytes);
-  if (bytes.size() != header_size + facet_size * facets)
-    bad_input(name, counted(bytes.size(), "byte"),
-              std::to_string(header_size + facet_size * facets) + " for the " + counted(facets, "facet") +
-                  " that byte 80 announces");
+/// Reads so many facets, the next of which begins at next(facet).
+template <typename Next>
+MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string& name, const Next& next) {
   MeshFile mesh;
   Corners corners(mesh, facets / 2);  // as a closed surface has
   mesh.reserve_faces(facets);
-  for (std::size_t f = 0; f < facets; ++f) {
+  const char* facet = bytes.data() + header_size;
+  for (std::size_t f = 0; f < facets; ++f, facet = next(facet)) {
     if (f % 16384 == 0) stop_if_interrupted();
-    const char* at = bytes.data() + header_size + facet_size * f + 3 * sizeof(float);  // behind the normal
+    const char* at = facet + 3 * sizeof(float);  // behind the normal
     std::array<std::uint32_t, 3> cycle{};
     for (std::uint32_t& corner : cycle) {
       Position p{};
@@ -82,12 +85,49 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
+/// Behind a facet and as many bytes as its last two say.
+const char* behind_attributes(const char* facet) {
+  return facet + facet_size + load<std::uint16_t>(facet + facet_size - 2, std::endian::little);
+}
+
+/// Whether the bytes are the facets, each with the bytes that its attributes are said to take.
+bool have_attributes(std::string_view bytes, std::size_t facets) {
+  const char* at = bytes.data() + header_size;
+  const char* const end = bytes.data() + bytes.size();
+  for (; facets > 0 && static_cast<std::size_t>(end - at) >= facet_size; --facets) {
+    const char* const next = behind_attributes(at);
+    if (static_cast<std::size_t>(next - at) > static_cast<std::size_t>(end - at)) return false;
+    at = next;
+  }
+  return facets == 0 && at == end;
+}
+
+MeshFile read_binary(std::string_view bytes, const std::string& name) {
+  if (bytes.size() < header_size)
+    bad_input(name, counted(bytes.size(), "byte"),
+              "'solid' or the " + std::to_string(header_size) + " bytes before binary facets");
+  const std::size_t facets = announced_facets(bytes), end = header_size + facet_size * facets;
+  if (bytes.size() < end)
+    bad_input(name, counted(bytes.size(), "byte"),
+              std::to_string(end) + " for the " + counted(facets, "facet") + " that byte 80 announces");
+  const std::size_t behind = bytes.size() - end;
+  if (behind > 0 && have_attributes(bytes, facets)) {
+    MeshFile mesh = facets_at(bytes, facets, name, behind_attributes);
+    mesh.remarks.push_back(counted(behind, "byte") + " of attributes are left out");
+    return mesh;
+  }
+  MeshFile mesh = facets_at(bytes, facets, name, [](const char* facet) { return facet + facet_size; });
+  if (behind > 0) mesh.remarks.push_back(counted(behind, "byte") + " behind the last facet are left out");
+  return mesh;
+}
+
 class AsciiReader {
  public:
   AsciiReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
 
   MeshFile read() {
     while (lines_.next_with_content()) {
+      if (ends_file()) break;
       if (!begins_with("solid")) refuse("solid");
       while (!next_ends_solid()) read_facet();
     }
@@ -95,6 +135,16 @@ class AsciiReader {
   }
 
  private:
+  /// Whether the line and all behind it are what programs and disks put at the end of a text: zeros, and the mark of its end.
+  bool ends_file() {
+    constexpr std::string_view blank("\0\x1a \t\r\n", 6);
+    const std::string_view line = lines_.line(), rest = lines_.rest();
+    if (line.find_first_not_of(blank) != std::string_view::npos) return false;
+    if (rest.find_first_not_of(blank) != std::string_view::npos) return false;
+    mesh_.remarks.push_back(counted(line.size() + rest.size(), "byte") + " behind the last solid are left out");
+    return true;
+  }
+
   /// Goes to the next line: the first of a facet, or the end of a solid.
   bool next_ends_solid() {
     next("facet or endsolid");
@@ -112,6 +162,7 @@ class AsciiReader {
       std::string_view rest = lines_.line();
       take_word(rest);
       corner = corners_.number(take_position(rest, lines_, name_), lines_.number());
+      if (!trimmed(rest).empty()) refuse("one vertex of three numbers a line");
     }
     next_begins_with("endloop");
     next_begins_with("endfacet");
@@ -142,6 +193,22 @@ class AsciiReader {
 };
 
 }  // namespace
+
+MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  MeshFile mesh;
+  Corners corners(mesh, triangles.size() / 2);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (f % 16384 == 0) stop_if_interrupted();
+    std::array<std::uint32_t, 3> cycle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& [x, y, z] = positions.at[triangles[f][k]];
+      cycle[k] = corners.number({x, y, z}, std::nullopt);
+    }
+    mesh.soup.add_face(cycle);
+  }
+  mesh.soup.points = mesh.positions.size();
+  return mesh;
+}
 
 double claimed_stl_size(std::string_view first, const std::string&) {
   if (!is_binary(first) || first.size() < header_size) return any_size;

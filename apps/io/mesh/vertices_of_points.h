@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ class VerticesOfPoints {
         colors_(values_at(of_points.colors, point)),
         certainty_(values_at(of_points.certainty, point)),
         triangles_(triangles),
+        shift_(of_points.shift),
         points_(names_points ? point : std::span<const std::uint32_t>()) {}
 
   SpaceMesh mesh() const {
@@ -31,7 +33,8 @@ class VerticesOfPoints {
             .normals = normals_,
             .colors = colors_,
             .points = points_,
-            .certainty = certainty_};
+            .certainty = certainty_,
+            .shift = shift_};
   }
 
  private:
@@ -39,6 +42,7 @@ class VerticesOfPoints {
   std::vector<std::array<std::uint8_t, 3>> colors_;
   std::vector<double> certainty_;
   std::span<const std::array<std::uint32_t, 3>> triangles_;
+  std::optional<Shift> shift_;
   std::span<const std::uint32_t> points_;
 };
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/mesh/single_precision.h"
 #include "io/mesh/write_mesh.h"
 
 // glTF 2.0, binary: a header, a chunk of JSON, a chunk of numbers (Khronos, glTF 2.0 specification, section 4.4).
@@ -23,57 +23,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int unsigned_short = 5123, unsigned_int = 5125, single_float = 5126;  // componentType
 constexpr int array_buffer = 34962, element_array_buffer = 34963;               // target
-
-/// Corner by corner.
-template <typename Visit>
-void for_each_coordinate(const Point3& p, const Visit& visit) {
-  visit(p.x, std::size_t{0});
-  visit(p.y, std::size_t{1});
-  visit(p.z, std::size_t{2});
-}
-
-/// Positions in single precision, which is all that the format has: as they are, or, where that would lose something, moved to the middle
-/// of their box.
-struct FloatPositions {
-  std::vector<std::array<float, 3>> at;
-  std::array<double, 3> moved = {};  // what was subtracted
-  std::array<float, 3> least, greatest;
-};
-
-FloatPositions float_positions(const OutputFile& file, std::span<const Point3> vertices) {
-  std::array<double, 3> least, greatest;
-  least.fill(std::numeric_limits<double>::infinity());
-  greatest.fill(-std::numeric_limits<double>::infinity());
-  bool are_floats = true;
-  for (const Point3& p : vertices)
-    for_each_coordinate(p, [&](double x, std::size_t k) {
-      least[k] = std::min(least[k], x);
-      greatest[k] = std::max(greatest[k], x);
-      are_floats = are_floats && static_cast<double>(static_cast<float>(x)) == x;
-    });
-  FloatPositions positions;
-  // As a float the middle reads alike in programs that keep single precision.
-  if (!are_floats)
-    for (std::size_t k = 0; k < 3; ++k) positions.moved[k] = static_cast<float>(least[k] / 2 + greatest[k] / 2);
-  constexpr double most = std::numeric_limits<float>::max();
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const double x : {least[k], greatest[k]})
-      if (!(std::abs(x) <= most))
-        bad_input(file.name(), "the coordinate " + std::string(ShortestText(x)),
-                  "one that single precision of GLB holds, or another format");
-  positions.at.reserve(vertices.size());
-  positions.least.fill(std::numeric_limits<float>::infinity());
-  positions.greatest.fill(-std::numeric_limits<float>::infinity());
-  for (const Point3& p : vertices) {
-    std::array<float, 3>& at = positions.at.emplace_back();
-    for_each_coordinate(p, [&](double x, std::size_t k) {
-      at[k] = static_cast<float>(x - positions.moved[k]);
-      positions.least[k] = std::min(positions.least[k], at[k]);
-      positions.greatest[k] = std::max(positions.greatest[k], at[k]);
-    });
-  }
-  return positions;
-}
 
 /// Of length 1, which the format demands; none where one has no direction.
 std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) {
@@ -170,13 +119,21 @@ void write_glb(OutputFile& file, const SpaceMesh& mesh) {
     json["scenes"] = Json::array({Json::object()});
     return write_container(file, json, numbers);
   }
-  const FloatPositions positions = float_positions(file, mesh.vertices);
+  require_kept(file, Format::glb, mesh);
+  const SinglePositions positions =
+      single_positions(Format::glb, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  std::array<float, 3> least = positions.at.front(), greatest = least;
+  for (const std::array<float, 3>& p : positions.at)
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], p[k]);
+      greatest[k] = std::max(greatest[k], p[k]);
+    }
   const std::vector<std::array<float, 3>> normals = unit_normals(mesh.normals);
   const std::vector<std::array<std::uint16_t, 4>> colors = linear_colors(mesh.colors);
   using Floats = std::span<const std::array<float, 3>>;
   Json attributes;
   attributes["POSITION"] = numbers.add(Floats(positions.at), array_buffer, single_float, "VEC3", positions.at.size(),
-                                       {{"min", positions.least}, {"max", positions.greatest}});
+                                       {{"min", least}, {"max", greatest}});
   if (!normals.empty())
     attributes["NORMAL"] = numbers.add(Floats(normals), array_buffer, single_float, "VEC3", normals.size());
   if (!colors.empty())
@@ -186,7 +143,7 @@ void write_glb(OutputFile& file, const SpaceMesh& mesh) {
       numbers.add(mesh.triangles, element_array_buffer, unsigned_int, "SCALAR", 3 * mesh.triangles.size());
 
   Json node = {{"mesh", 0}};
-  if (positions.moved != std::array<double, 3>{}) node["translation"] = positions.moved;
+  if (positions.shift != Position{}) node["translation"] = positions.shift;
   json["scenes"] = Json::array({{{"nodes", {0}}}});
   json["nodes"] = Json::array({node});
   json["meshes"] = Json::array(

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/fan_triangles.h"
@@ -62,46 +63,52 @@ std::array<float, 3> unit_normal(const Point3& a, const Point3& b, const Point3&
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }
 
+/// The 80 bytes before the facets. They must not begin with "solid", which is ASCII.
+std::string stl_header(const Position& shift) {
+  std::string header = "triangles in space, binary STL";
+  if (shift != Position{})  // at most 80 characters
+    header = "shift " + text_of(shift);
+  header.resize(80, ' ');
+  return header;
+}
+
 void write_stl(OutputFile& file, const SpaceMesh& mesh) {
-  constexpr double most = std::numeric_limits<float>::max();
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t corner : triangle) {
-      const Point3& p = mesh.vertices[corner];
-      for (const double x : {p.x, p.y, p.z})
-        if (std::abs(x) > most)
-          bad_input(file.name(), "the coordinate " + std::string(ShortestText(x)),
-                    "one that single precision of STL holds, or another format");
-    }
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     bad_input(file.name(), counted(mesh.triangles.size(), "triangle"), "fewer than 2^32 in an STL file");
-  std::string header = "triangles in space, binary STL";  // must not begin with "solid", which is ASCII
-  header.resize(80, ' ');
-  file.write(header);
+  require_kept(file, Format::stl, mesh);
+  const SinglePositions positions =
+      single_positions(Format::stl, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  file.write(stl_header(positions.shift));
   const std::uint32_t count[] = {static_cast<std::uint32_t>(mesh.triangles.size())};
   file.write_binary(std::span<const std::uint32_t>(count));
   for (const auto& triangle : mesh.triangles) {
     const Point3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
     const std::array<float, 3> normal = unit_normal(a, b, c);
     file.write_binary(std::span<const float>(normal));
-    for (const Point3* p : {&a, &b, &c}) {
-      const float position[] = {static_cast<float>(p->x), static_cast<float>(p->y), static_cast<float>(p->z)};
-      file.write_binary(std::span<const float>(position));
-    }
+    for (const std::uint32_t corner : triangle) file.write_binary(std::span<const float>(positions.at[corner]));
     file.write({"\0\0", 2});
   }
 }
 
 }  // namespace
 
-void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
-                const meshops::PolygonSoup& soup) {
-  if (format != Format::stl) return write_polygons(file, format, SoupPolygons{positions, soup});
-  std::vector<Point3> vertices;
+TriangulatedFaces::TriangulatedFaces(std::span<const std::array<double, 3>> positions,
+                                     const meshops::PolygonSoup& soup) {
   for (const auto& p : positions) vertices.push_back({p[0], p[1], p[2]});
-  std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t f = 0; f < soup.faces(); ++f)
     for_each_fan_triangle(soup.face(f), positions, [&](const auto& triangle) { triangles.push_back(triangle); });
-  write_stl(file, {.vertices = vertices, .triangles = triangles});
+}
+
+void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh) {
+  const std::string why = why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  if (!why.empty()) throw Failure(why + "; nothing is written");
+}
+
+void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
+                const meshops::PolygonSoup& soup, const std::optional<Shift>& shift) {
+  if (format != Format::stl) return write_polygons(file, format, SoupPolygons{positions, soup});
+  const TriangulatedFaces faces(positions, soup);
+  write_stl(file, {.vertices = faces.vertices, .triangles = faces.triangles, .shift = shift});
 }
 
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {

@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -476,7 +476,13 @@ class Surface(Result):
         freeze(*found)
         return found
 
-    def save(self, path: Union[str, os.PathLike[str]], *, manifold: bool = True) -> None:
+    def save(
+        self,
+        path: Union[str, os.PathLike[str]],
+        *,
+        manifold: bool = True,
+        shift: Union[Literal["auto"], Sequence[float], None] = None,
+    ) -> None:
         """Writes it as a mesh, by the ending: .ply, .off, .obj, .stl, .glb, .vtu; .npy has the triangles alone.
 
         Parameters
@@ -487,16 +493,24 @@ class Surface(Result):
             A vertex for each sheet at a point, so that edges have one or two triangles; .ply and .vtu have the index of the point of
             each as `point`. False: the vertices are the points, all of them, so that an index means the same in both; .glb
             always has a vertex for each sheet.
+        shift : "auto" or three numbers, optional
+            What is subtracted from all coordinates of .stl and .glb, which have single precision: "auto" for the middle of their
+            box. It stands in the header of .stl; .glb keeps the place, as its node is moved back, and shifts by itself where
+            rounding would change coordinates.
 
         Raises
         ------
         InvalidInput
-            Another ending; a coordinate too large for .stl or .glb.
+            Another ending; a coordinate too large for .stl or .glb; triangles without area, or vertices at one place, that single
+            precision would make.
         OSError
             It cannot be written.
         """
         self._require_unchanged()
-        _core.save_surface(os.fsencode(path), self.points, self.normals, self.triangles, self.neighbors, bool(manifold))
+        by = shift if shift is None or isinstance(shift, str) else ",".join(repr(float(x)) for x in shift)
+        _core.save_surface(
+            os.fsencode(path), self.points, self.normals, self.triangles, self.neighbors, bool(manifold), by
+        )
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh: the points, the triangles by input index, and the normals, if any, as point data `Normals`."""

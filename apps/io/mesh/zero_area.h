@@ -1,0 +1,16 @@
+// What: whether a face has no area.
+// Law:  exact: rounded numbers decide where they certainly can.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/mesh/equal_positions.h"
+
+namespace rbpa::app {
+
+/// Whether all corners of a face lie on one line.
+bool is_on_a_line(std::span<const std::uint32_t> face, std::span<const Position> positions);
+
+}  // namespace rbpa::app

@@ -1,0 +1,33 @@
+#include "triangulation/watertight_file.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "io/failure.h"
+#include "rbpa/crossing_triangles.h"
+#include "triangulation/surface_counts.h"
+
+namespace rbpa::app {
+
+std::string why_file_is_open(Format format, const std::string& file, std::span<const Point3> points,
+                             std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
+                             const SurfaceOptions& options) {
+  if (!has_single_precision(format)) return "";
+  std::string why = why_not_kept(format, points, triangles, shift, file);
+  if (!why.empty()) return why;
+  if (const std::size_t edges = crowded_edges(triangles); format == Format::stl && edges > 0)
+    return file + ": STL joins what is at equal positions, and " + counted(edges, "edge") +
+           " would have more than two triangles (.ply, .obj and .off keep them apart)";
+  constexpr std::size_t most = 1000;  // pairs that are counted
+  const auto crossing = [&](const std::optional<Shift>& by) {
+    std::vector<Point3> places;
+    for (const auto& [x, y, z] : single_positions(format, points, triangles, by, file).at) places.push_back({x, y, z});
+    return crossing_triangles(places, triangles, most, options).size();
+  };
+  const std::size_t pairs = crossing(shift);
+  if (pairs == 0) return "";
+  return file + ": single precision makes " + (pairs < most ? "" : "at least ") + counted(pairs, "pair") +
+         " of triangles cross" + way_to_keep((!shift || shift->by) && crossing(Shift()) == 0);
+}
+
+}  // namespace rbpa::app

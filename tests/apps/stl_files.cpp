@@ -1,0 +1,240 @@
+// STL: what stands behind its facets, and that what is promised of a mesh holds of the file, which is in single precision.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/mesh/single_precision.h"
+#include "support/data_folder.h"
+#include "support/mesh_files.h"
+#include "support/program.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+std::string finding(const std::string& name) { return (rbpa_test::bundled_data() / "findings" / name).string(); }
+
+/// Points of a sphere of radius 1 around a place, with their normals.
+std::string sphere(int points, double x, double y, double z) {
+  std::string text;
+  for (int i = 0; i < points; ++i) {
+    const double h = 1 - (2.0 * i + 1) / points, r = std::sqrt(1 - h * h), a = 2.39996322972865332 * i;
+    const std::array<double, 3> n = {r * std::cos(a), r * std::sin(a), h};
+    char line[200];
+    std::snprintf(line, sizeof line, "%.17g %.17g %.17g %.17g %.17g %.17g\n", x + n[0], y + n[1], z + n[2], n[0], n[1],
+                  n[2]);
+    text += line;
+  }
+  return text;
+}
+
+void holds(const Folder& folder, const std::string& name, const std::string& checks) {
+  const Outcome outcome = folder.meshtopo(name + " -q --check " + checks);
+  CAPTURE(name);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 0);
+}
+
+/// A file of two meshes with an edge in common, cut apart: two cubes.
+const std::string two_cubes = "case_stl_undoes_repair/two_cubes_edge.stl";
+
+}  // namespace
+
+TEST_SUITE("STL: behind the last facet") {
+  TEST_CASE("whatever it is is left out, and said") {
+    const std::string cube = stl_binary(pyramid_triangles);
+    for (const auto& [tail, said] :
+         std::vector<std::pair<std::string, std::string>>{{"\n", "1 byte"},
+                                                          {std::string(92, '\0'), "92 bytes"},
+                                                          {"solid\n", "6 bytes"},
+                                                          {std::string(50, '\xFF'), "50 bytes"}}) {
+      for (const std::string& head : {std::string(), std::string("solid of a program\n")}) {
+        const Folder folder;
+        CAPTURE(said);
+        std::string content = cube + tail;
+        content.replace(0, head.size(), head);
+        folder.file("m.stl", content);
+        const Outcome outcome = folder.meshtopo("m.stl --check closed,genus=0,vertices=5,faces=6");
+        CHECK(outcome.code == 0);
+        CHECK(outcome.err == "meshtopo: m.stl: " + said + " behind the last facet are left out\n");
+      }
+    }
+  }
+
+  TEST_CASE("facets with attributes, of one length or several") {
+    const std::string plain = stl_binary(pyramid_triangles);
+    std::string content = plain.substr(0, 84);
+    for (std::size_t f = 0; f < 6; ++f) {
+      content += plain.substr(84 + 50 * f, 48);
+      content += static_cast<char>(f);
+      content += '\0';
+      content += std::string(f, 'a');
+    }
+    const Folder folder;
+    folder.file("m.stl", content);
+    const Outcome outcome = folder.meshtopo("m.stl --check closed,vertices=5,faces=6");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err == "meshtopo: m.stl: 15 bytes of attributes are left out\n");
+    // A colour in the attributes is no length.
+    std::string colored = plain;
+    colored[84 + 48] = '\x05';
+    folder.file("c.stl", colored);
+    holds(folder, "c.stl", "closed,vertices=5,faces=6");
+    folder.file("c.stl", colored + "\n");
+    holds(folder, "c.stl", "closed,vertices=5,faces=6");
+    folder.file("short.stl", plain.substr(0, plain.size() - 1));
+    CHECK(folder.meshtopo("short.stl -q").code == 3);
+  }
+
+  TEST_CASE("text: capital letters, several solids, zeros and the mark of the end behind them") {
+    const std::string one = stl_text(pyramid_triangles);
+    std::string capitals = one;
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    const Folder folder;
+    for (const std::string& content :
+         {one, capitals, one + std::string(3, '\0'), one + "\x1a", one + "\x1a\r\n" + std::string(500, '\0')}) {
+      folder.file("m.stl", content);
+      holds(folder, "m.stl", "closed,vertices=5,faces=6");
+    }
+    folder.file("m.stl", one + capitals);
+    CHECK(json::parse(folder.meshtopo("m.stl --json").out)["vertices"] == 5);
+    CHECK(folder.meshtopo("m.stl --json").code == 0);
+    folder.file("m.stl", one + std::string("\0more", 5));
+    CHECK(folder.meshtopo("m.stl -q").code == 3);
+  }
+
+  TEST_CASE("files of others") {
+    for (const std::string name : {"tail92", "payload", "newline"}) {
+      const Folder folder;
+      holds(folder, finding("case_stl_tails/" + name + ".stl"), "closed,genus=0,vertices=8,faces=12");
+    }
+  }
+}
+
+TEST_SUITE("single precision") {
+  TEST_CASE("--shift is auto or three numbers") {
+    using rbpa::app::parse_shift;
+    CHECK_FALSE(parse_shift("--shift", "auto").by);
+    CHECK(*parse_shift("--shift", "1,-2.5,1e3").by == rbpa::app::Position{1, -2.5, 1000});
+    const Folder folder;
+    folder.file("m.off", pyramid_off);
+    for (const std::string bad : {"1,2", "1,2,3,4", "", "a,b,c", "1,2,nan", "inf,0,0", "1;2;3", "AUTO"}) {
+      CAPTURE(bad);
+      CHECK(folder.meshtopo("m.off --repair o.stl --shift '" + bad + "'").code == 2);
+    }
+    CHECK(folder.meshtopo("m.off --repair o.ply --shift auto").err ==
+          "meshtopo: --shift: found no .stl to write, which is in single precision, expected one\n");
+    CHECK(folder.rbpa("surface m.off --radius 1 -o o.ply --shift auto").code == 2);
+    CHECK(folder.rbpa("solid m.off --alpha inf --boundary o.ply --shift auto").code == 2);
+  }
+
+  TEST_CASE("meshtopo refuses what rounding takes away, and a shift keeps it") {
+    const Folder folder;
+    const std::string utm = finding("case_stl_single_precision/utm.off");
+    const Outcome refused = folder.meshtopo(utm + " --repair o.stl --check closed,manifold -q");
+    CHECK(refused.code == 4);
+    CHECK(refused.err.find("o.stl: single precision leaves ") != std::string::npos);
+    CHECK(refused.err.find("(not with --shift auto, nor as .ply, .obj or .off); it is not written") !=
+          std::string::npos);
+    CHECK(refused.err.find("meshtopo: " + utm + ": closed: found ") != std::string::npos);
+    CHECK_FALSE(folder.has("o.stl"));
+    CHECK(folder.meshtopo(utm + " --orient -o o.stl -q").code == 4);
+    CHECK(folder.meshtopo(utm + " --repair o.ply --check closed,manifold -q").code == 0);
+    holds(folder, "o.ply", "closed,manifold");
+    const Outcome shifted =
+        folder.meshtopo(utm + " --repair o.stl --shift auto --check closed,manifold,components=1 -q");
+    CHECK(shifted.code == 0);
+    const std::string by = shifted.err.substr(17, shifted.err.find(" is subtracted") - 17);
+    CHECK(shifted.err == "meshtopo: o.stl: " + by + " is subtracted from all coordinates\n");
+    CHECK(folder.content("o.stl").substr(0, 6 + by.size()) == "shift " + by);
+    holds(folder, "o.stl", "closed,manifold,components=1,geometric_defects=0");
+    CHECK(folder.meshtopo(utm + " --repair p.stl --shift " + by + " -q").code == 0);
+    CHECK(folder.content("p.stl") == folder.content("o.stl"));
+  }
+
+  TEST_CASE("--check is of the file: STL joins what a repair has cut") {
+    const Folder folder;
+    const std::string cubes = finding(two_cubes);
+    const Outcome outcome = folder.meshtopo(cubes + " --repair o.stl --check closed,manifold,components=2 -q");
+    CHECK(outcome.code == 4);
+    CHECK(outcome.err.find("meshtopo: o.stl: STL cannot keep 1 edge that was cut (ply, obj and off can)\n") == 0);
+    CHECK(outcome.err.find("manifold: found 1 non-manifold edge, expected none") != std::string::npos);
+    CHECK(folder.meshtopo("o.stl --check closed,manifold,components=2 -q").code == 4);
+    CHECK(folder.meshtopo(cubes + " --repair o.stl -q").code == 0);
+    for (const std::string ending : {"ply", "obj", "off"}) {
+      CHECK(folder.meshtopo(cubes + " --repair o." + ending + " --check closed,manifold,components=2 -q").err.empty());
+      holds(folder, "o." + ending, "closed,manifold,components=2");
+    }
+    // Two tetrahedra with a vertex in common.
+    folder.file(
+        "p.off",
+        "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n"
+        "3 0 6 4\n3 0 5 6\n3 4 6 5\n");
+    const Outcome pinch = folder.meshtopo("p.off --repair o.stl --check manifold -q");
+    CHECK(pinch.code == 4);
+    CHECK(pinch.err.find("STL cannot keep apart the vertices of 1 place at which surfaces touch") != std::string::npos);
+    CHECK(json::parse(folder.meshtopo("p.off --repair o.stl --check pinches=1 --json").out)["result"]["pinches"] == 1);
+  }
+
+  TEST_CASE("what every verb writes as STL passes the check that was promised, near and far from the origin") {
+    // A shift of whole numbers changes nothing; beside a map's coordinates the sphere has some hundred places in single precision.
+    for (const double far : {0.0, 100.0, 500000.0, 3e7}) {
+      const Folder folder;
+      CAPTURE(far);
+      folder.file("p.xyzn", sphere(600, far, 9 * far, 0));
+      const std::string in = "p.xyzn --radius 0.4 -q ";
+      for (const std::string& command : {"surface " + in + "--watertight", "surface " + in + "--manifold",
+                                         "surface " + in, std::string("solid p.xyzn --alpha inf -q --boundary")}) {
+        const std::string to = command.ends_with("--boundary") ? " o.stl" : " -o o.stl";
+        CAPTURE(command);
+        const Outcome plain = folder.rbpa(command + to);
+        CHECK(plain.code == (far < 1000 ? 0 : 1));
+        CHECK(folder.has("o.stl") == (plain.code == 0));
+        if (plain.code == 0)
+          holds(folder, "o.stl", "closed,manifold,oriented,genus=0,geometric_defects=0");
+        else
+          CHECK(plain.err.find("nothing is written") != std::string::npos);
+        const Outcome shifted = folder.rbpa(command + to + " --shift auto");
+        CAPTURE(shifted.err);
+        CHECK(shifted.code == 0);
+        holds(folder, "o.stl", "closed,manifold,oriented,genus=0,geometric_defects=0");
+        std::filesystem::remove(folder.path("o.stl"));
+      }
+      CHECK(folder.rbpa("surface " + in + "--watertight -o o.glb").code == 0);
+      CHECK(folder.rbpa("surface " + in + "--watertight -o o.ply").code == 0);
+    }
+  }
+
+  TEST_CASE("points that are near each other, and where no shift helps") {
+    const Folder folder;
+    const std::string in =
+        "surface " + finding("scan_stl_float/cube_ulp.xyz") + " --radius auto --keep-largest 1 --watertight -q -o ";
+    const Outcome refused = folder.rbpa(in + "o.stl");
+    CHECK(refused.code == 1);
+    CHECK(refused.err.find("not watertight: o.stl: single precision leaves 2 of 304 triangles without area") !=
+          std::string::npos);
+    CHECK_FALSE(folder.has("o.stl"));
+    CHECK(folder.rbpa(in + "o.stl --shift auto").code == 0);
+    holds(folder, "o.stl", "closed,manifold,geometric_defects=0");
+    CHECK(folder.rbpa(in + "o.glb").code == 0);
+    CHECK(folder.rbpa(in + "o.ply").code == 0);
+    holds(folder, "o.ply", "closed,manifold");
+    folder.file("t.off", "OFF\n4 4 0\n0 0 0\n1 1 0\n1 1.000000000001 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    const Outcome outcome = folder.meshtopo("t.off --orient -o t.stl -q");
+    CHECK(outcome.code == 4);
+    CHECK(
+        outcome.err ==
+        "meshtopo: t.stl: single precision leaves 2 of 4 triangles without area and moves 1 of 4 vertices onto others "
+        "(not as .ply, .obj or .off, in double precision); it is not written\n");
+    CHECK(folder.meshtopo("t.off --orient -o t.stl -q --shift auto").code == 4);
+    CHECK_FALSE(folder.has("t.stl"));
+  }
+}
