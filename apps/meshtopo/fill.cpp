@@ -8,6 +8,7 @@
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/topology/merge_points.h"
 #include "meshops/topology/repair.h"
+#include "meshops/topology/soup_defects.h"
 #include "meshtopo/face_fans.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/fill_holes.h"
@@ -75,6 +76,12 @@ std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::
   return loops;
 }
 
+bool is_surface(const meshops::PolygonSoup& soup) {
+  const std::vector<meshops::SoupDefect> defects = meshops::find_defects(soup, until_interrupted());
+  return std::all_of(defects.begin(), defects.end(),
+                     [](const auto& defect) { return defect.kind == meshops::SoupDefectKind::pinch; });
+}
+
 }  // namespace
 
 FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
@@ -111,6 +118,13 @@ FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
   result.report.merged = merged.merged;
   result.mesh.soup = std::move(merged.soup);
   result.point_was = std::move(merged.point_was);
+  // Vertices that have become one may have edges in common, which then have too many faces.
+  if (!is_surface(result.mesh.soup)) {
+    meshops::Repair again = meshops::repair(result.mesh.soup, until_interrupted());
+    result.mesh.soup = std::move(again.soup);
+    for (std::uint32_t& p : again.stands_on) p = result.point_was[p];
+    result.point_was = std::move(again.stands_on);
+  }
   result.mesh.positions.clear();
   for (const std::uint32_t p : result.point_was) result.mesh.positions.push_back(mesh.positions[p]);
   return result;

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "support/changed_mesh.h"
+#include "support/data_folder.h"
 #include "support/mesh_files.h"
 
 using namespace apps_test;
@@ -147,6 +148,19 @@ TEST_SUITE("meshtopo --fill-holes") {
           "OFF\n8 8 0\n9 9 9\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n1 -1 0\n-1 0 0\n3 0 0\n3 1 3 4\n3 3 2 4\n3 2 3 5\n3 3 1 5\n3 "
           "1 4 6\n"
           "3 1 6 5\n3 2 7 4\n3 2 5 7\n");
+  }
+
+  TEST_CASE("what is filled is a surface: where vertices become one, edges of more than two faces are cut") {
+    for (const std::string name : {"plate.off", "box.off"}) {
+      const Folder folder;
+      CAPTURE(name);
+      const std::string mesh = (rbpa_test::bundled_data() / "findings" / "case_fill_joins_fans" / name).string();
+      const Outcome outcome = folder.meshtopo(
+          mesh + " --repair o.ply --fill-holes rims --generators g.obj --shortest --check oriented,manifold -q");
+      CHECK(outcome.err == "");
+      CHECK(outcome.code == 0);
+      CHECK(folder.meshtopo("o.ply --check oriented,manifold -q").code == 0);
+    }
   }
 
   TEST_CASE("it wants a surface, and a repair makes one; several meshes, loops and other changes go with it") {
