@@ -93,7 +93,8 @@ TEST_SUITE("gzip bombs") {
                                                                  {"p.png", png_header(2, 2)}}) {
       const std::string& file = name;
       CAPTURE(file);
-      folder.file(name + ".gz", bomb(content, zeros, more_than_that));
+      const bool is_table = name == "p.xy" || name == "p.csv";
+      folder.file(name + ".gz", bomb(content, is_table ? " " : zeros, more_than_that));
       check_memory(folder, rbpa + " info " + name + ".gz", name + ".gz", stream);
       if (name == "p.f64xy") continue;  // numbers may begin like a gzip file: its name has to say that it is one
       check_memory(folder, rbpa + " info - --format " + name.substr(2) + " < " + name + ".gz", "standard input",
@@ -103,7 +104,7 @@ TEST_SUITE("gzip bombs") {
     folder.file("many.xy.gz", bomb("", "0 0\n", more_than_that));
     check_memory(folder, rbpa + " info many.xy.gz", "many.xy.gz", stream);
     for (const auto& [name, content, behind] : std::vector<File>{{"p.xyz", "0 0 0\n"}, {"p.obj", pyramid_obj}}) {
-      folder.file(name + ".gz", bomb(content, zeros, more_than_that));
+      folder.file(name + ".gz", bomb(content, " ", more_than_that));
       check_memory(folder, rbpa + " surface " + name + ".gz --radius 1 -o s.off", name + ".gz");
     }
     for (const auto& [name, content, behind] :
@@ -119,6 +120,17 @@ TEST_SUITE("gzip bombs") {
     folder.file("q.wkt", polygon);
     folder.file("sizes.gz", bomb("0 0 1\n", "\n", more_than_that));
     check_memory(folder, rbpa + " fill q.wkt --size 1 --size-at sizes.gz -o s.off", "sizes.gz");
+  }
+
+  TEST_CASE("zeros that are called text are refused after a mebibyte") {
+    const Folder folder;
+    folder.file("z.gz", bomb("", zeros, more_than_that));
+    for (const std::string format : {"xyz", "csv", "pts", "obj", "pdb"}) {
+      const Outcome outcome = folder.rbpa("surface z.gz --format " + format + " --radius 1 -o s.off");
+      CAPTURE(format);
+      CHECK(outcome.code == 3);
+      CHECK(outcome.err.find("z.gz: found a zero byte at byte 0, expected text (in the first ") != std::string::npos);
+    }
   }
 
   TEST_CASE("a claim is never more than a whole file has, and that of the whole file is all of it") {

@@ -64,7 +64,7 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", "OFF\n# c\nx 1 0\n",
                  "m.off:3: found 'x 1 0', expected the numbers of vertices, faces and edges");
     refuses_mesh("m.off", "OFF\n3\n" + three_points,
-                 "m.off:2: found '' behind the number of vertices, expected the number of faces");
+                 "m.off:2: found '3', expected the numbers of vertices, faces and edges");
     refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "m.off:4: found 'zero', expected a number");
     refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "m.off:4: found '1 0', expected another number");
     refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
@@ -75,8 +75,10 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", head + "three 0 1 2\n", "m.off:6: found 'three', expected the number of corners of a face");
     refuses_mesh("m.off", head + "3 0 1 2\n\n3 2 1 0\n",
                  "m.off:8: found '3 2 1 0', expected nothing behind the 1 face line as line 2 says");
-    refuses_mesh("m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
-                 "m.off: found 1 face line, expected 2 face lines as line 2 says");
+    refuses_mesh(
+        "m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
+        "m.off:5: found '255 255 255' and 0 lines behind a face line, expected 1 line, one for each of those that the "
+        "header announces, or no words but theirs");
     refuses_mesh("m.off", "OFF\n3 0 0\n0 0 0\n0 0 0 # long enough\n",
                  "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
   }
@@ -85,7 +87,7 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", "OFF\n99999999999999 0 0\n0 0 0\n",
                  "m.off: found 6 bytes of data, expected 99999999999999 vertex lines as line 2 says");
     refuses_mesh("m.off", "OFF\n1 99999999999999 0\n0 0 0\n3 0 0 0\n",
-                 "m.off: found 8 bytes behind the vertices, expected 99999999999999 face lines as line 2 says");
+                 "m.off: found 8 bytes of data, expected 99999999999999 face lines as line 2 says");
     refuses_mesh("m.off", "OFF\n1 1 0\n0 0 0\n99999999999999 0 0 0\n",
                  "m.off:4: found 3 corners ('99999999999999 0 0 0'), expected 99999999999999 as the line says");
     refuses_mesh("m.ply",

@@ -20,6 +20,16 @@ using rbpa::app::ParsedNumber;
 
 namespace {
 
+/// Whether a text is an integer, and another one than a double of at least 2^53.
+bool is_rounded_integer(std::string_view text, double value) {
+  if (!text.empty() && text.front() == '-') text.remove_prefix(1);
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  while (text.front() == '0') text.remove_prefix(1);
+  std::array<char, 400> exact{};
+  std::snprintf(exact.data(), exact.size(), "%.0f", std::abs(value));
+  return text != exact.data();
+}
+
 /// What a number is, said without our reader: std::from_chars() finds its end, strtod() its value.
 ParsedNumber by_the_standard(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
@@ -27,6 +37,9 @@ ParsedNumber by_the_standard(const char* first, const char* last) {
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
   value = std::strtod(std::string(first, end).c_str(), nullptr);
+  if (std::abs(value) >= 0x1p53 && std::isfinite(value) &&
+      is_rounded_integer({first, static_cast<std::size_t>(end - first)}, value))
+    return {value, end, NumberFault::rounded_integer};
   if (std::isfinite(value)) return {value, end, NumberFault::none};
   return {value, end, error == std::errc() ? NumberFault::not_finite : NumberFault::out_of_range};
 }

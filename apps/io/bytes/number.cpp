@@ -16,6 +16,17 @@ ParsedNumber parse_extreme_number(const char* first, const char* /*last*/, const
   return {value, end, std::isinf(value) ? NumberFault::out_of_range : NumberFault::none};
 }
 
+ParsedNumber parse_large_number(const char* first, const char* end, double value) {
+  if (!std::isfinite(value)) return {value, end, NumberFault::not_finite};
+  std::string_view digits(first, static_cast<std::size_t>(end - first));
+  if (digits.front() == '-') digits.remove_prefix(1);
+  if (digits.find_first_not_of("0123456789") != std::string_view::npos) return {value, end, NumberFault::none};
+  digits.remove_prefix(digits.find_first_not_of('0'));
+  char exact[std::numeric_limits<double>::max_exponent10 + 3];
+  std::snprintf(exact, sizeof exact, "%.0f", std::abs(value));
+  return {value, end, digits == exact ? NumberFault::none : NumberFault::rounded_integer};
+}
+
 ParsedNumber parse_whole_number(std::string_view text) {
   const char* last = text.data() + text.size();
   ParsedNumber number = parse_number(text.data(), last);
@@ -46,6 +57,8 @@ const char* expected_instead(NumberFault fault) {
       return "a finite number";
     case NumberFault::out_of_range:
       return "a number within the range of a double (up to 1.8e308)";
+    case NumberFault::rounded_integer:
+      return "an integer that a double holds, as it does all up to 2^53";
     default:
       return "a number";
   }

@@ -1,5 +1,6 @@
 // What: decimal text to double and back; whole numbers of a command line.
-// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double.
+// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double, but for integers, which are
+//       read exactly or refused.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace rbpa::app {
 
-enum class NumberFault { none, not_a_number, not_finite, out_of_range };
+enum class NumberFault { none, not_a_number, not_finite, out_of_range, rounded_integer };
 
 struct ParsedNumber {
   double value;
@@ -24,13 +25,20 @@ struct ParsedNumber {
 /// What from_chars() calls out of range: larger than any double is a fault, smaller than any is rounded.
 ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
 
-/// The number that begins at `first`, an optional sign included.
+/// Doubles have every integer up to it, from one side of zero to the other.
+constexpr double exact_integers = 0x1p53;
+
+/// Of the same, that is beyond exact_integers: an integer that `value`, the nearest double, is not is a fault.
+ParsedNumber parse_large_number(const char* first, const char* end, double value);
+
+/// The number that begins at `first`, an optional sign included. Reading rounds to the nearest double, but no integer.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error == std::errc::invalid_argument) return {0, first, NumberFault::not_a_number};
   if (error == std::errc::result_out_of_range) return parse_extreme_number(first, last, end);
+  if (value >= exact_integers || value <= -exact_integers) return parse_large_number(first, end, value);
   const bool finite = value - value == 0;
   return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
 }

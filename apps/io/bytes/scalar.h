@@ -73,6 +73,17 @@ inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
 }
 
+/// Whether doubles have all integers up to this one.
+template <typename T>
+constexpr bool is_exact_in_double(T value) {
+  if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
+    constexpr T most = T{1} << 53U;
+    if constexpr (std::is_signed_v<T>) return value <= most && value >= -most;
+    return value <= most;
+  }
+  return true;
+}
+
 /// The type whose kind is "i", "u" or "f" and whose size in bytes is "1", "2", "4" or "8".
 constexpr std::optional<Scalar> scalar_of(std::string_view kind, std::string_view size) {
   constexpr std::pair<std::string_view, Scalar> known[] = {

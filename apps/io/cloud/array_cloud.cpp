@@ -44,7 +44,8 @@ class ArrayCloud final : public Cloud {
       const std::string_view bytes = source.ahead(count * step);
       if (bytes.size() < count * step) count = end_early(bytes.size(), step);
       const std::size_t offset = array_.columns_first ? 0 : k * array_.item();
-      load_column(block.column[k], array_.type, bytes.data() + offset, step, count, array_.order);
+      load_column(block.column[k], array_.type, bytes.data() + offset, step, count, array_.order, first_,
+                  source.name());
     }
     for (std::size_t k = 0; k < sources_.size(); ++k) sources_[k].skip(count * step);
     block.count = count;

@@ -17,19 +17,28 @@
 namespace rbpa::app {
 namespace {
 
-constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, nullptr, names_of_columns, true},
-                                         {Format::pts, open_pts, nullptr, names_of_columns, true},
-                                         {Format::xyzn, open_xyzn, nullptr, names_of_columns, true},
-                                         {Format::xyzrgb, open_xyzrgb, nullptr, names_of_columns, true},
+/// Text claims nothing, but has no zero bytes, of which a few kilobytes would become a line of gigabytes; UTF-16 has, and is
+/// named by its reader.
+double claimed_text_size(std::string_view first, const std::string& name) {
+  const std::size_t zero = first.find('\0');
+  if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))
+    bad_input(name, "a zero byte at byte " + std::to_string(zero), "text");
+  return any_size;
+}
+
+constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, claimed_text_size, names_of_columns, true},
+                                         {Format::pts, open_pts, claimed_text_size, names_of_columns, true},
+                                         {Format::xyzn, open_xyzn, claimed_text_size, names_of_columns, true},
+                                         {Format::xyzrgb, open_xyzrgb, claimed_text_size, names_of_columns, true},
                                          {Format::las, open_las, claimed_las_size, names_of_las_fields, true},
                                          {Format::npy, open_npy, claimed_npy_size, nullptr, true},
                                          {Format::raw, open_raw, nullptr, nullptr, true},
                                          {Format::ply, open_ply, claimed_ply_size, names_of_properties},
                                          {Format::pcd, open_pcd, claimed_pcd_size, names_of_properties},
-                                         {Format::pdb, open_pdb, nullptr, names_of_columns},
-                                         {Format::cif, open_cif, nullptr, names_of_columns},
+                                         {Format::pdb, open_pdb, claimed_text_size, names_of_columns},
+                                         {Format::cif, open_cif, claimed_text_size, names_of_columns},
                                          {Format::off, open_off, claimed_off_size},
-                                         {Format::obj, open_obj}};
+                                         {Format::obj, open_obj, claimed_text_size}};
 
 /// Of the format that it is found to be, where that claims anything.
 double claimed_by_content(std::string_view first, const std::string& name) {
@@ -76,12 +85,20 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
                   in_quotes(ShortestText(block.column[k][i])), "a finite number");
 }
 
+void refuse_integer(const std::string& where, const std::string& integer) {
+  bad_input(where, integer, "an integer up to 2^53, which a double holds");
+}
+
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
-                 std::endian order) {
+                 std::endian order, std::size_t first, const std::string& name) {
   column.resize(count);
   const auto load_all = [&](auto value, std::endian known) {
     for (double& number : column) {
-      number = static_cast<double>(load<decltype(value)>(at, known));
+      value = load<decltype(value)>(at, known);
+      if (!is_exact_in_double(value))
+        refuse_integer(name + ": point " + std::to_string(first + static_cast<std::size_t>(&number - column.data())),
+                       std::to_string(value));
+      number = static_cast<double>(value);
       at += stride;
     }
   };

@@ -119,9 +119,23 @@ Claim claim_of(Format format, bool skip_invalid = false);
 /// Throws BadInput unless all coordinates and normals are finite; the block's first point is point `first` of its file.
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name);
 
-/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before.
+/// Throws BadInput: doubles do not have that integer, or not its neighbors.
+[[noreturn]] void refuse_integer(const std::string& where, const std::string& integer);
+
+/// The number of the given type at `at`, which place(), a text, names. Throws BadInput for an integer beyond 2^53.
+template <typename Place>
+double load_exactly(Scalar type, const char* at, std::endian order, const Place& place) {
+  return with_type(type, [&](auto value) {
+    value = load<decltype(value)>(at, order);
+    if (!is_exact_in_double(value)) refuse_integer(place(), std::to_string(value));
+    return static_cast<double>(value);
+  });
+}
+
+/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before. Throws BadInput for an
+/// integer beyond 2^53; the column's first number is of point `first` of its file.
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
-                 std::endian order);
+                 std::endian order, std::size_t first, const std::string& name);
 
 /// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of each
 /// field of the condition.

@@ -116,7 +116,7 @@ class ElementCloud final : public Cloud {
     const std::vector<Strip> strips = take_strips(block.count);
     const auto load_all = [&](std::vector<double>& column, std::size_t property) {
       load_column(column, vertex_.properties[property].type, strips[property].first, strips[property].stride,
-                  block.count, *header_.binary);
+                  block.count, *header_.binary, first_, name_);
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
     for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.condition[k]);
@@ -133,7 +133,8 @@ class ElementCloud final : public Cloud {
   void read_with_lists(CloudBlock& block) {
     binary_->pass(vertex_, first_, first_ + block.count, [&](std::size_t i, const std::vector<const char*>& at) {
       const auto number = [&](std::size_t property) {
-        return load_number(vertex_.properties[property].type, at[property], *header_.binary);
+        return load_exactly(vertex_.properties[property].type, at[property], *header_.binary,
+                            [&] { return name_ + ": point " + std::to_string(i); });
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
       for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.condition[k]);
@@ -147,24 +148,23 @@ class ElementCloud final : public Cloud {
     for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.condition[k]] = fields_[k].data();
     if (layout_.color) target[*layout_.color] = color.data();
     for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
-    const bool takes_z = keeps_heights_ && layout_.height && *layout_.height < target.size();
+    const bool takes_z = keeps_heights_ && layout_.height;
     if (takes_z) target[*layout_.height] = block.heights.data();
     std::vector<char> is_channel(target.size(), 0);
     for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
-    while (!layout_.whole_lines && target.back() == nullptr) target.pop_back();
     const std::size_t size = target.size(), first = first_;
     text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
       for (std::size_t k = 0; k < size; ++k) {
         const bool is_wanted = target[k] != nullptr;
         if (is_wanted) target[k][i - first] = take_coordinate(rest, text_->lines(), name_);
         if (is_channel[k] != 0) require_channel(target[k][i - first]);
+        if (k == layout_.height && !takes_z && looks_at_heights()) find_height(block, i, rest);
         if (!is_wanted || vertex_.properties[k].count > 1)
           text_->pass_words(vertex_.properties[k], rest, is_wanted ? 1 : 0);
       }
       if (layout_.color)
         append_color(color_bits(color[i - first], vertex_.properties[*layout_.color].type, here()), block);
       if (layout_.colors_behind) colors_.take(rest.substr(0, rest.find('#')), text_->lines().number(), block);
-      if (looks_at_heights() && !takes_z) find_height(block, i);
     });
     for (const double z : block.heights) facts_.file.heights.take(z);
     for (std::size_t k = 0; k < fields_.size(); ++k)  // which may be a column as well
@@ -178,12 +178,9 @@ class ElementCloud final : public Cloud {
       bad_input(here(), in_quotes(ShortestText(number)), "a channel of a colour, from 0 to 255");
   }
 
-  /// Lists before it are none of a file with heights that we would know.
-  void find_height(CloudBlock& block, std::size_t i) {
-    if (vertex_.has_lists()) return layout_.height.reset();
-    std::string_view line = text_->lines().line();
-    for (std::size_t k = 0; k < *layout_.height; ++k) take_word(line);
-    const ParsedNumber z = parse_whole_number(take_word(line));
+  /// Looks at the next word, whatever it is.
+  void find_height(CloudBlock& block, std::size_t i, std::string_view rest) {
+    const ParsedNumber z = parse_whole_number(take_word(rest));
     if (z.fault == NumberFault::none) take_height(block, i, z.value);
   }
 

@@ -23,7 +23,6 @@ struct PointLayout {
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
   bool colors_behind = false;                                     ///< of text, three words behind these
   bool has_room = false;                                          ///< the data are known to be long enough
-  bool whole_lines = false;                                       ///< of text, what is behind the last of these as well
   bool by_columns = false;          ///< of binary data without lists, all of one property before all of the next
   std::vector<char> unpacked = {};  ///< what the header's data are of, where they were compressed
   CloudFacts facts = {};

@@ -1,10 +1,12 @@
 #include "io/cloud/obj.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <utility>
 
+#include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/readers.h"
 #include "io/failure.h"
@@ -26,6 +28,15 @@ std::string_view take_obj_line(Lines& lines, std::string& room) {
     line = room;
   }
   return line.substr(0, line.find('#'));
+}
+
+void require_end_of_vertex(std::string_view rest, const std::string& name, std::size_t line) {
+  constexpr std::size_t most = 5;  // a weight; red, green, blue, opacity
+  std::size_t numbers = 0;
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
+    if (++numbers > most || parse_whole_number(word).fault == NumberFault::not_a_number)
+      bad_input(at_line(name, line), in_quotes(word) + " behind a vertex",
+                "at most " + std::to_string(most) + " numbers, a weight and a colour, and one vertex a line");
 }
 
 std::uint32_t take_obj_number(std::string_view word, std::string_view text, std::string_view noun, std::size_t before,
@@ -57,11 +68,16 @@ class ObjCloud final : public Cloud {
     for_each_obj_line(lines_, [&](std::string_view word, std::string_view rest, std::size_t line) {
       if (word == "v") {
         const auto position = take_position(rest, lines_, name_);
+        require_end_of_vertex(rest, name_, line);
         for (std::size_t k = 0; k < 3; ++k) block.column[k].push_back(position[k]);
         ++block.count;
         colors_.take(rest, line, block);
       }
-      if (word == "vn") normals_.push_back(take_point(rest));
+      if (word == "vn") {
+        normals_.push_back(take_point(rest));
+        if (!trimmed(rest).empty())
+          bad_input(at_line(name_, line), in_quotes(trimmed(rest)) + " behind a normal", "one normal a line");
+      }
       if (word == "f") take_face(rest, block.count, line);
     });
     if (block.count == 0) bad_input(name_, "no line 'v x y z'", "points");
@@ -87,6 +103,8 @@ class ObjCloud final : public Cloud {
   /// Of a corner v//vn or v/vt/vn both count.
   void take_face(std::string_view rest, std::size_t points, std::size_t line) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      if (word.front() != '-' && std::isdigit(static_cast<unsigned char>(word.front())) == 0)
+        bad_input(at_line(name_, line), in_quotes(word) + " in a face", "numbers of vertices, and one face a line");
       const std::size_t first = word.find('/'), second = word.find('/', std::min(first, word.size() - 1) + 1);
       if (second == std::string_view::npos) continue;
       corners_.push_back({take_obj_number(word, word.substr(0, first), "vertex", points, name_, line),

@@ -25,6 +25,10 @@ void for_each_obj_line(Lines& lines, const Visit& visit) {
   }
 }
 
+/// `rest`, behind the coordinates of a vertex, is a weight, a colour or both. Throws BadInput naming `line` of `name`, for
+/// another vertex in the same line, say.
+void require_end_of_vertex(std::string_view rest, const std::string& name, std::size_t line);
+
 /// `text`, a part of the corner `word`, as the index of one of the things called `noun`, of which `before` are there
 /// already: they count from 1, or from −1 back. It may be of one that comes later. Throws BadInput naming `line` of `name`.
 std::uint32_t take_obj_number(std::string_view word, std::string_view text, std::string_view noun, std::size_t before,

@@ -14,7 +14,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them.
+/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them; with the number of vertices
+/// right behind it or not.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
@@ -23,9 +24,12 @@ struct Keyword {
       normals = normals || prefix == "N";
       colors = colors || prefix == "C";
     }
-    known = word == "OFF";
+    if (!word.starts_with("OFF")) return;
+    glued = word.substr(3);
+    known = glued.empty() || parse_count(glued);
   }
   bool known = false, normals = false, colors = false;
+  std::string_view glued;  // behind the word
 };
 
 }  // namespace
@@ -38,41 +42,63 @@ OffHeader read_off_header(std::string_view text, std::size_t size, const std::st
   const std::string_view word = take_word(after_word);
   const Keyword keyword(word);
   if (keyword.known) {
-    rest = trimmed(after_word);
+    rest.remove_prefix(static_cast<std::size_t>(keyword.glued.data() - rest.data()));
+    rest = trimmed(rest);
     if (rest.substr(0, 6) == "BINARY") bad_input(at_line(name, lines.number()), "binary OFF", "ASCII OFF");
     if (rest.empty() || rest.front() == '#') rest = lines.next_with_content() ? lines.line() : std::string_view();
   } else if (parse_whole_number(word).fault != NumberFault::none) {
     bad_input(at_line(name, lines.number()), in_quotes(word), "OFF, COFF, NOFF or CNOFF");
   }
   const std::string_view counts = rest;
-  const std::optional<std::size_t> vertices = parse_count(take_word(rest));
-  if (!vertices)
+  const std::optional<std::size_t> vertices = parse_count(take_word(rest)), faces = parse_count(take_word(rest));
+  if (!vertices || !faces)
     bad_input(at_line(name, lines.number()), in_quotes(counts), "the numbers of vertices, faces and edges");
+  take_word(rest);
+  rest = trimmed(rest);
+  const std::size_t line = lines.number();
+  if (!rest.empty() && rest.front() != '#')
+    lines = Lines(text.substr(static_cast<std::size_t>(rest.data() - text.data())), line - 1);
+  const std::size_t left = size - (text.size() - lines.rest().size());
   const OffHeader header{.normals = keyword.known && keyword.normals,
                          .colors = keyword.known && keyword.colors,
                          .vertices = *vertices,
-                         .line = lines.number(),
-                         .counts = rest,
+                         .faces = *faces,
+                         .line = line,
                          .lines = lines};
-  const std::size_t left = size - (text.size() - lines.rest().size());
   // The shortest vertex line is "0 0" and its end, but for the last.
   if (*vertices > (left + 1) / 4)
-    bad_input(name, counted(left, "byte") + " of data", announced(header, *vertices, "vertex line"));
+    bad_input(name, counted(left, "byte") + " of data", announced(header.elements(0).elements.front()));
   return header;
+}
+
+PlyHeader OffHeader::elements(std::size_t numbers) const {
+  PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = vertices, .line = line};
+  vertex.properties.resize(numbers, {.name = "", .type = Scalar::float64});
+  PlyElement face{.name = "face", .noun = "face line", .count = faces, .line = line};
+  face.properties.push_back({.name = "", .type = Scalar::uint32, .count_type = Scalar::uint32});
+  return {.elements = {std::move(vertex), std::move(face)}, .lines = lines.number(), .data = lines.rest()};
 }
 
 double claimed_off_size(std::string_view first, const std::string& name) {
   std::string room;
   first = plain_text(first, name, Format::off, room);
   const OffHeader header = read_off_header(first, unknown_size, name);
-  std::string_view counts = header.counts;
-  const std::size_t faces = parse_count(take_word(counts)).value_or(0);
-  return end_of_lines(first, header.lines, static_cast<double>(header.vertices) + static_cast<double>(faces));
+  return end_of_lines(first, header.lines, static_cast<double>(header.vertices) + static_cast<double>(header.faces));
 }
 
-std::string announced(const OffHeader& header, std::size_t count, std::string_view noun) {
-  return counted(count, noun) + " as line " + std::to_string(header.line) + " says";
+namespace {
+
+/// In the plane vertices may have two coordinates, as the first has.
+std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
+  if (off.normals) return in_space ? 6 : 3;
+  Lines lines = off.lines;
+  std::string_view first = lines.next_with_content() ? lines.line() : std::string_view();
+  take_word(first);
+  take_word(first);
+  return in_space || !take_word(first).empty() ? 3 : 2;
 }
+
+}  // namespace
 
 std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
   const std::string_view text = content.ahead();
@@ -81,11 +107,10 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
   layout.facts.normals = request.in_space && off.normals;
   layout.colors_behind = request.in_space && off.colors;
   if (layout.colors_behind) layout.facts.colors = Channels::bytes;
-  if (!request.in_space) layout.height = 2;
-  PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = off.vertices, .line = off.line};
-  vertex.properties.resize(!request.in_space ? 2 : off.normals ? 6 : 3, {.name = "", .type = Scalar::float64});
-  for (std::size_t k = 0; k < vertex.properties.size(); ++k) layout.columns.emplace_back(k, k);
-  PlyHeader header{.elements = {std::move(vertex)}, .lines = off.lines.number(), .data = off.lines.rest()};
+  PlyHeader header = off.elements(numbers_of_vertex(off, request.in_space));
+  const std::size_t numbers = header.elements.front().properties.size();
+  for (std::size_t k = 0; k < (request.in_space ? numbers : 2); ++k) layout.columns.emplace_back(k, k);
+  if (!request.in_space && numbers == 3) layout.height = 2;
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
 

@@ -120,9 +120,10 @@ class PcdHeaderReader {
                   "a type F, I or U and its size in bytes");
       const std::optional<std::size_t> count = counts_.empty() ? 1 : parse_count(counts_[i]);
       constexpr std::size_t most = 65536;  // descriptors have some hundreds
-      if (!count || *count == 0 || *count > most)
+      if (!count || *count > most)
         bad_input(name_ + ": field " + shown(fields_[i]), "a count of " + in_quotes(counts_[i]),
-                  "one from 1 to " + std::to_string(most));
+                  "one from 0 to " + std::to_string(most));
+      if (*count == 0) continue;  // which takes no bytes
       // Where it compresses, the Point Cloud Library leaves out what is so called: the gaps between the others.
       if (is_compressed_ && fields_[i] == "_") continue;
       points_.properties.push_back({std::string(fields_[i]), *type, std::nullopt, *count});
@@ -138,7 +139,7 @@ class PcdHeaderReader {
                 std::to_string(*width_) + " times " + std::to_string(height) + " as WIDTH and HEIGHT say");
     points_.count = count_ ? *count_ : *width_ * height;
     points_.line = count_ ? count_line_ : size_line_;
-    if (!is_compressed_) require_room();
+    if (!is_compressed_ && !points_.properties.empty()) require_room();
     header_.elements.push_back(std::move(points_));
   }
 
@@ -162,7 +163,7 @@ class PcdHeaderReader {
 };
 
 PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const std::string& name) {
-  PointLayout layout{.whole_lines = true};
+  PointLayout layout;
   const auto find = [&](std::string_view field, const std::string& expected) {
     const std::optional<std::size_t> place = number_place(points, field);
     if (!place) bad_input(name, "points without " + in_quotes(field), expected);

@@ -229,7 +229,7 @@ void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t in
 void PlyText::require_room(const PlyElement& element) const {
   if (element.properties.empty()) return;
   // Each value takes a character, and another behind it unless it is the last of the file.
-  const std::size_t left = lines_.rest().size();
+  const std::size_t left = rest_.size() + lines_.rest().size();
   if (element.count > (left + 1) / (2 * element.least_words()))
     bad_input(name_, counted(left, "byte") + " of data", announced(element));
 }
@@ -243,6 +243,54 @@ void PlyText::pass_words(const PlyProperty& property, std::string_view& rest, st
 
 void PlyText::next(const PlyElement& element, std::size_t index) {
   if (!lines_.next_with_content()) bad_input(name_, counted(index, element.noun), announced(element));
+  rest_ = lines_.line();
+}
+
+/// There are words behind an element in its line.
+void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
+  if (rest_.front() != '#' && is_by_words_) return;
+  if (rest_.front() != '#' && !is_by_lines_) {
+    std::size_t elements = element.count - index - 1;
+    for (const PlyElement* later = &element + 1; later != header_.elements.data() + header_.elements.size(); ++later)
+      elements += later->count;
+    Lines ahead = lines_;
+    std::size_t lines = 0;
+    while (lines < elements && ahead.next_with_content()) ++lines;
+    is_by_lines_ = lines == elements;
+    is_by_words_ = !is_by_lines_ && are_words_of_rest(element, index);
+    if (is_by_words_) return;
+    if (!is_by_lines_)
+      bad_input(
+          at_line(name_, lines_.number()),
+          in_quotes(rest_) + " and " + counted(lines, "line") + " behind a " + element.noun,
+          counted(elements, "line") + ", one for each of those that the header announces, or no words but theirs");
+  }
+  rest_ = {};
+}
+
+/// Whether the words that follow are those of all elements behind one, and no more.
+bool PlyText::are_words_of_rest(const PlyElement& element, std::size_t index) const {
+  Lines lines = lines_;
+  std::string_view rest = rest_;
+  const auto take = [&] {
+    while ((rest = trimmed(rest)).empty() || rest.front() == '#') {
+      if (!lines.next_with_content()) return std::string_view();
+      rest = lines.line();
+    }
+    return take_word(rest);
+  };
+  for (const PlyElement* of = &element; of != header_.elements.data() + header_.elements.size(); ++of)
+    for (std::size_t i = of == &element ? index + 1 : 0; i < of->count; ++i) {
+      if (i % 16384 == 0) stop_if_interrupted();
+      for (const PlyProperty& property : of->properties) {
+        std::optional<std::size_t> values = property.count;
+        if (property.count_type) values = parse_count(take());
+        for (; values.value_or(0) > 0; --*values)
+          if (take().empty()) return false;
+        if (!values) return false;
+      }
+    }
+  return take().empty();
 }
 
 }  // namespace rbpa::app

@@ -125,36 +125,52 @@ class PlyBinary {
   const std::string& name_;
 };
 
-/// The data of an ASCII file: one element a line.
+/// The data of an ASCII file: one element a line, with more words behind it or not; or, where there are too few lines for
+/// that, as many words one behind the other as all elements have.
 class PlyText {
  public:
-  PlyText(const PlyHeader& header, const std::string& name) : lines_(header.data, header.lines), name_(name) {}
+  /// Keeps the header.
+  PlyText(const PlyHeader& header, const std::string& name)
+      : header_(header), lines_(header.data, header.lines), name_(name) {}
 
   /// What comes next is long enough for `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over the lines of `element`, from one to another. `visit(index, rest)` gets the line, of which it may take words.
+  /// Passes over `element`, from one to another. `visit(index, rest)` gets the words from its first on, of which it takes
+  /// those of all properties.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     for (std::size_t i = first; i < last; ++i) {
-      next(element, i);
-      std::string_view rest = lines_.line();
-      visit(i, rest);
+      if (i % 16384 == 0) stop_if_interrupted();
+      if (rest_.empty()) next(element, i);
+      visit(i, rest_);
+      rest_ = trimmed(rest_);
+      if (!rest_.empty()) settle_rest(element, i);
     }
   }
   void skip(const PlyElement& element) {
-    pass(element, 0, element.count, [](std::size_t, std::string_view&) {});
+    pass(element, 0, element.count, [&](std::size_t, std::string_view& rest) {
+      for (const PlyProperty& property : element.properties) pass_words(property, rest);
+    });
   }
 
   /// Passes over the words of one property in `rest`, of which so many have been read.
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
+  /// Goes to what is behind all elements; false when there is nothing.
+  bool has_more() { return !rest_.empty() || lines_.next_with_content(); }
 
  private:
   void next(const PlyElement& element, std::size_t index);
+  void settle_rest(const PlyElement& element, std::size_t index);
+  bool are_words_of_rest(const PlyElement& element, std::size_t index) const;
 
+  const PlyHeader& header_;
   Lines lines_;
+  std::string_view rest_ = {};  // of the line, where elements follow each other in it
+  bool is_by_words_ = false;
+  bool is_by_lines_ = false;  // for sure
   const std::string& name_;
 };
 

@@ -18,6 +18,7 @@ class ObjReader {
     for_each_obj_line(lines_, [&](std::string_view word, std::string_view rest, std::size_t line) {
       if (word == "v") {
         mesh_.positions.push_back(take_position(rest, lines_, name_));
+        require_end_of_vertex(rest, name_, line);
         mesh_.point_lines.push_back(line);
       } else if (word == "f") {
         read_face(rest, line);

@@ -6,40 +6,30 @@
 namespace rbpa::app {
 
 MeshFile read_off_mesh(std::string_view text, const std::string& name) {
-  const OffHeader header = read_off_header(text, text.size(), name);
-  std::string_view counts = header.counts;
-  const std::optional<std::size_t> faces = parse_count(take_word(counts));
-  if (!faces)
-    bad_input(at_line(name, header.line), in_quotes(trimmed(header.counts)) + " behind the number of vertices",
-              "the number of faces");
-  Lines lines = header.lines;
+  const OffHeader off = read_off_header(text, text.size(), name);
+  const PlyHeader header = off.elements(off.normals ? 6 : 3);
+  const PlyElement &vertex = header.elements.front(), &face = header.elements.back();
+  PlyText data(header, name);
   MeshFile mesh;
-  mesh.positions.reserve(header.vertices);
-  mesh.point_lines.reserve(header.vertices);
-  for (std::size_t i = 0; i < header.vertices; ++i) {
-    if (!lines.next_with_content())
-      bad_input(name, counted(i, "vertex line"), announced(header, header.vertices, "vertex line"));
-    std::string_view rest = lines.line();
-    mesh.positions.push_back(take_position(rest, lines, name));
-    mesh.point_lines.push_back(lines.number());
-  }
-  // The shortest face line is "0" and its end, but for the last.
-  if (*faces > (lines.rest().size() + 1) / 2)
-    bad_input(name, counted(lines.rest().size(), "byte") + " behind the vertices",
-              announced(header, *faces, "face line"));
-  mesh.reserve_faces(*faces);
-  mesh.face_lines.reserve(*faces);
+  mesh.positions.reserve(vertex.count);
+  mesh.point_lines.reserve(vertex.count);
+  data.pass(vertex, 0, vertex.count, [&](std::size_t, std::string_view& rest) {
+    mesh.positions.push_back(take_position(rest, data.lines(), name));
+    for (std::size_t k = 3; k < vertex.properties.size(); ++k) take_word(rest);
+    mesh.point_lines.push_back(data.lines().number());
+  });
+  data.require_room(face);
+  mesh.reserve_faces(face.count);
+  mesh.face_lines.reserve(face.count);
   std::vector<std::uint32_t> corners;
-  for (std::size_t f = 0; f < *faces; ++f) {
-    if (!lines.next_with_content()) bad_input(name, counted(f, "face line"), announced(header, *faces, "face line"));
-    std::string_view rest = lines.line();
-    take_corner_list(rest, lines, name, mesh.positions.size(), corners);
+  data.pass(face, 0, face.count, [&](std::size_t, std::string_view& rest) {
+    take_corner_list(rest, data.lines(), name, mesh.positions.size(), corners);
     mesh.soup.add_face(corners);
-    mesh.face_lines.push_back(lines.number());
-  }
-  if (lines.next_with_content())
-    bad_input(at_line(name, lines.number()), in_quotes(lines.line()),
-              "nothing behind the " + announced(header, *faces, "face line"));
+    mesh.face_lines.push_back(data.lines().number());
+  });
+  if (data.has_more())
+    bad_input(at_line(name, data.lines().number()), in_quotes(data.lines().line()),
+              "nothing behind the " + announced(face));
   return mesh;
 }
 

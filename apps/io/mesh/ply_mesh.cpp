@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "io/bytes/number.h"
+#include "io/cloud/cloud.h"
 #include "io/cloud/ply.h"
 #include "io/failure.h"
 #include "io/mesh/read_mesh.h"
@@ -70,7 +71,8 @@ MeshFile read_binary(const PlyHeader& header, const PlyMeshLayout& layout, const
     std::array<double, 3> position{};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t property = layout.coordinate[k];
-      position[k] = load_number(layout.vertex->properties[property].type, offsets[property], order);
+      position[k] = load_exactly(layout.vertex->properties[property].type, offsets[property], order,
+                                 [&] { return name + ": vertex " + std::to_string(i); });
       if (!std::isfinite(position[k]))
         bad_input(name + ": vertex " + std::to_string(i), in_quotes(ShortestText(position[k])), "a finite number");
     }
@@ -121,6 +123,8 @@ MeshFile read_ascii(const PlyHeader& header, const PlyMeshLayout& layout, const 
   const auto read_face = [&](std::size_t, std::string_view& rest) {
     for (std::size_t k = 0; k < layout.corners; ++k) data.pass_words(layout.face->properties[k], rest);
     take_corner_list(rest, data.lines(), name, layout.vertex->count, corners);
+    for (std::size_t k = layout.corners + 1; k < layout.face->properties.size(); ++k)
+      data.pass_words(layout.face->properties[k], rest);
     mesh.soup.add_face(corners);
     mesh.face_lines.push_back(data.lines().number());
   };

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/bytes/number.h"
+#include "io/bytes/scalar.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/geojson_geometry.h"
@@ -81,10 +82,12 @@ class Events {
     const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
     const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
     if (is_property()) take_key(std::to_string(value), false);
+    require_exact(value);
     return number(negative_zero || at_the_end ? -0.0 : static_cast<double>(value));
   }
   bool number_unsigned(std::uint64_t value) {
     if (is_property()) take_key(std::to_string(value), false);
+    require_exact(value);
     return number(static_cast<double>(value));
   }
   bool number_float(double value, const std::string& /*text*/) {
@@ -281,6 +284,12 @@ class Events {
     if (frames_.empty()) refuse(found, "a GeoJSON object");
     if (!fits && !is_passed_over(frames_.back().slot)) refuse(found, "a " + expected(frames_.back().slot));
     return true;
+  }
+
+  template <typename Integer>
+  void require_exact(Integer value) const {
+    if (is_in(Slot::coordinates) && !is_exact_in_double(value))
+      refuse(std::to_string(value), expected_instead(NumberFault::rounded_integer));
   }
 
   bool number(double value) {
