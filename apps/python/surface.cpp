@@ -228,7 +228,8 @@ void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::str
   std::string why = app::why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, path);
   if (why.empty()) return;
   constexpr std::string_view option = "--shift auto";
-  if (const std::size_t at = why.find(option); at != std::string::npos) why.replace(at, option.size(), "shift=\"auto\"");
+  if (const std::size_t at = why.find(option); at != std::string::npos)
+    why.replace(at, option.size(), "shift=\"auto\"");
   throw InvalidInput("save: " + why);
 }
 

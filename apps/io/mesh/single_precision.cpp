@@ -18,11 +18,11 @@ using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 Position position_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// Of the vertices that triangles use.
-struct Box {
+struct BoxOfUsed {
   Position least, greatest;
   bool are_floats = true;
 
-  Box() {
+  BoxOfUsed() {
     least.fill(std::numeric_limits<double>::infinity());
     greatest.fill(-std::numeric_limits<double>::infinity());
   }
@@ -74,7 +74,7 @@ std::vector<Position> SinglePositions::positions() const {
 SinglePositions single_positions(Format format, std::span<const Point3> vertices, Triangles triangles,
                                  const std::optional<Shift>& shift, const std::string& file) {
   std::vector<bool> is_used(vertices.size(), false);
-  Box box;
+  BoxOfUsed box;
   for (const auto& triangle : triangles)
     for (const std::uint32_t corner : triangle)
       if (!is_used[corner]) {
