@@ -101,8 +101,8 @@ std::array<std::array<Integer, 3>, n> in_common_units(const std::array<Position,
   return result;
 }
 
-/// Of a determinant of differences, where its sign is certain: below 16 · 2^−53 times the sum of its products is its error
-/// (Shewchuk 1997, section 4.4, has 3 and 7), unless products underflow; where they overflow no comparison holds.
+/// Of a determinant of differences, where its sign is certain: below 16 · 2^−53 times the sum of its products is its
+/// error (Shewchuk 1997, section 4.4, has 3 and 7), unless products underflow; where they overflow no comparison holds.
 std::optional<int> certain_sign(double determinant, double products) {
   constexpr double error = 16 * 0x1p-53, least = 1e-280;
   if (!(std::abs(determinant) > error * products && std::abs(determinant) > least) || !std::isfinite(products))

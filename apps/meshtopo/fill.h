@@ -1,9 +1,9 @@
 // What: holes of a mesh filled: --fill-holes.
-// Law:  no face is moved, and no vertex is added but where vertices that become one would get an edge of more than two faces
-//       in common: there edges are cut, as a repair does it, and the result is a surface again. The new faces are triangles,
-//       as those of `rbpa surface` are: they turn least against the faces around the hole, and cross nothing, which is decided
-//       exactly. A face of more than three corners counts there as triangles around the mean of its corners. Which holes are
-//       filled, and how, does not depend on the order of vertices and faces.
+// Law:  no face is moved, and no vertex is added but where vertices that become one would get an edge of more than two
+//       faces in common: there edges are cut, as a repair does it, and the result is a surface again. The new faces are
+//       triangles, as those of `rbpa surface` are: they turn least against the faces around the hole, and cross
+//       nothing, which is decided exactly. A face of more than three corners counts there as triangles around the mean
+//       of its corners. Which holes are filled, and how, does not depend on the order of vertices and faces.
 // Cost: that of a repair and of rbpa::fill_holes().
 #pragma once
 

@@ -11,8 +11,8 @@ namespace rbpa::app {
 
 struct Measures {
   double area = 0;  ///< of all faces, as for_each_fan_triangle() parts them
-  /// What pieces enclose that are closed and oriented: of one whose faces look at what they enclose less than 0. None: there
-  /// is no such piece.
+  /// What pieces enclose that are closed and oriented: of one whose faces look at what they enclose less than 0. None:
+  /// there is no such piece.
   std::optional<double> volume = std::nullopt;
   std::optional<std::array<std::array<double, 3>, 2>> box = std::nullopt;  ///< of all vertices; none: there are none
 };

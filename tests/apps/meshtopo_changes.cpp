@@ -247,7 +247,8 @@ TEST_SUITE("meshtopo --orient") {
   TEST_CASE("how deep closed surfaces lie in others is that of boxes, those that touch among them") {
     std::mt19937 random(57);
     for (int trial = 0; trial < 40; ++trial) {
-      // Boxes in boxes, or beside them: of each the place in its parent is known, and corners and sides may touch those of it.
+      // Boxes in boxes, or beside them: of each the place in its parent is known, and corners and sides may touch those
+      // of it.
       struct Box {
         std::array<double, 3> low, high;
         std::size_t depth;

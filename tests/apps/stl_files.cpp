@@ -1,4 +1,5 @@
-// STL: what stands behind its facets, and that what is promised of a mesh holds of the file, which is in single precision.
+// STL: what stands behind its facets, and that what is promised of a mesh holds of the file, which is in single
+// precision.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -185,7 +186,8 @@ TEST_SUITE("single precision") {
   }
 
   TEST_CASE("what every verb writes as STL passes the check that was promised, near and far from the origin") {
-    // A shift of whole numbers changes nothing; beside a map's coordinates the sphere has some hundred places in single precision.
+    // A shift of whole numbers changes nothing; beside a map's coordinates the sphere has some hundred places in single
+    // precision.
     for (const double far : {0.0, 100.0, 500000.0, 3e7}) {
       const Folder folder;
       CAPTURE(far);

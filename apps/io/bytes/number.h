@@ -1,6 +1,6 @@
 // What: decimal text to double and back; whole numbers of a command line.
-// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double, but for integers, which are
-//       read exactly or refused.
+// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double, but for integers,
+//       which are read exactly or refused.
 #pragma once
 
 #include <array>

@@ -17,8 +17,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Text claims nothing, but has no zero bytes, of which a few kilobytes would become a line of gigabytes; UTF-16 has, and is
-/// named by its reader.
+/// Text claims nothing, but has no zero bytes, of which a few kilobytes would become a line of gigabytes; UTF-16 has,
+/// and is named by its reader.
 double claimed_text_size(std::string_view first, const std::string& name) {
   const std::size_t zero = first.find('\0');
   if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))

@@ -132,8 +132,8 @@ double load_exactly(Scalar type, const char* at, std::endian order, const Place&
   });
 }
 
-/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before. Throws BadInput for an
-/// integer beyond 2^53; the column's first number is of point `first` of its file.
+/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before. Throws BadInput
+/// for an integer beyond 2^53; the column's first number is of point `first` of its file.
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order, std::size_t first, const std::string& name);
 

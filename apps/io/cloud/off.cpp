@@ -14,8 +14,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them; with the number of vertices
-/// right behind it or not.
+/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them; with the number of
+/// vertices right behind it or not.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {

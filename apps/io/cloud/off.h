@@ -21,9 +21,10 @@ struct OffHeader {
   PlyHeader elements(std::size_t numbers) const;
 };
 
-/// OFF with any of the prefixes ST, C, N, or none; the counts in the line of the word, also right behind it, or in the next;
-/// the vertices may follow them in that line. Throws BadInput naming the line, also when the file is too short for so many
-/// vertices of at least two coordinates. `text` are the first of `size` bytes, all of the header among them.
+/// OFF with any of the prefixes ST, C, N, or none; the counts in the line of the word, also right behind it, or in the
+/// next; the vertices may follow them in that line. Throws BadInput naming the line, also when the file is too short
+/// for so many vertices of at least two coordinates. `text` are the first of `size` bytes, all of the header among
+/// them.
 OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name);
 
 /// A Claim: so many lines of vertices and faces.

@@ -125,8 +125,8 @@ class PlyBinary {
   const std::string& name_;
 };
 
-/// The data of an ASCII file: one element a line, with more words behind it or not; or, where there are too few lines for
-/// that, as many words one behind the other as all elements have.
+/// The data of an ASCII file: one element a line, with more words behind it or not; or, where there are too few lines
+/// for that, as many words one behind the other as all elements have.
 class PlyText {
  public:
   /// Keeps the header.
@@ -136,8 +136,8 @@ class PlyText {
   /// What comes next is long enough for `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over `element`, from one to another. `visit(index, rest)` gets the words from its first on, of which it takes
-  /// those of all properties.
+  /// Passes over `element`, from one to another. `visit(index, rest)` gets the words from its first on, of which it
+  /// takes those of all properties.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     for (std::size_t i = first; i < last; ++i) {

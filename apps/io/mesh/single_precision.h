@@ -1,5 +1,6 @@
 // What: positions in single precision, which is all that STL and GLB have, and what a mesh loses by it.
-// Law:  exact, and a function of the places that triangles use: what is asked before a file is written holds of the file.
+// Law:  exact, and a function of the places that triangles use: what is asked before a file is written holds of the
+//       file.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ struct SinglePositions {
   std::vector<Position> positions() const;
 };
 
-/// Without a shift nothing is subtracted for STL; GLB, which has a place for it, takes that of Shift(). Throws BadInput naming
-/// `file` for a coordinate that is too large.
+/// Without a shift nothing is subtracted for STL; GLB, which has a place for it, takes that of Shift(). Throws BadInput
+/// naming `file` for a coordinate that is too large.
 SinglePositions single_positions(Format format, std::span<const Point3> vertices,
                                  std::span<const std::array<std::uint32_t, 3>> triangles,
                                  const std::optional<Shift>& shift, const std::string& file);
@@ -50,8 +51,8 @@ struct Lost {
 Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
           const SinglePositions& rounded);
 
-/// "o.stl: single precision leaves 8 of 12 triangles without area (...)", with what keeps them: a shift, if one does, or another
-/// format. Empty where nothing is lost. Throws as single_positions().
+/// "o.stl: single precision leaves 8 of 12 triangles without area (...)", with what keeps them: a shift, if one does,
+/// or another format. Empty where nothing is lost. Throws as single_positions().
 std::string why_not_kept(Format format, std::span<const Point3> vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
                          const std::string& file);

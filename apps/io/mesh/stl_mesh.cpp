@@ -135,7 +135,8 @@ class AsciiReader {
   }
 
  private:
-  /// Whether the line and all behind it are what programs and disks put at the end of a text: zeros, and the mark of its end.
+  /// Whether the line and all behind it are what programs and disks put at the end of a text: zeros, and the mark of
+  /// its end.
   bool ends_file() {
     constexpr std::string_view blank("\0\x1a \t\r\n", 6);
     const std::string_view line = lines_.line(), rest = lines_.rest();

@@ -45,10 +45,11 @@ struct SpaceMesh {
 /// Throws Failure: single precision does not keep the triangles.
 void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh);
 
-/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar, points as uint `point` and certainties as double `certainty`; STL (binary,
-/// single precision; its header says a shift); VTU, GLB (below); or the triangles as an .npy array of uint32 with shape (n, 3).
-/// Throws BadInput, before anything is written, when a coordinate is too large for STL or GLB; Failure, when single precision
-/// does not keep the triangles. Requires: not a picture format.
+/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar, points as uint `point` and
+/// certainties as double `certainty`; STL (binary, single precision; its header says a shift); VTU, GLB (below); or the
+/// triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
+/// coordinate is too large for STL or GLB; Failure, when single precision does not keep the triangles. Requires: not a
+/// picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Normals as point data `Normals`, colours as `RGB`, input indices as `point`, certainties as `certainty`.
