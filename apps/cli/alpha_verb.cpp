@@ -102,7 +102,7 @@ void run_alpha(const AlphaArguments& arguments) {
     }
     if (request_of_pairs)
       run.add(request_of_pairs->target.path, [&](OutputFile& out) {
-        write_representatives(out, run.file.points, run.file.crs, run.file.degrees, found);
+        write_representatives(out, run.file.points, run.file.crs, run.file.degrees, found, run.file.index);
       });
     write(run.files().add("-"), report, arguments);
     run.stats.write_seconds = run.lap();

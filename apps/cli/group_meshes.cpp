@@ -58,7 +58,7 @@ void write_targets(GroupRun& run, bool compacted) {
   const ProgressLine line = run.writing();
   const GroupNumbers numbers(run);
   const TriangleMesh whole{run.named.file.points, run.shapes.triangles, {}, {}, &numbers.features, {},
-                           run.named.file.z};
+                           run.named.file.z,      run.named.file.index};
   std::optional<CompactMesh> compact;
   if (compacted) compact.emplace(whole);
   for (const Target& target : run.request.targets) {

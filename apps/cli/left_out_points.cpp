@@ -43,16 +43,19 @@ void LeftOutPoints::renumber(SplitFans& fans) const {
 }
 
 void LeftOutPoints::renumber(SurfaceFacts& facts) const {
-  if (!is_any()) return;
-  for (UnusedPoint& point : facts.unused) point.index = number_[point.index];
+  if (is_any()) app::renumber(facts, number_);
+}
+
+void renumber(SurfaceFacts& facts, std::span<const std::uint32_t> number) {
+  for (UnusedPoint& point : facts.unused) point.index = number[point.index];
   for (auto& remedy : facts.remedies)
-    for (std::size_t i = 0; remedy && i < remedy->points.size(); ++i) remedy->points[i] = number_[remedy->points[i]];
+    for (std::size_t i = 0; remedy && i < remedy->points.size(); ++i) remedy->points[i] = number[remedy->points[i]];
   for (Hole& hole : facts.holes)
     for (RimEdge& edge : hole.edges) {
-      edge.from = number_[edge.from];
-      edge.to = number_[edge.to];
+      edge.from = number[edge.from];
+      edge.to = number[edge.to];
       if (edge.next == decltype(edge.next){}) continue;  // there is none
-      for (std::uint32_t& corner : edge.next) corner = number_[corner];
+      for (std::uint32_t& corner : edge.next) corner = number[corner];
     }
 }
 

@@ -15,6 +15,9 @@
 
 namespace rbpa::app {
 
+/// To the numbers that points have elsewhere, of all that facts name.
+void renumber(SurfaceFacts& facts, std::span<const std::uint32_t> number);
+
 class LeftOutPoints {
  public:
   LeftOutPoints() = default;

@@ -39,7 +39,8 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
                    bool compacted) {
   const ProgressLine line = run.writing();
   const Triangulation& made = built.complex;
-  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points, nullptr, built.level, run.file.z};
+  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points,
+                           nullptr,      built.level,    run.file.z, run.file.index};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
   for (const Target& target : targets) {

@@ -12,8 +12,10 @@
 #include "cli/arguments.h"
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
+#include "io/cloud/cloud.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/values_at.h"
 
 namespace rbpa::app {
 namespace {
@@ -95,6 +97,9 @@ class Gatherer {
       all.z.insert(all.z.end(), file.z.begin(), file.z.end());
       all.z.resize(all.points.size() + count, no_height);
     }
+    for (std::uint32_t i = 0; i < count; ++i)
+      all.index.push_back(static_cast<std::uint32_t>(all.all_points) + renumbered(i, file.index));
+    all.all_points += std::max(file.all_points, count);
     all.heights.take(file.heights);
     all.degrees = all.degrees || file.degrees;
     if (all.points.empty())
@@ -105,6 +110,7 @@ class Gatherer {
 
   NamedGroups finish() {
     sort_names();
+    result_.file.index = unless_identity(std::move(result_.file.index));
     result_.groups = groups_of(labels_, result_.names.size());
     if (sources_.radius) settle_radii();
     return std::move(result_);
@@ -121,13 +127,13 @@ class Gatherer {
   void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
     if (sources_.by_file) {
       labels_.resize(labels_.size() + count, table_.number_of(path));  // a group where there are no points as well
-    } else if (count > 0 && !file.keys.empty()) {
+    } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
       are_texts_ = are_texts_ || file.keys_are_texts;
       constexpr std::uint32_t not_yet = no_group - 1;
-      std::vector<std::uint32_t> label(file.keys.size(), not_yet);
+      std::vector<std::uint32_t> label(file.texts[0]->size(), not_yet);
       for (const double key : file.fields[0]) {
         std::uint32_t& number = label[static_cast<std::size_t>(key)];
-        const std::string& text = file.keys[static_cast<std::size_t>(key)];
+        const std::string& text = (*file.texts[0])[static_cast<std::size_t>(key)];
         if (number == not_yet) number = text.empty() ? no_group : table_.number_of(text);
         labels_.push_back(number);
       }
@@ -176,7 +182,7 @@ class Gatherer {
       std::string problem;
       for (const std::uint32_t i : members) {
         if (!(radii_[i] > 0))
-          problem = column + " has no radius above 0 for point " + std::to_string(i);
+          problem = column + " has no radius above 0 for point " + std::to_string(renumbered(i, result_.file.index));
         else if (radii_[i] != radius)
           problem = column + " has the radii " + text_of(radius) + " and " + text_of(radii_[i]) + ", expected one";
         if (!problem.empty()) break;

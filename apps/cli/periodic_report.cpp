@@ -38,10 +38,13 @@ Json base(const PeriodicFacts& facts) {
           {"area", topology.area}};
 }
 
-Json json_of(const PeriodicPart& part, bool is_void) {
+Json json_of(const PeriodicPart& part, bool is_void, const PointNames& names) {
   Json json = is_void ? json_of_volumes(part.volume, part.outside_balls) : Json{{"volume", part.volume}};
-  json.update(Json{
-      {"area", part.area}, {"dimension", part.dimension}, {"tetrahedra", part.tetrahedra}, {"points", part.points}});
+  json.update(Json{{"area", part.area},
+                   {"dimension", part.dimension},
+                   {"tetrahedra", part.tetrahedra},
+                   {"points", names.indices(part.points)}});
+  if (names.are_any()) json["atoms"] = names.atoms(part.points);
   return json;
 }
 
@@ -68,23 +71,24 @@ void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {
   write_json(file, report, 2);
 }
 
-void write_periodic_json(OutputFile& file, const PeriodicFacts& facts) {
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names) {
   Json report = base(facts);
   for (const auto& [key, parts] : {std::pair{"solid_component_list", &facts.topology->solid_components},
                                    std::pair{"void_list", &facts.topology->voids}}) {
     report[key] = Json::array();
-    for (const PeriodicPart& part : *parts) report[key].push_back(json_of(part, parts == &facts.topology->voids));
+    for (const PeriodicPart& part : *parts)
+      report[key].push_back(json_of(part, parts == &facts.topology->voids, names));
   }
   write_json(file, report, 1);
 }
 
-void write_periodic_voids(OutputFile& file, Format format, const PeriodicFacts& facts) {
+void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts) {
   const std::vector<PeriodicPart>& voids = facts.topology->voids;
   if (format == Format::json) {
     std::string before = "[\n";
     for (const PeriodicPart& part : voids) {
       stop_if_interrupted();
-      file.write(before + json_of(part, true).dump());
+      file.write(before + json_of(part, true, names).dump());
       before = ",\n";
     }
     return file.write(voids.empty() ? "[]\n" : "\n]\n");

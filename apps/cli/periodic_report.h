@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/point_names.h"
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
 #include "rbpa/base/point3.h"
@@ -29,11 +30,11 @@ std::string text_of_periodic(const PeriodicFacts& facts);
 
 /// One JSON object each; the second has every component and every void. Requires: a topology.
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
-void write_periodic_json(OutputFile& file, const PeriodicFacts& facts);
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
 
 /// A JSON list, or a table "number,volume_between_points,volume_outside_balls,area,dimension,tetrahedra,points" with a
 /// line for each, the largest first; the volume outside of the balls is that of voids of the full complex. Requires: a
 /// topology.
-void write_periodic_voids(OutputFile& file, Format format, const PeriodicFacts& facts);
+void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts);
 
 }  // namespace rbpa::app

@@ -136,7 +136,9 @@ void PeriodicRun::write() {
     if (is_picture(target.format))
       write_picture(file);
     else if (target.format == Format::npy)
-      write_solid(file, target.format, {.vertices = solid_.positions, .tetrahedra = without_offsets(solid_).simplices});
+      write_solid(
+          file, target.format,
+          {.vertices = solid_.positions, .tetrahedra = without_offsets(solid_).simplices, .index = file_.index});
     else
       write_solid(file, target.format, {.vertices = solid_.positions, .tetrahedra = solid_.simplices});
   });
@@ -146,7 +148,8 @@ void PeriodicRun::write() {
                     {.vertices = solid_.positions, .triangles = boundary_, .shift = request_.shift});
     });
   if (request_.voids)
-    add(request_.voids->path, [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, facts_); });
+    add(request_.voids->path,
+        [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, PointNames(file_), facts_); });
 }
 
 void PeriodicRun::run() {
@@ -160,7 +163,7 @@ void PeriodicRun::run() {
   boundary_ = periodic_boundary(solid_);
   write();
   facts_.write_seconds = lap();
-  if (arguments_.json) add("-", [&](OutputFile& file) { write_periodic_json(file, facts_); });
+  if (arguments_.json) add("-", [&](OutputFile& file) { write_periodic_json(file, facts_, PointNames(file_)); });
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
   publish();
 

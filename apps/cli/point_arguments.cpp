@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 #include "io/bytes/number.h"
+#include "io/cloud/atoms.h"
 #include "io/failure.h"
 
 namespace rbpa::app {
@@ -82,7 +83,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   return source;
 }
 
-SpacePointSource parse_space_source(const SpacePointArguments& arguments, const std::vector<std::string>& columns,
+SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns,
                                     const std::string& option) {
   SpacePointSource source{
       .path = arguments.points,
@@ -95,13 +96,25 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, const 
   if (arguments.skip_invalid)
     require_format(text || source.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
   source.choice.skip_invalid = arguments.skip_invalid;
-  if (!arguments.where && columns.empty()) return source;
+  source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
+  if (arguments.waters)
+    require_format(source.format == Format::pdb || source.format == Format::cif, "--waters", "without atoms",
+                   "cif or pdb");
   const std::optional<FieldNames> names = fields_of(source.format);
+  if (!names || !names->texts) std::erase_if(columns, [](const WantedColumn& column) { return column.if_there; });
+  if (!arguments.where && columns.empty()) return source;
   require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
                  "cif, las, pcd, pdb, ply or text");
   if (arguments.where && arguments.where->empty()) source.choice.where = Condition("", *names);  // which is refused
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
   return source;
+}
+
+std::vector<WantedColumn> columns_of_names() {
+  std::vector<WantedColumn> columns;
+  for (std::size_t k = 0; k < names_of_atom; ++k)
+    columns.push_back({.name = std::string(atom_columns[k]), .kind = WantedColumn::Kind::text, .if_there = true});
+  return columns;
 }
 
 }  // namespace rbpa::app

@@ -38,6 +38,7 @@ struct SpacePointArguments {
   std::optional<std::string> columns;
   std::optional<std::string> where;
   bool skip_invalid = false;
+  bool waters = false;
 };
 
 /// What the command line says of groups of points, as text.
@@ -61,9 +62,12 @@ struct SpacePointSource {
   CloudRequest choice = {};
 };
 
-/// The same of points in space, and of columns that `option` asks for, if any.
-SpacePointSource parse_space_source(const SpacePointArguments& arguments, const std::vector<std::string>& columns = {},
+/// The same of points in space, and of columns that `option` asks for, if any, or that are wanted if they are there.
+SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
+
+/// What names a point, of atoms and of tables that have such columns.
+std::vector<WantedColumn> columns_of_names();
 
 /// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".
 void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);

@@ -13,6 +13,7 @@
 #include "io/interrupt.h"
 #include "io/mesh/vtu.h"
 #include "io/polygon/shape_files.h"
+#include "io/values_at.h"
 #include "rbpa/hrbpa_arrays.h"
 
 namespace rbpa::app {
@@ -119,12 +120,13 @@ void write_json(OutputFile& file, const SpaceRepresentatives& all) {
     if (pair.dimension == 2) {
       one["volume"] = of.volume;
       one["area"] = of.area;
-      one["triangles"] = of.faces;
+      one["triangles"] = renumbered(of.faces, all.index);
     } else {
       one["length"] = of.length;
       if (pair.dimension == 1) one["is_shortest"] = of.is_shortest;
       one["edges"] = Json::array();
-      for (const std::uint32_t edge : of.cells) one["edges"].push_back(all.filtration.edges[edge]);
+      for (const std::uint32_t edge : of.cells)
+        one["edges"].push_back(renumbered(all.filtration.edges[edge], all.index));
     }
     write(one);
   }
@@ -276,18 +278,23 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
 }
 
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
-                           std::span<const Representative> representatives) {
+                           std::span<const Representative> representatives, std::span<const std::uint32_t> index) {
   file.write(geojson_collection(crs));
   const bool cuts = is_cut_in_geojson(points, crs, degrees);
+  const auto numbered = [&](Json feature) {
+    Json& numbers = feature["properties"]["points"];
+    numbers = renumbered(numbers.get<std::vector<std::uint32_t>>(), index);
+    return feature;
+  };
   Between write(file);
   std::size_t number = 0;
   for (const Representative& one : representatives) {
     ++number;
     if (one.pair.dimension == 1) {
-      write(polygon_feature(points, number, one.pair, "birth", one.at_birth, cuts));
-      write(polygon_feature(points, number, one.pair, "death", one.before_death, cuts));
+      write(numbered(polygon_feature(points, number, one.pair, "birth", one.at_birth, cuts)));
+      write(numbered(polygon_feature(points, number, one.pair, "death", one.before_death, cuts)));
     } else if (one.joined_at) {
-      write(line_feature(points, number, one.pair, *one.joined_at, cuts));
+      write(numbered(line_feature(points, number, one.pair, *one.joined_at, cuts)));
     }
   }
   file.write("\n]}\n");

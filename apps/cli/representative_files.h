@@ -32,15 +32,16 @@ struct RepresentativeRequest {
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space);
 
 /// GeoJSON: of each hole two Features, Polygons with "pair", from 1, "dimension", "birth", "death", null where it is left, "when", which is "birth" or "death", "area" and
-/// "points", the indices of those on its rings; of each component that ends one, a LineString with the same but "when" and "area".
+/// "points", the input indices of those on its rings; of each component that ends one, a LineString with the same but "when" and "area".
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
-                           std::span<const Representative> representatives);
+                           std::span<const Representative> representatives, std::span<const std::uint32_t> index);
 
 struct SpaceRepresentatives {
   std::span<const Point3> points;
   const SolidFiltration& filtration;
   std::span<const SolidPair> pairs;
   std::span<const SolidRepresentative> of_pairs;
+  std::span<const std::uint32_t> index;  ///< of each point in the input; none where that is its number
 };
 
 /// OBJ: a group component_1, tunnel_1 or void_1 … of each, with vertices of its own; lines, or triangles seen from around. JSON: a list, with indices of points. VTU:

@@ -129,7 +129,7 @@ void run_shape(const ShapeArguments& arguments) {
   std::vector<std::optional<std::uint32_t>> polygon_of;
   if (files.have_points())
     polygon_of = polygon_of_points(run.points(), complex, complex.duplicates, made, filter, until_interrupted());
-  const Shape shape{run.points(), made, polygon_of, run.file.crs, run.file.degrees};
+  const Shape shape{run.points(), made, polygon_of, run.file.crs, run.file.degrees, run.file.index};
   run.stats.build_seconds = run.lap();
 
   write_files(run, files, shape, complex);

@@ -30,6 +30,11 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("CONDITION");
 }
 
+inline void add_waters_option(CLI::App& verb, bool& waters) {
+  add_switch(verb, "--waters", waters,
+             "Count the atoms of water in a molecule's file, which are left out unless --where asks for resname");
+}
+
 inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
   verb.add_option("--stats", file, "Write sizes, times and peak memory as JSON")->type_name("FILE");
 }

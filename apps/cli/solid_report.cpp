@@ -69,7 +69,7 @@ void write_solid_stats(OutputFile& file, const SolidFacts& facts) {
   write_json(file, report, 2);
 }
 
-void write_solid_json(OutputFile& file, const SolidFacts& facts) {
+void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names) {
   Json report = base(facts);
   report["solid_component_list"] = Json::array();
   for (const SolidComponent& component : facts.components) {
@@ -84,7 +84,7 @@ void write_solid_json(OutputFile& file, const SolidFacts& facts) {
   report["void_list"] = Json::array();
   for (const SolidVoid& hollow : facts.voids) {
     stop_if_interrupted();
-    report["void_list"].push_back(json_of(hollow));
+    report["void_list"].push_back(json_of(hollow, names));
   }
   write_json(file, report, 1);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/point_names.h"
 #include "io/bytes/output_file.h"
 #include "rbpa/full_topology.h"
 #include "rbpa/solid_boundary.h"
@@ -37,6 +38,6 @@ std::string text_of_solid(const SolidFacts& facts);
 
 /// One JSON object each; the second has every component and every void.
 void write_solid_stats(OutputFile& file, const SolidFacts& facts);
-void write_solid_json(OutputFile& file, const SolidFacts& facts);
+void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names);
 
 }  // namespace rbpa::app

@@ -108,16 +108,18 @@ void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& reques
 }  // namespace
 
 SolidRequest parse(const SolidArguments& arguments) {
-  SolidRequest request{.source = parse_space_source(arguments),
-                       .alpha = parse_alpha(arguments.alpha),
-                       .box = {},
-                       .targets = {},
-                       .boundary = {},
-                       .voids = {},
-                       .pockets = {},
-                       .walls = parse_walls(arguments),
-                       .width = parse_width(arguments.width),
-                       .run = parse_run(arguments.run)};
+  const bool has_names = arguments.json || arguments.voids || arguments.pockets;
+  SolidRequest request{
+      .source = parse_space_source(arguments, has_names ? columns_of_names() : std::vector<WantedColumn>()),
+      .alpha = parse_alpha(arguments.alpha),
+      .box = {},
+      .targets = {},
+      .boundary = {},
+      .voids = {},
+      .pockets = {},
+      .walls = parse_walls(arguments),
+      .width = parse_width(arguments.width),
+      .run = parse_run(arguments.run)};
   if (arguments.cover) {
     if (request.alpha.rule == AlphaRule::given || request.alpha.rule == AlphaRule::plateau)
       throw WrongUsage("--cover: found --alpha " + arguments.alpha +

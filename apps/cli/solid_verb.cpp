@@ -182,11 +182,15 @@ void SolidRun::find_lives() {
 void SolidRun::write_boundary(OutputFile& file, Format format) const {
   const Surface& surface = boundary_.surface;
   if (format == Format::npy)
-    return write_surface(file, format, {.vertices = file_.points, .triangles = surface.triangles});
+    return write_surface(file, format,
+                         {.vertices = file_.points, .triangles = surface.triangles, .index = file_.index});
   const SplitFans fans = split_fans(indexable_surface(surface, until_interrupted()), until_interrupted());
-  const VerticesOfPoints vertices(
-      {.vertices = file_.points, .triangles = {}, .colors = file_.colors, .shift = request_.shift}, fans.triangles,
-      fans.point, true);
+  const VerticesOfPoints vertices({.vertices = file_.points,
+                                   .triangles = {},
+                                   .colors = file_.colors,
+                                   .shift = request_.shift,
+                                   .index = file_.index},
+                                  fans.triangles, fans.point, true);
   write_surface(file, format, vertices.mesh());
 }
 
@@ -210,18 +214,20 @@ void SolidRun::write() {
     if (is_picture(target.format))
       write_picture(file);
     else
-      write_solid(file, target.format, {.vertices = file_.points, .tetrahedra = solid_.simplices});
+      write_solid(file, target.format,
+                  {.vertices = file_.points, .tetrahedra = solid_.simplices, .index = file_.index});
   });
   if (request_.boundary)
     add(request_.boundary->path, [&](OutputFile& file) { write_boundary(file, request_.boundary->format); });
   if (request_.voids)
     add(request_.voids->path, [&](OutputFile& file) {
-      write_voids(file, request_.voids->format, file_.points, around_voids(),
+      write_voids(file, request_.voids->format, PointNames(file_), around_voids(),
                   largest(facts_.voids, request_.voids_above, request_.top), request_.walls, lives_);
     });
   if (request_.pockets)
     add(request_.pockets->path, [&](OutputFile& file) {
-      write_pockets(file, request_.pockets->format, largest(pockets_, request_.voids_above, request_.top));
+      write_pockets(file, request_.pockets->format, PointNames(file_),
+                    largest(pockets_, request_.voids_above, request_.top));
     });
 }
 
@@ -246,7 +252,7 @@ void SolidRun::run() {
   facts_.count_seconds = lap();
   write();
   facts_.write_seconds = lap();
-  if (arguments_.json) add("-", [&](OutputFile& file) { write_solid_json(file, facts_); });
+  if (arguments_.json) add("-", [&](OutputFile& file) { write_solid_json(file, facts_, PointNames(file_)); });
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_solid_stats(file, facts_); });
   publish();
 

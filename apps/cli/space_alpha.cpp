@@ -153,7 +153,8 @@ void run_space_alpha(const AlphaArguments& arguments) {
     const std::vector<SolidPair> pairs = chosen(run.pairs, request->choice);
     const auto found = solid_representatives(run.file.points, run.filtration, pairs, until_interrupted());
     run.add(request->target.path, [&](OutputFile& out) {
-      write_representatives(out, request->target.format, {run.file.points, run.filtration, pairs, found});
+      write_representatives(out, request->target.format,
+                            {run.file.points, run.filtration, pairs, found, run.file.index});
     });
   }
   run.add("-", [&](OutputFile& out) {

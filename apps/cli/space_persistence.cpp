@@ -35,6 +35,7 @@ SpacePointSource parse_space_points(const RadiiArguments& arguments) {
   points.columns = arguments.columns;
   points.where = arguments.where;
   points.skip_invalid = arguments.skip_invalid;
+  points.waters = arguments.waters;
   return parse_space_source(points);
 }
 

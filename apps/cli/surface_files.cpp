@@ -45,13 +45,15 @@ void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
 void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
   // An .npy file has the canonical order whatever other files have.
-  if (format == Format::npy) return write_surface(file, format, {.vertices = points, .triangles = surface.triangles});
+  if (format == Format::npy)
+    return write_surface(file, format, {.vertices = points, .triangles = surface.triangles, .index = index});
   SpaceMesh mesh{.vertices = points,
                  .triangles = surface.triangles,
                  .normals = normals,
                  .colors = colors,
                  .certainty = certainty,
-                 .shift = shift};
+                 .shift = shift,
+                 .index = index};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
   const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices

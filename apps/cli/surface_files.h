@@ -29,7 +29,8 @@ struct SurfaceFiles {
   const SurfaceFacts& facts;             ///< its holes and unused points, and whether vertices are fans
   const std::vector<bool>& filled;       ///< of each triangle, whether it fills a hole; empty: none does
   bool compact;
-  std::optional<Shift> shift;  ///< of STL and GLB
+  std::optional<Shift> shift = std::nullopt;  ///< of STL and GLB
+  std::span<const std::uint32_t> index = {};  ///< of each point in the input; none where that is its number
 
   /// Of a picture, so many pixels wide.
   void write(OutputFile& file, Format format, int width) const;

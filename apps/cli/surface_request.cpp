@@ -66,7 +66,7 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
 /// One place, or the names of the columns that have one of each point.
 struct Viewpoint {
   std::vector<Point3> place = {};
-  std::vector<std::string> columns = {};
+  std::vector<WantedColumn> columns = {};
 };
 
 Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
@@ -79,9 +79,9 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
     const ParsedNumber number = parse_whole_number(part);
     if (number.fault == NumberFault::none)
       at.push_back(number.value);
-    else if (!part.empty() &&
-             std::find(viewpoint.columns.begin(), viewpoint.columns.end(), part) == viewpoint.columns.end())
-      viewpoint.columns.push_back(part);
+    else if (!part.empty() && std::none_of(viewpoint.columns.begin(), viewpoint.columns.end(),
+                                           [&](const WantedColumn& column) { return column.name == part; }))
+      viewpoint.columns.push_back({.name = part});
     begin = end + 1;
   }
   const auto commas = std::count(text->begin(), text->end(), ',');

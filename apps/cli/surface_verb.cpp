@@ -19,6 +19,7 @@
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
+#include "io/values_at.h"
 #include "picture/picture.h"
 #include "rbpa/auto_radii.h"
 #include "rbpa/base/error.h"
@@ -68,7 +69,9 @@ class SurfaceRun : public Run {
 
   const SurfaceArguments& arguments_;
   SurfaceRequest request_;
-  SpacePoints file_;  ///< without outliers; its points are moved where that is asked for
+  std::vector<std::uint32_t> index_ = {};  ///< of the points in the input, where not all are read
+  std::size_t all_points_ = 0;             ///< of the input
+  SpacePoints file_;                       ///< without outliers; its points are moved where that is asked for
   LeftOutPoints outliers_;
   std::vector<Point3> as_they_came_;  ///< the points, where they are moved
   NormalSource source_ = NormalSource::none;
@@ -321,11 +324,17 @@ void SurfaceRun::write() {
     outliers_.renumber(fans_);
     outliers_.renumber(facts_);
   }
+  for (std::size_t next = all_points_; !index_.empty() && index_.size() < all.points.size(); ++next)
+    index_.push_back(static_cast<std::uint32_t>(next));  // of points that are added
+  all.index = index_;
   if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.certainty);
   add(request_.targets, [&](OutputFile& file, const Target& target) {
     (is_picture(target.format) ? pictures : all).write(file, target.format, request_.width);
   });
   if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& file) { all.write_curves(file); });
+  if (index_.empty()) return;
+  renumber(facts_, index_);
+  facts_.outliers.points = renumbered(facts_.outliers.points, index_);
 }
 
 void SurfaceRun::say_empty() const {
@@ -366,6 +375,8 @@ void SurfaceRun::run() {
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   remark(file_.remarks);
   facts_.points = file_.points.size();
+  index_ = file_.index;
+  all_points_ = file_.all_points;
   facts_.read_seconds = lap();
   drop_outliers();
   move_points();

@@ -40,6 +40,7 @@ struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
   std::string components = "1";      ///< at most, at `auto`
   std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
+  bool waters = false;               ///< of molecules
   RunArguments run;
 };
 

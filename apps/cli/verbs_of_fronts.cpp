@@ -22,6 +22,7 @@ void add_space_point_options(CLI::App& verb, SpacePointArguments& arguments) {
           "that the header calls red, green and blue, or r, g and b")
       ->type_name("X,Y,Z[,NX,NY,NZ]");
   add_selection_options(verb, arguments);
+  add_waters_option(verb, arguments.waters);
 }
 
 }  // namespace
@@ -209,7 +210,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   verb.add_option(
           "--voids", arguments.voids,
           "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the input "
-          "indices of its points and triangles; csv. volume_between_points is that of its tetrahedra, "
+          "indices of its points and triangles, and what a molecule's file calls the atoms; csv. volume_between_points "
+          "is that of its tetrahedra, "
           "volume_outside_balls what of it is at least alpha from every point")
       ->type_name("FILE");
   add_switch(

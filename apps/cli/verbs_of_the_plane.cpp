@@ -42,7 +42,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh trees.csv --columns x,y --group-by crown --alpha auto -o crowns.vtu\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order: an index means the same in both. They keep z,\n"
-      "where the input has one.\n"
+      "where the input has one. Points that --where or --skip-invalid leaves out count in arrays.npy.\n"
       "The full complex is lines f, l and p of an .obj; of arrays.npy, which has the triangles, there are\n"
       "arrays.edges.npy and arrays.points.npy beside it. Of groups .vtu and .ply have the number of each triangle's\n"
       "group, from 0 in the order in which rbpa shape --group-by lists them.\n" +
@@ -63,6 +63,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
                   "2, or 3: of points in space, with tunnels and voids; the full alpha complex, CSV has every pair")
       ->type_name("2|3")
       ->capture_default_str();
+  add_waters_option(verb, arguments.waters);
   verb.add_option("--complex", arguments.complex,
                   "Whose persistence: solid (default), or full (with edges and points that are in no triangle)")
       ->type_name("NAME");
@@ -166,6 +167,7 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
                   "2, or 3: of points in space, with tunnels and voids, and a boundary to turn around")
       ->type_name("2|3")
       ->capture_default_str();
+  add_waters_option(verb, arguments.waters);
   add_auto_options(verb, arguments);
   add_run_options(verb, arguments.run, "Neither progress nor summary");
   verb.footer(

@@ -15,6 +15,7 @@ namespace rbpa::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+constexpr std::size_t serial = 0;  // of columns_of_names()
 using Corners = std::array<std::uint32_t, 3>;
 
 /// As if the void were a body.
@@ -58,17 +59,18 @@ void write_csv(OutputFile& file, std::span<const SolidVoid> voids, VoidWalls wal
   }
 }
 
-void write_json(OutputFile& file, const Surface& boundary, std::span<const SolidVoid> voids,
+void write_json(OutputFile& file, const PointNames& names, const Surface& boundary, std::span<const SolidVoid> voids,
                 const std::optional<std::vector<VoidLife>>& lives) {
   std::size_t number = 0;
   std::string_view before = "[\n";
   for (const SolidVoid& hollow : voids) {
     stop_if_interrupted();
-    Json one = json_of(hollow);
+    Json one = json_of(hollow, names);
     if (lives) add_life(one, (*lives)[number]);
     ++number;
     one["triangles"] = Json::array();
-    for (const std::uint32_t t : hollow.triangles) one["triangles"].push_back(seen_from_around(boundary.triangles[t]));
+    for (const std::uint32_t t : hollow.triangles)
+      one["triangles"].push_back(names.indices(seen_from_around(boundary.triangles[t])));
     file.write(before);
     file.write(one.dump());
     before = ",\n";
@@ -117,13 +119,14 @@ Target parse_voids(const std::string& path) {
   return {path, *format};
 }
 
-Json json_of(const SolidVoid& hollow) {
+Json json_of(const SolidVoid& hollow, const PointNames& names) {
   const auto corner = [](const Point3& p) { return Json{p.x, p.y, p.z}; };
   Json json = json_of_volumes(hollow.volume, hollow.outside_balls);
   json.update(Json{{"area", hollow.area},
                    {"islands", hollow.islands},
                    {"box", Json::array({corner(hollow.low), corner(hollow.high)})},
-                   {"points", hollow.points}});
+                   {"points", names.indices(hollow.points)}});
+  if (names.are_any()) json["atoms"] = names.atoms(hollow.points);
   return json;
 }
 
@@ -147,16 +150,17 @@ Json json_of_volumes(double between_points, std::optional<double> outside_balls)
   return json;
 }
 
-void write_voids(OutputFile& file, Format format, std::span<const Point3> points, const Surface& boundary,
+void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
                  std::span<const SolidVoid> voids, VoidWalls walls, const std::optional<std::vector<VoidLife>>& lives) {
   if (format == Format::csv) return write_csv(file, voids, walls, lives);
-  if (format == Format::json) return write_json(file, boundary, voids, lives);
-  write_obj(file, points, boundary, voids);
+  if (format == Format::json) return write_json(file, names, boundary, voids, lives);
+  write_obj(file, names.points(), boundary, voids);
 }
 
-void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pockets) {
-  const bool is_csv = format == Format::csv;
-  file.write(is_csv ? "number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c\n" : "[");
+void write_pockets(OutputFile& file, Format format, const PointNames& names, std::span<const Pocket> pockets) {
+  const bool is_csv = format == Format::csv, has_serials = names.has(serial);
+  file.write(is_csv ? "number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c" : "[");
+  if (is_csv) file.write(has_serials ? ",serial_a,serial_b,serial_c\n" : "\n");
   std::uint64_t number = 0;
   for (const Pocket& pocket : pockets) {
     stop_if_interrupted();
@@ -168,13 +172,16 @@ void write_pockets(OutputFile& file, Format format, std::span<const Pocket> pock
       write_life_csv(file, pocket.life);
       for (const std::uint32_t corner : pocket.mouth) {
         file.write(",");
-        file.write_number(std::uint64_t{corner});
+        file.write_number(std::uint64_t{names.index(corner)});
       }
+      for (std::size_t k = 0; has_serials && k < pocket.mouth.size(); ++k)
+        file.write("," + names.text(serial, pocket.mouth[k]));
       file.write("\n");
     } else {
       Json one = json_of_volumes(pocket.volume, {});
       add_life(one, pocket.life);
-      one["mouth"] = pocket.mouth;
+      one["mouth"] = names.indices(pocket.mouth);
+      if (names.are_any()) one["mouth_atoms"] = names.atoms(pocket.mouth);
       file.write(number == 1 ? "\n" : ",\n");
       file.write(one.dump());
     }

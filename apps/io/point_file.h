@@ -1,6 +1,7 @@
 // What: points of the plane as a file has them, and what the file says about them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,11 +30,13 @@ class Heights {
 };
 
 struct PointFile {
-  std::vector<Point> points = {};                ///< in the order of the file, all finite
-  std::optional<Crs> crs = std::nullopt;         ///< where the file names one
+  std::vector<Point> points = {};         ///< in the order of the file, all finite
+  std::vector<std::uint32_t> index = {};  ///< of each among all points of the file; none where it is its number here
+  std::size_t all_points = 0;             ///< of the file: with those that are left out
+  std::optional<Crs> crs = std::nullopt;  ///< where the file names one
   std::vector<std::vector<double>> fields = {};  ///< a column of each that the condition's columns() ask for
-  /// Of a table whose condition has a key, and of GeoJSON: its texts, which `fields` has the numbers of. An empty one is none.
-  std::vector<std::string> keys = {};
+  /// Of each column of texts: these, which `fields` has the numbers of, from 0 on. As the name of a group an empty one is none.
+  std::vector<std::optional<std::vector<std::string>>> texts = {};
   bool keys_are_texts = false;  ///< some are texts where others may be numbers, whatever they look like
   /// Third coordinates, of each point, where they were asked for and any point has one; NaN where one has none.
   std::vector<double> z = {};

@@ -18,4 +18,19 @@ std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, 
   return result;
 }
 
+/// Items as others number them: `number` has the number of each; none: they stay.
+inline std::uint32_t renumbered(std::uint32_t item, std::span<const std::uint32_t> number) {
+  return number.empty() ? item : number[item];
+}
+template <std::ranges::input_range Items>
+std::vector<std::ranges::range_value_t<Items>> renumbered(const Items& items, std::span<const std::uint32_t> number) {
+  std::vector<std::ranges::range_value_t<Items>> result(items.begin(), items.end());
+  for (auto& item : result)
+    if constexpr (requires { item.begin(); })
+      for (std::uint32_t& corner : item) corner = renumbered(corner, number);
+    else
+      item = renumbered(item, number);
+  return result;
+}
+
 }  // namespace rbpa::app

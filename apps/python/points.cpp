@@ -39,9 +39,24 @@ void require_format(bool fits, const std::string& option, const std::string& fou
   if (!fits) throw app::WrongUsage(option + ": found a format " + found + ", expected " + expected);
 }
 
-app::PointSource source_of(const std::string& path, bool space, const std::vector<std::string>& fields,
-                           const MaybeText& where, const MaybeText& columns, const MaybeText& format, bool skip_invalid,
-                           bool vertices) {
+/// Each with "number", "text", or nothing where its values decide.
+using WantedFields = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<app::WantedColumn> columns_of(const WantedFields& fields, bool texts) {
+  std::vector<app::WantedColumn> columns;
+  for (const auto& [name, kind] : fields) {
+    using Kind = app::WantedColumn::Kind;
+    require_format(texts || kind != "text", "fields", "without fields of text", "cif, pdb or text");
+    columns.push_back({.name = name,
+                       .kind = !texts || kind == "number" ? Kind::number
+                               : kind == "text"           ? Kind::text
+                                                          : Kind::by_value});
+  }
+  return columns;
+}
+
+app::PointSource source_of(const std::string& path, bool space, const WantedFields& fields, const MaybeText& where,
+                           const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
   app::PointSource source{.path = path, .skip_invalid = skip_invalid, .vertices = vertices};
   source.format = format_of(path, format, space);
   const bool text = app::is_table(source.format);
@@ -59,9 +74,20 @@ app::PointSource source_of(const std::string& path, bool space, const std::vecto
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
     require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
                    "cif, las, pcd, pdb, ply or text");
-    source.where.emplace(where.value_or(""), *names, fields);
+    source.where.emplace(where.value_or(""), *names, columns_of(fields, names->texts));
   }
   return source;
+}
+
+/// What is no UTF-8 with its bytes written out.
+py::list printable_texts(const std::vector<std::string>& texts) {
+  py::list list;
+  for (const std::string& text : texts) try {
+      list.append(py::str(text));
+    } catch (const py::error_already_set&) {
+      list.append(app::printable(text));
+    }
+  return list;
 }
 
 /// Of a file of the plane or of space all but normals and colours, which are emptied.
@@ -73,12 +99,18 @@ py::dict dict_of(File& file, const app::PointSource& source) {
   result["colors"] = py::none();
   py::list fields;
   file.fields.resize(source.where ? source.where->columns() : 0);  // without a point there are none
-  for (std::vector<double>& field : file.fields) fields.append(line<double>(std::move(field)));
+  for (std::size_t k = 0; k < file.fields.size(); ++k)
+    if (k < file.texts.size() && file.texts[k])
+      fields.append(py::make_tuple(line<double>(std::move(file.fields[k])), printable_texts(*file.texts[k])));
+    else
+      fields.append(line<double>(std::move(file.fields[k])));
   result["fields"] = std::move(fields);
   result["crs"] = file.crs ? py::object(py::str(file.crs->text())) : py::none();
   py::list remarks;
   for (const std::string& remark : file.remarks) remarks.append(app::printable(remark));
   result["remarks"] = std::move(remarks);
+  std::vector<std::int64_t> index(file.index.begin(), file.index.end());
+  result["selected"] = index.empty() ? py::object(py::none()) : py::object(line<std::int64_t>(std::move(index)));
   return result;
 }
 
@@ -105,7 +137,7 @@ py::dict read(const app::PointSource& source, bool space) {
   return result;
 }
 
-py::dict read_points(const py::bytes& path, bool space, const std::vector<std::string>& fields, const MaybeText& where,
+py::dict read_points(const py::bytes& path, bool space, const WantedFields& fields, const MaybeText& where,
                      const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
   return with_file_errors(
       [&] { return read(source_of(path, space, fields, where, columns, format, skip_invalid, vertices), space); });

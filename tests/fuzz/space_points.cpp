@@ -1,26 +1,47 @@
 // Readers of points of space: any bytes are points, all finite, with a normal and a colour of each or of none, or refused in
 // a sentence of one line. The first byte is the format and the options; the rest is the file.
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/read_space_points.h"
+#include "io/cloud/readers.h"
 #include "io/failure.h"
+#include "io/formats.h"
 
 namespace {
 
 using namespace rbpa::app;
 
-constexpr Format formats[] = {Format::text, Format::ply, Format::off, Format::obj,  Format::pcd,
-                              Format::npy,  Format::las, Format::pts, Format::xyzn, Format::xyzrgb};
+bool is_molecule(Format format) { return format == Format::pdb || format == Format::cif; }
 
-CloudRequest choice_of(std::size_t selector) {
+/// Those that the programs list.
+std::vector<Format> all_formats() {
+  std::vector<Format> formats;
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::string_view rest = space_formats;
+  while ((rest = rest.substr(std::min(rest.find_first_of(letters), rest.size()))), !rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find_first_not_of(letters));
+    const std::optional<Format> format = find_format(Use::space, name);
+    if (format && std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
+    rest.remove_prefix(name.size());
+  }
+  return formats;
+}
+
+CloudRequest choice_of(Format format, std::size_t selector) {
   CloudRequest choice;
   if (selector % 4 == 1) choice.columns = parse_space_columns("3,1,2");
   if (selector % 4 == 2) choice.columns = parse_space_columns("x,y,z,nx,ny,nz");
-  if (selector % 4 == 3) choice.where = Condition("z > 1 or classification == 2", names_of_las_fields());
+  if (selector % 4 == 3)
+    choice.where =
+        Condition(is_molecule(format) ? "z > 1 or resname == 'LYS' and resseq == 2" : "z > 1 or classification == 2",
+                  is_molecule(format) ? names_of_atoms() : names_of_las_fields());
   choice.skip_invalid = selector / 4 % 2 == 1;
   return choice;
 }
@@ -40,10 +61,11 @@ void is_sound(const SpacePoints& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
+  static const std::vector<Format> formats = all_formats();
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
+  const Format format = formats[data[0] % formats.size()];
   try {
-    is_sound(
-        space_points_in(bytes, "FILE", formats[data[0] % std::size(formats)], choice_of(data[0] / std::size(formats))));
+    is_sound(space_points_in(bytes, "FILE", format, choice_of(format, data[0] / formats.size())));
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());
   } catch (const WrongUsage& refusal) {

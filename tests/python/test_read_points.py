@@ -114,6 +114,64 @@ def test_geometries_of_a_line_have_its_fields(tmp_path):
     assert len(read.points) == 3 and read.fields["group"].tolist() == [3, 3, 4]
 
 
+ATOMS = (
+    "ATOM      1  N   LYS A   1       3.246  10.041  10.379  1.00  5.28           N\n"
+    "ATOM      2  CA ALYS A   1A   -132.386-100.407-109.247  0.50  7.90           C\n"
+    "HETATM***** NA    NA B 201       1.000   2.000   3.000  1.00                NA\n"
+    "HETATM    7  O   HOH B 202       1.000   2.000   4.000  1.00 20.00           O\n"
+)  # fmt: skip
+
+
+def test_what_names_atoms_are_arrays_of_texts(tmp_path):
+    path = tmp_path / "m.pdb"
+    path.write_text(ATOMS)
+    texts = {"chain": "AABB", "resname": ["LYS", "LYS", "NA", "HOH"], "name": ["N", "CA", "NA", "O"], "element": ["N", "C", "NA", "O"],
+             "altloc": ["", "A", "", ""], "icode": ["", "A", "", ""]}  # fmt: skip
+    atoms = rbpa.read_points(path, space=True, fields=[*texts, "serial", "resseq", "bfactor"])
+    for name, expected in texts.items():
+        assert atoms.fields[name].dtype.kind == "U" and atoms.fields[name].tolist() == list(expected), name
+    assert np.array_equal(atoms.fields["serial"], [1, 2, np.nan, 7], equal_nan=True)
+    assert atoms.fields["resseq"].tolist() == [1, 1, 201, 202]
+    assert np.array_equal(atoms.fields["bfactor"], [5.28, 7.9, np.nan, 20], equal_nan=True)
+    assert any("1 atom is of water" in remark for remark in atoms.remarks)
+    some = rbpa.read_points(path, space=True, fields=["chain"], where="resname != 'HOH' and altloc == ''")
+    assert some.fields["chain"].tolist() == ["A", "B"] and some.index.tolist() == [0, 2]
+    assert rbpa.read_points(path, space=True, fields=["chain"], where="serial == 9").fields["chain"].dtype.kind == "U"
+    assert rbpa.read_points(path, space=True, fields={"resseq": str}).fields["resseq"].tolist() == ["1", "1", "201", "202"]
+    with pytest.raises(rbpa.InvalidInput, match="fields: found 'charge', expected a column of atoms: serial, chain"):
+        rbpa.read_points(path, space=True, fields=["charge"])
+
+
+@pytest.mark.parametrize("space", [False, True])
+@pytest.mark.parametrize("ending", ["csv", "tsv", "txt", "csv.gz"])
+def test_columns_of_tables_are_texts_where_the_first_value_is_one(tmp_path, ending, space):
+    path = tmp_path / f"trees.{ending}"
+    separator = {"csv": ",", "tsv": "\t", "txt": " ", "csv.gz": ";"}[ending]
+    text = "x,y,z,kind,height,code\n0,1,2,oak,20,007\n2,3,4,elm,17,B1\n5,8,9,oak,9,12\n".replace(",", separator)
+    (path.write_bytes(gzip.compress(text.encode())) if ending.endswith("gz") else path.write_text(text))
+    read = rbpa.read_points(path, space=space, fields=["height", "kind"], where="height > 10 or kind == 'oak' and height < 10")
+    assert read.fields["kind"].tolist() == ["oak", "elm", "oak"] and read.fields["height"].tolist() == [20, 17, 9]
+    assert rbpa.read_points(path, space=space, fields={"code": str}, where="z > 2").fields["code"].tolist() == ["B1", "12"]
+    assert rbpa.read_points(path, space=space, fields=["kind"], where="z > 5").index.tolist() == [2]
+    with pytest.raises(rbpa.InvalidInput, match=":3: found 'B1', expected a number"):
+        rbpa.read_points(path, space=space, fields=["code"])
+    with pytest.raises(rbpa.InvalidInput, match=":2: found 'oak', expected a number"):
+        rbpa.read_points(path, space=space, fields={"kind": float})
+
+
+def test_places_in_the_file_stay_where_lines_are_left_out(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y,k\n0,0,1\n1,NA,2\n2,0,3\n3,0,4\n")
+    assert rbpa.read_points(path, skip_invalid=True).index.tolist() == [0, 2, 3]
+    assert rbpa.read_points(path, skip_invalid=True, where="k != 3").index.tolist() == [0, 3]
+    assert rbpa.read_points(las(tmp_path / "scan.las"), where="classification == 2").index.tolist() == [0, 1, 4]
+    assert rbpa.read_points(tmp_path / "scan.las").index.tolist() == [0, 1, 2, 3, 4]
+    with pytest.raises(rbpa.InvalidInput, match="fields: found a format without fields of text, expected cif, pdb or text"):
+        rbpa.read_points(tmp_path / "scan.las", fields={"intensity": str})
+    with pytest.raises(rbpa.InvalidInput, match="fields: found <class 'bytes'> for 'k', expected float or str"):
+        rbpa.read_points(path, fields={"k": bytes})
+
+
 REFUSED = {
     "cut off": (lambda path: path.write_bytes(las(path).read_bytes()[:-3]), {}, "found 4 whole records of 26 bytes, expected 5"),
     "no las": (lambda path: path.write_bytes(b"LASF" + bytes(50)), {}, "scan.las: found "),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "io/bytes/number.h"
 #include "io/cloud/images.h"
@@ -35,8 +36,8 @@ constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, claimed_text
                                          {Format::raw, open_raw, nullptr, nullptr, true},
                                          {Format::ply, open_ply, claimed_ply_size, names_of_properties},
                                          {Format::pcd, open_pcd, claimed_pcd_size, names_of_properties},
-                                         {Format::pdb, open_pdb, claimed_text_size, names_of_columns},
-                                         {Format::cif, open_cif, claimed_text_size, names_of_columns},
+                                         {Format::pdb, open_pdb, claimed_text_size, names_of_atoms},
+                                         {Format::cif, open_cif, claimed_text_size, names_of_atoms},
                                          {Format::off, open_off, claimed_off_size},
                                          {Format::obj, open_obj, claimed_text_size}};
 
@@ -122,15 +123,31 @@ void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fi
     fields[k].insert(fields[k].end(), block.fields[k].begin(), block.fields[k].end());
 }
 
+void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index) {
+  for (const std::uint64_t i : block.index) {
+    if (i > std::numeric_limits<std::uint32_t>::max())
+      bad_input("POINTS", "a selected point behind the first 4294967295", "fewer points before it");
+    index.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index) {
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (index[i] != i) return index;
+  return {};
+}
+
 void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
                    std::size_t first, const std::string& name) {
   std::vector<std::uint8_t> kept(block.count);
   clear_fields(block, selection.column_values().size());
+  block.index.clear();
   for (std::size_t i = 0; i < block.count; ++i) {
     for (std::size_t k = 0; k < fields.size(); ++k) selection.values()[k] = fields[k][i];
     kept[i] = selection.holds() ? 1 : 0;
     if (kept[i] != 0) {
       append_fields(selection.column_values(), block);
+      block.index.push_back(first + i);
       continue;
     }
     for (std::vector<double>& column : block.column)

@@ -25,6 +25,13 @@
 
 namespace rbpa::app {
 
+/// What becomes of the atoms of water that a molecule's file has.
+enum class Waters {
+  counted,   ///< they are atoms as all others
+  noted,     ///< the same, and a remark says how many
+  left_out,  ///< where the condition does not name residues
+};
+
 /// What is wanted of a file.
 struct CloudRequest {
   bool in_space = false;  ///< x, y, z, normals and colours; else x and y, and whether heights differ
@@ -35,7 +42,8 @@ struct CloudRequest {
   bool heights = false;                           ///< in the plane: z as well, where there is one
   bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no point
   bool vertices = false;                          ///< those of lines and polygons in a column of geometries
-  bool last_are_normals = false;                  ///< columns 4 to 6 of a table that nothing names, whatever is in them
+  Waters waters = Waters::noted;
+  bool last_are_normals = false;  ///< columns 4 to 6 of a table that nothing names, whatever is in them
 };
 
 /// Points in a row. Columns that a cloud does not have are empty.
@@ -45,6 +53,9 @@ struct CloudBlock {
   std::array<std::vector<double>, columns> column = {};
   std::vector<double> heights = {};  ///< as CloudRequest::heights has it: of each point, NaN where it has none
   std::vector<std::vector<double>> fields = {};  ///< of the columns() of CloudRequest::where
+  /// Of each point among all of the file, where some of these may be left out: records of LAS, vertices, atoms, lines of a table behind
+  /// its header, of which one that is left out counts as a point. Else none.
+  std::vector<std::uint64_t> index = {};
 };
 
 /// Points that a reader makes at a time: few enough that their columns stay in the cache.
@@ -57,9 +68,17 @@ enum class Channels {
   wide    ///< 0 to 65535
 };
 
+/// The box that a file says its points repeat in.
+struct UnitCell {
+  std::optional<std::array<double, 3>> sides = std::nullopt;  ///< along x, y and z, where all its angles are right
+  std::string fault =
+      {};  ///< why there are none: "CRYST1 with angles of 90, 90 and 120 degrees"; empty where none is named
+};
+
 /// What a file says about its points; whole at the end.
 struct CloudFacts {
-  PointFile file = {};                            ///< without the points
+  PointFile file = {};  ///< without the points
+  UnitCell cell = {};
   std::size_t expected = 0;                       ///< points at most, as far as that is known
   bool normals = false;                           ///< the block has them
   std::optional<Channels> colors = std::nullopt;  ///< of the columns of colours; nothing where there are none
@@ -96,6 +115,12 @@ void append_fields(std::span<const double> values, CloudBlock& block);
 
 /// Appends those of a block behind those of other blocks.
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
+
+/// The same of the indices. Throws BadInput for one beyond 32 bits.
+void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
+
+/// Without any where each is its place.
+std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index);
 
 /// How points of a format are read.
 struct CloudFormat {

@@ -83,6 +83,7 @@ class ElementCloud final : public Cloud {
   }
 
   void finish() override {
+    facts_.file.all_points = vertex_.count;
     if (selection_) selection_->remark("point", facts_.file.remarks);
   }
 

@@ -80,6 +80,7 @@ class LasCloud final : public Cloud {
 
   void finish() override {
     std::vector<std::string>& remarks = facts_.file.remarks;
+    facts_.file.all_points = count_;
     if (selection_) selection_->remark("point", remarks);
     if (withheld_points_ > 0)
       remarks.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
@@ -115,11 +116,15 @@ class LasCloud final : public Cloud {
     double* const z = has_z_ ? heights.data() : nullptr;
     for (std::size_t k = 0; red_ && k < 3; ++k) block.column[CloudBlock::color + k].resize(count);
     if (selection_) clear_fields(block, selection_->column_values().size());
+    block.index.clear();
     std::size_t taken = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const char* const record = records + i * length;
       if (selection_ && !is_selected(record)) continue;
-      if (selection_) append_fields(selection_->column_values(), block);
+      if (selection_) {
+        append_fields(selection_->column_values(), block);
+        block.index.push_back(first_ + i);
+      }
       x[taken] = axes_[0](las_value<std::int32_t>(record));
       y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
       if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));

@@ -1,181 +1,216 @@
-// Atoms as the table of their fields, which is read as any table is: a line for each line of the file, so that messages name the
-// place in the file.
 #include <algorithm>
-#include <array>
-#include <iterator>
-#include <memory>
-#include <string>
-#include <string_view>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
+#include "io/cloud/atoms.h"
 #include "io/cloud/readers.h"
-#include "io/cloud/table_layout.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/text/fields.h"
+#include "io/text/line_selection.h"
 #include "io/text/lines.h"
+#include "io/text/text_numbers.h"
 
 namespace rbpa::app {
 namespace {
 
-/// The atoms of the first model of a file, as lines of a table.
-struct AtomTable {
-  std::string lines = {};
-  std::size_t models = 0;
+constexpr std::size_t chain = 1, resseq = 2, icode = 3, resname = 4, name_of_atom = 5, altloc = 10;
 
-  /// Passes over a line.
-  void skip() { lines += "#\n"; }
-  void append(const std::array<std::string_view, atom_columns.size()>& fields) {
-    for (const std::string_view field : fields) {
-      lines += field.empty() ? "?" : field;  // empty ones at an end would be no fields
-      lines += '\t';
-    }
-    lines.back() = '\n';
+bool is_water(std::string_view residue) {
+  constexpr std::string_view waters[] = {"HOH", "DOD",  "WAT",  "H2O", "OH2", "TIP", "TIP3",
+                                         "TP3", "TIP4", "TIP5", "TP4", "TP5", "SOL", "SPC"};
+  return std::find(std::begin(waters), std::end(waters), residue) != std::end(waters);
+}
+
+/// Counts the atoms for which a file has several places.
+class AlternateLocations {
+ public:
+  void take(const Atom& atom) {
+    if (atom.fields[altloc].empty()) return;
+    std::string key;
+    for (const std::size_t k : {chain, resseq, icode, name_of_atom}) (key += atom.fields[k]) += '\t';
+    if (++places_[key] == 2) ++count_;
+    if (first_.empty()) first_ = atom.fields[altloc];
   }
+  std::size_t count() const { return count_; }
+  const std::string& first() const { return first_; }
+
+ private:
+  std::unordered_map<std::string, std::size_t> places_ = {};  // of each atom that may have several
+  std::size_t count_ = 0;
+  std::string first_ = {};  // of their letters
 };
-
-/// What stands in columns `first` to `last`, counted from 1.
-std::string_view at_columns(std::string_view line, std::size_t first, std::size_t last) {
-  if (line.size() < first) return {};
-  return trimmed(line.substr(first - 1, last - first + 1));
-}
-
-/// The records ATOM and HETATM of wwPDB's format 3.3, which have their fields at fixed columns.
-AtomTable atoms_of_pdb(std::string_view text) {
-  AtomTable table;
-  for (Lines lines(text); lines.next();) {
-    const std::string_view line = lines.line();
-    if (line.starts_with("ENDMDL")) ++table.models;
-    if (table.models > 0 || !(line.starts_with("ATOM  ") || line.starts_with("HETATM"))) {
-      table.skip();
-      continue;
-    }
-    table.append({at_columns(line, 31, 38), at_columns(line, 39, 46), at_columns(line, 47, 54), at_columns(line, 7, 11),
-                  at_columns(line, 13, 16), at_columns(line, 17, 17), at_columns(line, 18, 20),
-                  at_columns(line, 22, 22), at_columns(line, 23, 26), at_columns(line, 55, 60),
-                  at_columns(line, 61, 66), at_columns(line, 77, 78)});
-  }
-  return table;
-}
-
-/// The words of a line of CIF: apart at blanks, some between quotes, which end where a blank follows.
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0; at < line.size();) {
-    if (is_blank(line[at])) {
-      ++at;
-      continue;
-    }
-    const char quote = line[at] == '\'' || line[at] == '"' ? line[at] : ' ';
-    const std::size_t first = at + (quote == ' ' ? 0 : 1);
-    std::size_t end = first;
-    const auto ends = [&](std::size_t i) {
-      if (quote == ' ') return is_blank(line[i]);
-      return line[i] == quote && (i + 1 >= line.size() || is_blank(line[i + 1]));
-    };
-    while (end < line.size() && !ends(end)) ++end;
-    const std::string_view word = line.substr(first, end - first);
-    words.push_back(quote == ' ' && (word == "?" || word == ".") ? std::string_view() : word);  // no value
-    at = end + (quote == ' ' ? 0 : 1);
-  }
-  return words;
-}
-
-/// The loop of _atom_site of PDBx/mmCIF, an atom a line.
-AtomTable atoms_of_cif(std::string_view text, const std::string& name) {
-  constexpr std::array<std::string_view, atom_columns.size()> known = {
-      "Cartn_x",       "Cartn_y",      "Cartn_z",      "id",        "label_atom_id",  "label_alt_id",
-      "label_comp_id", "auth_asym_id", "label_seq_id", "occupancy", "B_iso_or_equiv", "type_symbol"};
-  constexpr std::string_view prefix = "_atom_site.";
-  AtomTable table;
-  std::vector<std::string_view> columns;  // of the loop
-  std::array<std::size_t, known.size()> place{};
-  std::size_t model = 0;  // its column
-  std::string_view first_model;
-  const auto place_of = [&](std::string_view column) {
-    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
-  };
-  bool in_rows = false, in_text = false;  // a value of several lines, from one that begins with a semicolon to another
-  for (Lines lines(text); lines.next();) {
-    const std::string_view line = lines.line();
-    const bool is_first_column = line.data() == text.data() || line.data()[-1] == '\n';
-    const bool has_mark = line.starts_with(';') && is_first_column;
-    if (in_text || (has_mark && !in_rows)) {
-      in_text = in_text != has_mark;
-      table.skip();
-      continue;
-    }
-    if (line.starts_with(prefix)) {
-      columns.push_back(trimmed(line.substr(prefix.size())));
-      table.skip();
-      continue;
-    }
-    const bool ends =
-        line.empty() || line.starts_with('#') || line.starts_with('_') || line == "loop_" || line.starts_with("data_");
-    if (columns.empty() || ends) {
-      if (in_rows) columns.clear();
-      in_rows = false;
-      table.skip();
-      continue;
-    }
-    if (!in_rows) {
-      in_rows = true;
-      for (std::size_t k = 0; k < known.size(); ++k) place[k] = place_of(known[k]);
-      model = place_of("pdbx_PDB_model_num");
-      for (std::size_t k = 0; k < 3; ++k)
-        if (place[k] == columns.size())
-          bad_input(at_line(name, lines.number()), "atoms without _atom_site." + std::string(known[k]),
-                    "Cartn_x, Cartn_y and Cartn_z");
-    }
-    const std::vector<std::string_view> words = words_of(line);
-    if (words.size() != columns.size())
-      bad_input(at_line(name, lines.number()), counted(words.size(), "value") + " (" + in_quotes(line) + ")",
-                std::to_string(columns.size()) + ", one for each name of _atom_site");
-    if (model < words.size()) {
-      if (table.models == 0 || words[model] != first_model) ++table.models;
-      if (table.models == 1) first_model = words[model];
-      if (words[model] != first_model) {
-        table.skip();
-        continue;
-      }
-    }
-    std::array<std::string_view, known.size()> fields;
-    for (std::size_t k = 0; k < fields.size(); ++k)
-      if (place[k] < words.size()) fields[k] = words[place[k]];
-    table.append(fields);
-  }
-  return table;
-}
 
 class MoleculeCloud final : public Cloud {
  public:
-  MoleculeCloud(AtomTable table, const std::string& name, const CloudRequest& request)
-      : text_(std::move(table.lines)), models_(table.models), atoms_(open_atoms(Content(text_, name), request)) {
-    std::swap(facts_, atoms_->facts());
+  MoleculeCloud(Content content, const CloudRequest& request, decltype(&pdb_atoms) open)
+      : content_(std::move(content)),
+        name_(content_.name()),
+        source_(open(content_.ahead(), name_)),
+        waters_(request.waters) {
+    if (!request.where) return;
+    const Condition& where = *request.where;
+    for (const std::string& field : where.fields()) places_.push_back(atom_column(field));
+    for (const Condition::Text& text : where.texts()) {
+      texts_.push_back({atom_column(text.field), text.text});
+      if (texts_.back().first == resname) waters_ = Waters::counted;
+    }
+    for (std::size_t k = 0; k < where.columns(); ++k) {
+      const WantedColumn::Kind kind = where.column(k).kind;
+      const bool is_text =
+          kind == WantedColumn::Kind::by_value ? is_text_of_atom(places_[k]) : kind == WantedColumn::Kind::text;
+      facts_.file.texts.emplace_back();
+      if (is_text) facts_.file.texts.back().emplace();
+      numbers_.emplace_back();
+    }
+    selection_.emplace(where);
   }
 
-  bool next(CloudBlock& block) override { return atoms_->next(block); }
+  bool next(CloudBlock& block) override {
+    stop_if_interrupted();
+    block.count = 0;
+    for (std::vector<double>& column : block.column) column.clear();
+    block.index.clear();
+    clear_fields(block, numbers_.size());
+    while (block.count < points_at_once && source_->next(atom_)) take(block);
+    return block.count > 0;
+  }
+
   void finish() override {
-    atoms_->finish();
     std::vector<std::string>& remarks = facts_.file.remarks;
-    std::vector<std::string>& more = atoms_->facts().file.remarks;
-    remarks.insert(remarks.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    facts_.file.keys = std::move(atoms_->facts().file.keys);
-    if (models_ > 1) remarks.push_back("the atoms are those of the first of " + std::to_string(models_) + " models");
+    facts_.cell = std::move(source_->cell());
+    facts_.file.all_points = atoms_;
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      if (facts_.file.texts[k]) facts_.file.texts[k] = numbers_[k].take_texts();
+    if (source_->blocks() > 1)
+      remarks.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) + " blocks of data");
+    if (source_->models() > 1)
+      remarks.push_back("the atoms are those of the first of " + std::to_string(source_->models()) + " models");
+    if (water_atoms_ > 0 && waters_ == Waters::left_out) {
+      if (water_atoms_ == atoms_) bad_input(name_, "no atoms but those of water", "others (--waters reads water too)");
+      remarks.push_back(counted(water_atoms_, "atom") + " of water " + (water_atoms_ == 1 ? "is" : "are") +
+                        " left out (--waters keeps them)");
+    }
+    if (water_atoms_ > 0 && waters_ == Waters::noted)
+      remarks.push_back(counted(water_atoms_, "atom") + (water_atoms_ == 1 ? " is" : " are") +
+                        " of water (where \"resname != 'HOH'\" leaves them out)");
+    if (selection_) selection_->remark("atom", remarks);
+    if (const std::size_t places = alternates_.count(); places > 0)
+      remarks.push_back(counted(places, "atom") + (places == 1 ? " has" : " have") +
+                        " alternate locations, each a point of its own (where \"altloc in ('', '" +
+                        alternates_.first() + "')\" takes one of each)");
   }
 
  private:
-  std::string text_;
-  std::size_t models_;
-  std::unique_ptr<Cloud> atoms_;
+  void take(CloudBlock& block) {
+    const std::size_t index = atoms_++;
+    const bool is_of_water = is_water(atom_.fields[resname]);
+    if (is_of_water && waters_ == Waters::left_out) {
+      ++water_atoms_;
+      return;
+    }
+    const auto number = [&](std::size_t field) { return number_at(places_[field], of_where); };
+    const auto is_text = [&](std::size_t text) { return has_text(texts_[text]); };
+    if (selection_ && !selection_->holds(number, is_text)) return;
+    if (is_of_water) ++water_atoms_;
+    alternates_.take(atom_);
+    for (std::size_t k = 0; k < 3; ++k) block.column[k].push_back(coordinate(x_of_atom + k));
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      block.fields[k].push_back(facts_.file.texts[k] ? numbers_[k].number_of(atom_.fields[places_[k]])
+                                                     : number_at(places_[k], of_where));
+    block.index.push_back(index);
+    ++block.count;
+  }
+
+  /// A question mark stands for nothing, as in PDBx/mmCIF.
+  bool has_text(const std::pair<std::size_t, std::string>& asked) const {
+    const std::string& field = atom_.fields[asked.first];
+    return field == asked.second || (field.empty() && asked.second == "?");
+  }
+
+  double coordinate(std::size_t column) const { return parsed(column, ""); }
+
+  /// NaN where there is none.
+  double number_at(std::size_t column, std::string_view where) const {
+    if (atom_.fields[column].empty()) return std::numeric_limits<double>::quiet_NaN();
+    return parsed(column, where);
+  }
+
+  double parsed(std::size_t column, std::string_view where) const {
+    const ParsedNumber number = parse_whole_number(atom_.fields[column]);
+    if (number.fault == NumberFault::none) return number.value;
+    source_->require_columns();
+    bad_input(at_line(name_, atom_.line), in_quotes(atom_.fields[column]) + " as " + std::string(atom_columns[column]),
+              expected_instead(number.fault) + std::string(where));
+  }
+
+  Content content_;
+  const std::string& name_;
+  std::unique_ptr<AtomSource> source_;
+  Waters waters_;
+  Atom atom_ = {};
+  std::vector<std::size_t> places_ = {};                         // of the condition's fields
+  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // of its texts, and these
+  std::optional<Selection> selection_ = std::nullopt;
+  std::vector<TextNumbers> numbers_ = {};  // of texts in each of its columns
+  AlternateLocations alternates_ = {};
+  std::size_t atoms_ = 0, water_atoms_ = 0;
 };
 
 }  // namespace
 
+std::size_t atom_column(std::string_view name) {
+  const auto found = std::find_if(atom_columns.begin(), atom_columns.end(),
+                                  [&](std::string_view known) { return same_letters(known, name); });
+  return static_cast<std::size_t>(found - atom_columns.begin());
+}
+
+bool is_text_of_atom(std::size_t column) {
+  constexpr std::string_view texts[] = {"chain", "icode", "resname", "name", "element", "altloc"};
+  return std::find(std::begin(texts), std::end(texts), atom_columns[column]) != std::end(texts);
+}
+
+UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values) {
+  if (std::all_of(values.begin(), values.end(), [](std::string_view value) { return value.empty(); })) return {};
+  std::array<double, 6> numbers{};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const ParsedNumber number = parse_whole_number(values[k]);
+    if (number.fault != NumberFault::none || (k < 3 && !(number.value > 0)))
+      return {.fault = record + " with " + in_quotes(values[k]) + (k < 3 ? " as a length" : " as an angle")};
+    numbers[k] = number.value;
+  }
+  const auto text = [&](std::size_t k) { return text_of(numbers[k]); };
+  if (numbers[0] == 1 && numbers[1] == 1 && numbers[2] == 1)
+    return {.fault = record + " of 1 x 1 x 1, which stands for none"};
+  if (numbers[3] != 90 || numbers[4] != 90 || numbers[5] != 90)
+    return {.fault = record + " with angles of " + text(3) + ", " + text(4) + " and " + text(5) + " degrees"};
+  return {.sides = {{numbers[0], numbers[1], numbers[2]}}};
+}
+
+std::string_view without_uncertainty(std::string_view number) {
+  const std::size_t bracket = number.find('(');
+  const std::string_view digits = number.substr(std::min(bracket, number.size()));
+  const bool is_one =
+      digits.size() > 2 && digits.back() == ')' && digits.find_first_not_of("0123456789", 1) == digits.size() - 1;
+  return is_one ? number.substr(0, bracket) : number;
+}
+
+FieldNames names_of_atoms() {
+  std::string all;
+  for (const std::string_view column : atom_columns) (all += all.empty() ? "" : ", ") += column;
+  return {[](std::string_view word) { return atom_column(word) != no_atom_column; }, "a column of atoms: " + all, true};
+}
+
 std::unique_ptr<Cloud> open_pdb(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(atoms_of_pdb(content.ahead()), content.name(), request);
+  return std::make_unique<MoleculeCloud>(std::move(content), request, pdb_atoms);
 }
 std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(atoms_of_cif(content.ahead(), content.name()), content.name(), request);
+  return std::make_unique<MoleculeCloud>(std::move(content), request, cif_atoms);
 }
 
 }  // namespace rbpa::app

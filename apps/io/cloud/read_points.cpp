@@ -1,5 +1,6 @@
 #include "io/cloud/read_points.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/bytes/input_bytes.h"
@@ -57,18 +58,22 @@ PointFile read_plane_points(Cloud& cloud) {
   std::vector<Point> points;
   std::vector<std::vector<double>> fields;
   std::vector<double> z;
+  std::vector<std::uint32_t> index;
   points.reserve(cloud.facts().expected);
   CloudBlock block;
   while (cloud.next(block)) {
     append_points(block, points);
     append_fields(block, fields);
     z.insert(z.end(), block.heights.begin(), block.heights.end());
+    append_index(block, index);
   }
   cloud.finish();
   PointFile file = std::move(cloud.facts().file);
   file.points = std::move(points);
   file.fields = std::move(fields);
   file.z = std::move(z);
+  file.index = unless_identity(std::move(index));
+  file.all_points = std::max(file.all_points, file.points.size());
   return file;
 }
 

@@ -1,5 +1,6 @@
 #include "io/cloud/read_space_points.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/bytes/input_bytes.h"
@@ -37,6 +38,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   while (cloud.next(block)) {
     append_vectors(block, CloudBlock::x, space.points);
     append_fields(block, space.fields);
+    append_index(block, space.index);
     if (facts.normals) append_vectors(block, CloudBlock::normal, space.normals);
     for (std::size_t i = 0; facts.colors && i < block.count; ++i) {
       const auto channel = [&](std::size_t k) { return static_cast<float>(block.column[CloudBlock::color + k][i]); };
@@ -56,6 +58,10 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   if (facts.file.degrees && !space.points.empty()) facts.file.remarks.push_back(remark_on_degrees(space.points));
   cloud.finish();
   space.crs = std::move(facts.file.crs);
+  space.cell = std::move(facts.cell);
+  space.texts = std::move(facts.file.texts);
+  space.index = unless_identity(std::move(space.index));
+  space.all_points = std::max(facts.file.all_points, space.points.size());
   space.remarks = std::move(facts.file.remarks);
   return space;
 }

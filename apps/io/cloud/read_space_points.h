@@ -19,8 +19,12 @@ struct SpacePoints {
   std::vector<Point3> normals = {};                      ///< none, or one each: finite, of any length but 0
   std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one each
   std::vector<std::vector<double>> fields = {};          ///< a column of each that the condition's columns() ask for
-  std::optional<Crs> crs = std::nullopt;                 ///< where the file names one
-  std::vector<std::string> remarks = {};                 ///< what was left out or taken so: a sentence each, for people
+  std::vector<std::optional<std::vector<std::string>>> texts = {};  ///< as PointFile::texts
+  std::vector<std::uint32_t> index = {};                            ///< as PointFile::index
+  std::size_t all_points = 0;                                       ///< as PointFile::all_points
+  std::optional<Crs> crs = std::nullopt;                            ///< where the file names one
+  UnitCell cell = {};                                               ///< of the atoms of a molecule
+  std::vector<std::string> remarks = {};  ///< what was left out or taken so: a sentence each, for people
 };
 
 /// The points in the order of the file. `path` "-" is standard input; a gzip file is read as what was compressed. Throws

@@ -53,10 +53,7 @@ std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request);
 /// The same, and where no header names them x, y, z, red, green, blue: from 0 to 1, or to 255 where one of the file is greater.
 std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request);
 
-/// A table of atom_columns, apart by tabs.
-std::unique_ptr<Cloud> open_atoms(Content content, const CloudRequest& request);
-
-/// The atoms of the first model, in the order of the file, alternative locations included: PDB's records ATOM and HETATM, and
+/// The atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and HETATM, and
 /// PDBx/mmCIF's _atom_site, with atom_columns as their fields. Requires: content in memory.
 std::unique_ptr<Cloud> open_pdb(Content content, const CloudRequest& request);
 std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request);
@@ -64,6 +61,9 @@ std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request);
 /// Claims: the bytes of all rows; of all points, or as many lines.
 double claimed_npy_size(std::string_view first, const std::string& name);
 double claimed_pcd_size(std::string_view first, const std::string& name);
+
+/// atom_columns.
+FieldNames names_of_atoms();
 
 /// Number properties of PLY and fields of PCD: any name.
 FieldNames names_of_properties();

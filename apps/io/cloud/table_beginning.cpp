@@ -21,13 +21,8 @@ class Starter {
   TableStart start() {
     std::optional<char> said;
     start_.has_line = lines_.next();
-    if (kind_ == TableKind::atoms) {
-      said = '\t';
-    } else if (start_.has_line) {
-      said = separator_hint(lines_.line());
-      if (said) start_.has_line = lines_.next();
-    }
-    if (start_.has_line && kind_ != TableKind::atoms) {
+    if (start_.has_line && (said = separator_hint(lines_.line()))) start_.has_line = lines_.next();
+    if (start_.has_line) {
       comment_ = lines_.comment_before();
       if (take_atoms()) return std::move(start_);
       take_count();

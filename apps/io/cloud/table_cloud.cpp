@@ -52,7 +52,8 @@ class TableCloud final : public Cloud {
 
   void finish() override {
     selection_.add_remarks(any_points_, name_, facts_.file.remarks);
-    facts_.file.keys = selection_.take_keys();
+    facts_.file.texts = selection_.take_texts();
+    facts_.file.all_points = index_;
   }
 
   std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
@@ -76,6 +77,8 @@ class TableCloud final : public Cloud {
     width_ = start.layout.width;
     header_ = std::move(start.header);
     lay_out(start.layout);
+    if (header_.empty()) index_ = selection_.skipped();
+    if (has_line_) selection_.settle_kinds(lines_.line(), lines_.lines(), separator_);
     first_point_ = lines_.number();
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
@@ -111,6 +114,7 @@ class TableCloud final : public Cloud {
     if (has_heights_) block.heights.resize(points_at_once);
     clear_colors(block);
     clear_fields(block, selection_.column_values().size());
+    block.index.clear();
   }
 
   void append(const Numbers& value, CloudBlock& block) {
@@ -118,6 +122,8 @@ class TableCloud final : public Cloud {
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
     append_fields(selection_.column_values(), block);
     if (has_heights_) block.heights[block.count] = z_;
+    if (request_.skip_invalid || selection_.has_condition()) block.index.push_back(index_);
+    ++index_;
     ++block.count;
   }
 
@@ -183,6 +189,7 @@ class TableCloud final : public Cloud {
   /// The points of the current line, if it counts.
   void take_line(CloudBlock& block) {
     ++point_lines_;
+    const std::size_t index = index_;
     selection_.attempt([&] {
       if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a quote behind it");
       const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
@@ -191,6 +198,7 @@ class TableCloud final : public Cloud {
       if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
         wkt_ ? read_geometries(block) : read_point(block);
     });
+    if (index_ == index) ++index_;
   }
 
   void read_point(CloudBlock& block) {
@@ -369,6 +377,7 @@ class TableCloud final : public Cloud {
   TableKind kind_;
   std::optional<AnnouncedPoints> announced_ = std::nullopt;
   std::size_t point_lines_ = 0, last_line_ = std::numeric_limits<std::size_t>::max();  // of points
+  std::size_t index_ = 0;  // of the next point, among all of the file
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
   std::size_t numbers_ = 0;                        // of a point
@@ -408,9 +417,6 @@ std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request) {
 }
 std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzrgb);
-}
-std::unique_ptr<Cloud> open_atoms(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request, TableKind::atoms);
 }
 
 }  // namespace rbpa::app

@@ -92,7 +92,6 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
 
 /// What a table of a kind has in so many columns, by names; nothing where it has none of that width.
 FieldTexts names_of_kind(TableKind kind, std::size_t width) {
-  if (kind == TableKind::atoms) return {atom_columns.begin(), atom_columns.end()};
   FieldTexts names;
   const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
     for (const std::string_view name : more)
@@ -237,7 +236,7 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   const FieldTexts& fields = table.fields;
   TableLayout layout{.width = table.width};
   const bool by_name = is_by_name(request.columns), has_comment = has_names(table, true);
-  const bool is_known = kind != TableKind::atoms && !find_space_columns(fields).empty() && may_be_known_header(fields);
+  const bool is_known = !find_space_columns(fields).empty() && may_be_known_header(fields);
   if (has_comment) layout.names = table.names;
   if (request.columns) {
     choose_in_space(table, *request.columns, layout);

@@ -6,7 +6,6 @@
 //       first value is a geometry is one of them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,15 +22,10 @@ namespace rbpa::app {
 /// What the ending of its name says of a table without a header.
 enum class TableKind {
   any,
-  pts,     ///< x y z, with an intensity, with red green blue, or with both
-  xyzn,    ///< x y z nx ny nz
-  xyzrgb,  ///< x y z red green blue
-  atoms    ///< atom_columns
+  pts,    ///< x y z, with an intensity, with red green blue, or with both
+  xyzn,   ///< x y z nx ny nz
+  xyzrgb  ///< x y z red green blue
 };
-
-/// Of an atom: its place, and what conditions may ask for; "?" where the file has nothing.
-inline constexpr std::array<std::string_view, 12> atom_columns = {
-    "x", "y", "z", "serial", "name", "altloc", "resname", "chain", "resseq", "occupancy", "bfactor", "element"};
 
 struct TableLayout {
   bool header = false;                    ///< the first line is one

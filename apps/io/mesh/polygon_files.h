@@ -14,6 +14,7 @@
 #include "io/bytes/number.h"
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
+#include "io/values_at.h"
 
 namespace rbpa::app {
 
@@ -116,11 +117,18 @@ void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
   if (format == Format::ply) write_ply(file, mesh);
 }
 
-/// An .npy array of as many columns as the rows have.
+/// An .npy array of as many columns as the rows have, of the input indices that vertices have, or of vertices where there are none.
 template <std::size_t columns>
-void write_npy_rows(OutputFile& file, std::span<const std::array<std::uint32_t, columns>> rows) {
+void write_npy_rows(OutputFile& file, std::span<const std::array<std::uint32_t, columns>> rows,
+                    std::span<const std::uint32_t> index) {
   file.write(npy_header("<u4", rows.size(), ", " + std::to_string(columns)));
-  if (!rows.empty()) file.write_binary(std::span(rows.front().data(), columns * rows.size()));
+  constexpr std::size_t at_once = 4096;
+  for (std::size_t first = 0; first < rows.size(); first += at_once) {
+    const auto some = rows.subspan(first, index.empty() ? rows.size() : std::min(at_once, rows.size() - first));
+    if (index.empty()) return file.write_binary(std::span(some.front().data(), columns * some.size()));
+    const auto numbered = renumbered(some, index);
+    file.write_binary(std::span(numbered.front().data(), columns * numbered.size()));
+  }
 }
 
 }  // namespace rbpa::app

@@ -13,7 +13,7 @@
 
 namespace rbpa::app {
 
-/// Owns what is of vertices. The triangles, and with `names_points` the points, are kept as spans.
+/// Owns what is of vertices. The triangles are kept as a span. With `names_points` vertices have the input indices of their points.
 class VerticesOfPoints {
  public:
   /// `of_points`: what all points have; its triangles are not read. `point`: of each vertex.
@@ -23,9 +23,9 @@ class VerticesOfPoints {
         normals_(values_at(of_points.normals, point)),
         colors_(values_at(of_points.colors, point)),
         certainty_(values_at(of_points.certainty, point)),
+        points_(names_points ? renumbered(point, of_points.index) : std::vector<std::uint32_t>()),
         triangles_(triangles),
-        shift_(of_points.shift),
-        points_(names_points ? point : std::span<const std::uint32_t>()) {}
+        shift_(of_points.shift) {}
 
   SpaceMesh mesh() const {
     return {.vertices = places_,
@@ -41,9 +41,9 @@ class VerticesOfPoints {
   std::vector<Point3> places_, normals_;
   std::vector<std::array<std::uint8_t, 3>> colors_;
   std::vector<double> certainty_;
+  std::vector<std::uint32_t> points_;
   std::span<const std::array<std::uint32_t, 3>> triangles_;
   std::optional<Shift> shift_;
-  std::span<const std::uint32_t> points_;
 };
 
 }  // namespace rbpa::app

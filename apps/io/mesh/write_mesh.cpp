@@ -113,7 +113,7 @@ void write_mesh(OutputFile& file, Format format, std::span<const std::array<doub
 
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
   if (format == Format::stl) return write_stl(file, mesh);
-  if (format == Format::npy) return write_npy_rows(file, mesh.triangles);
+  if (format == Format::npy) return write_npy_rows(file, mesh.triangles, mesh.index);
   if (format == Format::vtu) return write_vtu(file, mesh);
   if (format == Format::glb) return write_glb(file, mesh);
   write_polygons(file, format, SurfacePolygons{mesh});

@@ -40,6 +40,8 @@ struct SpaceMesh {
   std::span<const std::uint32_t> points = {};  ///< input indices
   std::span<const double> certainty = {};      ///< of the normals
   std::optional<Shift> shift = std::nullopt;   ///< of STL and GLB
+  std::span<const std::uint32_t> index =
+      {};  ///< of each vertex among the points of the input; none where that is its number
 };
 
 /// Throws Failure: single precision does not keep the triangles.

@@ -75,7 +75,7 @@ void write_gmsh(OutputFile& file, const SolidMesh& mesh) {
 }  // namespace
 
 void write_solid(OutputFile& file, Format format, const SolidMesh& mesh) {
-  if (format == Format::npy) return write_npy_rows(file, mesh.tetrahedra);
+  if (format == Format::npy) return write_npy_rows(file, mesh.tetrahedra, mesh.index);
   if (format == Format::medit) return write_medit(file, mesh);
   if (format == Format::gmsh) return write_gmsh(file, mesh);
   write_vtu(file, mesh);

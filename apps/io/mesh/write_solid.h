@@ -15,6 +15,8 @@ namespace rbpa::app {
 struct SolidMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 4>> tetrahedra;
+  std::span<const std::uint32_t> index =
+      {};  ///< of each vertex among the points of the input; none where that is its number
 };
 
 /// VTU, appended raw data; Medit's .mesh and Gmsh's .msh, version 2.2, both text, whose vertices are numbered from 1; or the

@@ -116,12 +116,12 @@ void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) 
     case Format::obj:
       return write_obj_with_all(file, mesh);
     case Format::npy:
-      return write_npy_rows(file, mesh.triangles);
+      return write_npy_rows(file, mesh.triangles, mesh.index);
     case Format::npy_edges:
-      return write_npy_rows(file, mesh.edges);
+      return write_npy_rows(file, mesh.edges, mesh.index);
     case Format::npy_points:
       file.write(npy_header("<u4", mesh.points.size(), ","));
-      return file.write_binary(mesh.points);
+      return file.write_binary(std::span<const std::uint32_t>(renumbered(mesh.points, mesh.index)));
     case Format::vtu:
       return write_vtu(file, mesh);
     default:

@@ -43,6 +43,8 @@ struct TriangleMesh {
   const TriangleFeatures* features = nullptr;  ///< where there are neither edges nor points
   std::span<const std::uint16_t> levels = {};  ///< of each triangle, if it has one; likewise
   std::span<const double> z = {};              ///< of each vertex; none: 0 of all
+  std::span<const std::uint32_t> index =
+      {};  ///< of each vertex among the points of the input; none where that is its number
 
   std::array<double, 3> position(std::size_t i) const { return {vertices[i].x, vertices[i].y, z.empty() ? 0 : z[i]}; }
 };

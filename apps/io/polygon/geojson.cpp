@@ -50,7 +50,7 @@ class Events {
         vertices_(vertices),
         polygons_(polygons),
         columns_(columns) {
-    if (columns_.key) file_.keys.emplace_back();  // of points that have none
+    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // of points that have none
   }
 
   PointFile read() {
@@ -210,8 +210,8 @@ class Events {
     file_.fields.resize(columns);
     std::size_t number = 0;
     if (columns_.key && !key.empty()) {
-      const auto [at, is_new] = key_numbers_.try_emplace(key, file_.keys.size());
-      if (is_new) file_.keys.push_back(key);
+      const auto [at, is_new] = key_numbers_.try_emplace(key, file_.texts[0]->size());
+      if (is_new) file_.texts[0]->push_back(key);
       number = at->second;
     }
     const std::size_t points = file_.points.size();
@@ -365,7 +365,7 @@ class Events {
   GroupColumns columns_;
   bool has_key_ = false, has_radius_ = false;  // any Feature
   PointFile file_ = {};
-  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.keys
+  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.texts[0]
   std::vector<Frame> frames_ = {};
   Slot passed_over_ = Slot::ignored;  // what is of no interest but for its names and numbers
   std::size_t depth_ = 0;             // brackets that are open around it

@@ -15,6 +15,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/values_at.h"
 
 namespace rbpa::app {
 namespace {
@@ -207,7 +208,7 @@ class OgrWriter {
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       if (shape.polygon_of[i]) continue;
       OGRFeature feature(layer.GetLayerDefn());
-      set(feature, "index", i);
+      set(feature, "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
       const OGRPoint geometry(shape.points[i].x, shape.points[i].y);
       add(layer, feature, geometry, i);
     }

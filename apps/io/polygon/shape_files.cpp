@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/interrupt.h"
+#include "io/values_at.h"
 
 namespace rbpa::app {
 
@@ -361,7 +362,7 @@ void write_isolated_csv(OutputFile& file, const Shape& shape) {
   for_each_isolated(shape, [&](std::size_t i) {
     write_pair(file, shape.points[i], ",");
     file.write(",");
-    file.write_number(std::uint64_t{i});
+    file.write_number(std::uint64_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
     file.write("\n");
   });
 }
@@ -375,7 +376,7 @@ void write_isolated_geojson(OutputFile& file, const Shape& shape) {
     file.write(before);
     before = ",\n";
     file.write("{\"type\":\"Feature\",\"properties\":{\"index\":");
-    file.write_number(std::uint64_t{i});
+    file.write_number(std::uint64_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
     file.write("},\"geometry\":{\"type\":\"Point\",\"coordinates\":[");
     write_pair(file, {cuts ? within_antimeridian(p.x) : p.x, p.y}, ",");
     file.write("]}}");

@@ -25,8 +25,9 @@ struct Shape {
   std::span<const Polygon> polygons;
   /// For each point the index of the polygon that it is in, if any.
   std::span<const std::optional<std::uint32_t>> polygon_of;
-  std::optional<Crs> crs = std::nullopt;  ///< where it is known
-  bool degrees = false;                   ///< the points are longitudes and latitudes, whatever is known of the crs
+  std::optional<Crs> crs = std::nullopt;      ///< where it is known
+  bool degrees = false;                       ///< the points are longitudes and latitudes, whatever is known of the crs
+  std::span<const std::uint32_t> index = {};  ///< of each point among those of the input; none where that is its number
 };
 
 /// How many points are in each polygon: each point counts in one.

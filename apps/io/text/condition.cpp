@@ -87,16 +87,28 @@ class Parser {
   void take_alternatives(int depth) {
     take_conjunction(depth);
     while (take_if("or", "||")) {
+      const std::size_t first = begin_second(Step::unless_true);
       take_conjunction(depth);
-      result_.push_back({Step::either});
+      join(Step::either, first);
     }
+  }
+
+  /// Behind the first of two, which may decide alone.
+  std::size_t begin_second(Step step) {
+    result_.push_back({step});
+    return result_.size() - 1;
+  }
+  void join(Step step, std::size_t first) {
+    result_.push_back({step});
+    result_[first].field = result_.size();
   }
 
   void take_conjunction(int depth) {
     take_term(depth);
     while (take_if("and", "&&")) {
+      const std::size_t first = begin_second(Step::unless_false);
       take_term(depth);
-      result_.push_back({Step::both});
+      join(Step::both, first);
     }
   }
 
@@ -250,62 +262,69 @@ Condition::Condition(const std::string& text, const FieldNames& names) {
   Parser(text, names, instructions_, fields_, texts_).parse();
 }
 
-Condition::Condition(const std::string& text, const FieldNames& names, std::vector<std::string> columns,
+Condition::Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
                      std::string_view option)
-    : fields_(std::move(columns)), columns_(fields_.size()), option_(option), selects_(!text.empty()) {
-  for (const std::string& column : fields_)
-    if (!names.are(column))
-      throw WrongUsage((option_ == "--where" ? "fields" : option_) + ": found " + in_quotes(column) + ", expected " +
-                       names.described);
-  selects_ ? Parser(text, names, instructions_, fields_, texts_).parse() : instructions_.push_back({Step::number, 1});
+    : columns_(columns), option_(option) {
+  for (const WantedColumn& column : columns_) {
+    if (!names.are(column.name))
+      throw WrongUsage((option_ == "--where" ? "fields" : option_) + ": found " + in_quotes(column.name) +
+                       ", expected " + names.described);
+    fields_.push_back(column.name);
+  }
+  parse(text, names);
 }
 
 Condition Condition::of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names) {
   Condition condition;
-  const auto add = [&](const char* option, const std::optional<std::string>& column, std::optional<std::string>& to) {
+  const auto add = [&](const char* option, const std::optional<std::string>& column, WantedColumn::Kind kind,
+                       std::optional<std::string>& to) {
     if (!column) return;
     if (!names.are(*column))
       throw WrongUsage(option + (": found " + in_quotes(*column)) + ", expected " + names.described);
     to = std::string(unquoted(*column));
     condition.fields_.push_back(*to);
+    condition.columns_.push_back({.name = *to, .kind = kind});
   };
-  add("--group-by", columns.key, condition.of_groups_.key);
-  add("--alpha column", columns.radius, condition.of_groups_.radius);
-  condition.columns_ = condition.fields_.size();
-  condition.selects_ = !text.empty();
-  if (!condition.selects_) {
-    condition.instructions_.push_back({Step::number, 1});
-    return condition;
-  }
-  // A key is no number that the condition may compare, even of the same column.
-  std::vector<std::string> compared;
-  Parser(text, names, condition.instructions_, compared, condition.texts_).parse();
-  for (Instruction& instruction : condition.instructions_)
-    if (instruction.step == Step::field) instruction.field += condition.columns_;
-  condition.fields_.insert(condition.fields_.end(), compared.begin(), compared.end());
+  add("--group-by", columns.key, WantedColumn::Kind::text, condition.of_groups_.key);
+  add("--alpha column", columns.radius, WantedColumn::Kind::radius, condition.of_groups_.radius);
+  condition.parse(text, names);
   return condition;
 }
 
-bool Selection::holds() {
-  stack_.clear();
-  for (const Condition::Instruction& instruction : instructions_) {
-    if (instruction.step == Step::number) {
-      stack_.push_back(instruction.number);
-    } else if (instruction.step == Step::field) {
-      stack_.push_back(values_[instruction.field]);
-    } else if (instruction.step == Step::text) {
-      stack_.push_back(values_[first_text_ + instruction.field]);
-    } else if (instruction.step == Step::negation) {
-      stack_.back() = stack_.back() == 0 ? 1 : 0;
-    } else {
-      const double right = stack_.back();
-      stack_.pop_back();
-      stack_.back() = evaluated(instruction.step, stack_.back(), right);
-    }
+void Condition::parse(const std::string& text, const FieldNames& names) {
+  selects_ = !text.empty();
+  if (!selects_) return instructions_.push_back({Step::number, 1});
+  // What is wanted may be a text, and is no number that may be compared, even of the same column.
+  std::vector<std::string> compared;
+  Parser(text, names, instructions_, compared, texts_).parse();
+  for (Instruction& instruction : instructions_)
+    if (instruction.step == Step::field) instruction.field += columns_.size();
+  fields_.insert(fields_.end(), compared.begin(), compared.end());
+}
+
+bool Selection::decides(const Condition::Instruction& instruction) {
+  if (instruction.step == Step::number) {
+    stack_.push_back(instruction.number);
+  } else if (instruction.step == Step::negation) {
+    stack_.back() = stack_.back() == 0 ? 1 : 0;
+  } else if (instruction.step == Step::unless_true || instruction.step == Step::unless_false) {
+    const bool is_true = stack_.back() != 0;
+    if (is_true != (instruction.step == Step::unless_true)) return false;
+    stack_.back() = is_true ? 1 : 0;
+    return true;
+  } else {
+    const double right = stack_.back();
+    stack_.pop_back();
+    stack_.back() = evaluated(instruction.step, stack_.back(), right);
   }
+  return false;
+}
+
+bool Selection::count() {
+  const bool is_held = stack_.back() != 0;
   ++judged_;
-  if (stack_.back() != 0) ++selected_;
-  return stack_.back() != 0;
+  if (is_held) ++selected_;
+  return is_held;
 }
 
 void Selection::remark(std::string_view noun, std::vector<std::string>& remarks) const {

@@ -161,6 +161,10 @@ bool is_missing(std::string_view field) {
                      [&](std::string_view sign) { return same_letters(field, sign); });
 }
 
+bool has_column(const std::vector<std::string_view>& header, std::string_view wanted) {
+  return std::any_of(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
+}
+
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
                         const std::string& name) {
   auto found = std::find(header.begin(), header.end(), wanted);

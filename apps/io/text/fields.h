@@ -139,6 +139,9 @@ bool begins_with_geometry(std::string_view text);
 /// What programs write where there is no value: "NA", nothing, and others.
 bool is_missing(std::string_view field);
 
+/// Whether a field of the header is called that, in letters of either case.
+bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);
+
 /// Which field of the header, the current line of `lines`, is called that, by case or else without. Throws BadInput.
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
                         const std::string& name);

@@ -2,14 +2,12 @@
 // Law:  every line with content is taken, deselected, or left out and counted.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,6 +15,7 @@
 #include "io/failure.h"
 #include "io/text/condition.h"
 #include "io/text/fields.h"
+#include "io/text/text_numbers.h"
 
 namespace rbpa::app {
 
@@ -35,41 +34,47 @@ class LineSelection {
   }
 
   /// The columns of the condition, by the header of the file `name`, in the current line. `names` are its fields; none
-  /// where there is no header, which is refused. Throws BadInput.
+  /// where there is no header, which is refused unless all columns are wanted only if they are there. Throws BadInput.
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
-  /// Whether a line is as the condition asks. Of its fields read(fields) makes the requested numbers, and
+  /// What the columns hold of which the first value decides, by the line, the first of data, and those behind it.
+  void settle_kinds(std::string_view line, Lines behind, char separator);
+
+  /// Whether a line is as the condition asks. Of its fields read(fields) makes the requested numbers, those that decide, and
   /// take_width(widths) judges how many there are.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
+    found_.assign(places_.size(), Fields({}, blanks));
     FieldCount count;
-    const std::size_t keys = where_->has_key() ? 1 : 0, of_groups = keys + (where_->has_radius() ? 1 : 0);
-    const auto first_number = columns_.begin() + static_cast<std::ptrdiff_t>(of_groups);
-    while (!fields.at_end()) {
-      const std::size_t column = count.all;
-      if (keys > 0 && columns_[0] == column)
-        selection_->values()[0] = keys_.number_of(text_of_field(Fields(fields).take(), room_));
-      if (of_groups > keys && columns_[keys] == column)
-        selection_->values()[keys] = radius_of(without_quotes(Fields(fields).take()));
-      if (std::find(text_columns_.begin(), text_columns_.end(), column) != text_columns_.end())
-        compare_texts(column, text_of_field(Fields(fields).take(), room_));
-      if (std::find(first_number, columns_.end(), column) == columns_.end()) {
-        count.add(fields.take());
-        continue;
-      }
-      count.add("a number");
-      const double value = read(fields);
-      for (auto i = static_cast<std::size_t>(first_number - columns_.begin()); i < columns_.size(); ++i)
-        if (columns_[i] == column)  // which may have been named in two ways
-          selection_->values()[i] = value;
-    }
+    for (; !fields.at_end(); count.add(fields.take()))
+      for (std::size_t i = 0; i < places_.size(); ++i)
+        if (places_[i] == count.all) found_[i] = fields;
     take_width(count);
-    return selection_->holds();
+    const std::size_t texts = where_->fields().size();
+    const auto text = [&](std::size_t i) { return text_of_field(Fields(found_[i]).take(), room_); };
+    const auto number = [&](std::size_t i) {
+      Fields field = found_[i];
+      return read(field);
+    };
+    if (!selection_->holds(number, [&](std::size_t i) { return text(texts + i) == where_->texts()[i].text; }))
+      return false;
+    for (std::size_t k = 0; k < where_->columns(); ++k)
+      if (places_[k] != not_there)
+        selection_->values()[k] = kinds_[k] == Kind::text     ? numbers_[k].number_of(text(k))
+                                  : kinds_[k] == Kind::radius ? radius_of(text(k))
+                                                              : number(k);
+    return true;
   }
 
-  /// Of the condition's key, the texts that were found: column_values() has a number for each, from 0 on.
-  std::vector<std::string> take_keys() { return std::move(keys_.texts); }
+  /// Of each of the condition's columns that is of texts, these: column_values() has a number for each, from 0 on.
+  std::vector<std::optional<std::vector<std::string>>> take_texts() {
+    std::vector<std::optional<std::vector<std::string>>> all;
+    for (std::size_t k = 0; k < kinds_.size(); ++k)
+      all.push_back(kinds_[k] == Kind::text && places_[k] != not_there ? std::optional(numbers_[k].take_texts())
+                                                                       : std::nullopt);
+    return all;
+  }
 
   /// Takes a line; one that take() refuses is left out, or the refusal stands.
   template <typename Take>
@@ -90,22 +95,12 @@ class LineSelection {
     return skip_invalid_;
   }
   bool skips() const { return skip_invalid_; }
+  std::size_t skipped() const { return skipped_; }  ///< so far
 
   /// What was selected, and what was left out. Throws BadInput when that is all there was.
   void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
 
  private:
-  struct Keys {
-    std::vector<std::string> texts = {};
-    std::unordered_map<std::string, std::size_t> numbers = {};
-
-    double number_of(std::string_view text) {
-      const auto [place, is_new] = numbers.try_emplace(std::string(text), texts.size());
-      if (is_new) texts.emplace_back(text);
-      return static_cast<double>(place->second);
-    }
-  };
-
   /// NaN for what is none: that is for its group to say, and no reason to refuse the file.
   static double radius_of(std::string_view text) {
     const ParsedNumber number = parse_whole_number(text);
@@ -113,18 +108,16 @@ class LineSelection {
     return is_one ? number.value : std::numeric_limits<double>::quiet_NaN();
   }
 
-  void compare_texts(std::size_t column, std::string_view found) {
-    for (std::size_t i = 0; i < text_columns_.size(); ++i)
-      if (text_columns_[i] == column)
-        selection_->values()[columns_.size() + i] = found == where_->texts()[i].text ? 1 : 0;
-  }
+  using Kind = WantedColumn::Kind;
+  static constexpr std::size_t not_there = ~std::size_t{0};
 
   std::optional<Condition> where_;
   bool skip_invalid_;
-  std::vector<std::size_t> columns_ = {};       // of the condition's fields
-  std::vector<std::size_t> text_columns_ = {};  // of its texts
+  std::vector<std::size_t> places_ = {};   // in the table, of the condition's fields and of its texts
+  std::vector<Fields> found_ = {};         // in a line, at each of these
+  std::vector<Kind> kinds_ = {};           // of its columns
+  std::vector<TextNumbers> numbers_ = {};  // of the texts in these
   std::optional<Selection> selection_ = std::nullopt;
-  Keys keys_ = {};
   std::string room_ = {};
   std::size_t skipped_ = 0;
   std::string first_skipped_ = {};

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ def read_points(
     path: Union[str, os.PathLike[str]],
     *,
     space: bool = False,
-    fields: Sequence[str] = (),
+    fields: Union[Sequence[str], Mapping[str, type]] = (),
     where: Optional[str] = None,
     columns: Optional[str] = None,
     format: Optional[str] = None,
@@ -32,9 +32,10 @@ def read_points(
     path : path
     space : bool
         Points of space with their normals and colours, for `surface`; else of the plane, for all others.
-    fields : sequence of str
-        Names of numbers beside the points that are wanted too: "intensity" and others of LAS, properties of PLY, fields of
-        PCD, columns of a table with a header.
+    fields : sequence of str, or mapping of str to float or str
+        Names of what is beside the points and wanted too: "intensity" and others of LAS, properties of PLY, fields of
+        PCD, columns of a table with a header, and of molecules serial, chain, resseq, icode, resname, name, element, altloc, occupancy
+        and bfactor. A column of a table whose first value is no number is one of texts; ``{"plot": str}`` says so.
     where : str, optional
         Which points count, by such numbers: "classification == 2 and not overlap", as in ``--where`` of the program.
     columns : str, optional
@@ -68,17 +69,30 @@ def read_points(
     >>> trees.points.tolist(), trees.fields["height"].tolist()
     ([[0.0, 1.0], [2.0, 3.0]], [20.0, 17.0])
     """
-    names = list(dict.fromkeys([fields] if isinstance(fields, str) else fields))
+    wanted = dict(fields) if isinstance(fields, Mapping) else dict.fromkeys([fields] if isinstance(fields, str) else fields)
+    kinds = {None: "", float: "number", int: "number", str: "text"}
+    for name, kind in wanted.items():
+        if kind not in kinds:
+            raise InvalidInput(f"fields: found {kind!r} for {name!r}, expected float or str")
+    named = [(name, kinds[kind]) for name, kind in wanted.items()]
     try:
-        read = _core.read_points(os.fsencode(path), space, names, where, columns, format, skip_invalid, vertices)
+        read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices)
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None
         if where is None:  # fields are looked for in the same way
             raise InvalidInput(str(error).replace("--where", "fields")) from None
         raise
-    read["fields"] = dict(zip(names, read["fields"]))
+    read["fields"] = dict(zip(wanted, map(_field, read["fields"])))
     return PointFile(read)
+
+
+def _field(values: Any) -> Any:
+    """Numbers as they are; texts by their numbers."""
+    if not isinstance(values, tuple):
+        return values
+    numbers, texts = values
+    return np.array(texts, dtype=str)[numbers.astype(np.intp)]
 
 
 class PointFile:
@@ -91,8 +105,8 @@ class PointFile:
     normals : float64 array of shape (n, 3), or None
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
-    fields : dict of float64 arrays of shape (n,)
-        By the requested names.
+    fields : dict of arrays of shape (n,), float64 or of str
+        By the requested names. Of molecules, what the file does not have is NaN, or an empty text.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", where the file names one.
     remarks : list of str
@@ -102,12 +116,18 @@ class PointFile:
     points: Floats
     normals: Optional[Floats]
     colors: Optional[npt.NDArray[np.uint8]]
-    fields: dict[str, Floats]
+    fields: dict[str, npt.NDArray[Any]]
     crs: Optional[str]
     remarks: list[str]
 
     def __init__(self, read: dict[str, Any]) -> None:
+        self._selected: Optional[npt.NDArray[np.int64]] = read.pop("selected")
         self.__dict__.update(read)
+
+    @property
+    def index(self) -> npt.NDArray[np.int64]:
+        """Of each point among all of the file, from 0; those that `where` or `skip_invalid` leaves out count too."""
+        return np.arange(len(self.points)) if self._selected is None else self._selected
 
     def __repr__(self) -> str:
         beside = [name for name in ("normals", "colors") if getattr(self, name) is not None] + list(self.fields)

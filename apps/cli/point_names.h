@@ -1,0 +1,35 @@
+// What: what the points of a run are called in its files: by their input indices, and as atoms by what the input has.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "io/cloud/read_space_points.h"
+#include "io/values_at.h"
+#include "rbpa/base/point3.h"
+
+namespace rbpa::app {
+
+class PointNames {
+ public:
+  /// The file has to stay there. Its fields are columns_of_names(), or none.
+  explicit PointNames(const SpacePoints& file) : file_(file) {}
+
+  std::span<const Point3> points() const { return file_.points; }
+  std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }
+  nlohmann::ordered_json indices(std::span<const std::uint32_t> points) const;
+
+  /// Whether the input has one of columns_of_names(), or any.
+  bool has(std::size_t column) const;
+  bool are_any() const;
+  const std::string& text(std::size_t column, std::uint32_t point) const;
+  /// Of each point an object of the columns that the input has, and x, y and z; null where a point has nothing.
+  nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;
+
+ private:
+  const SpacePoints& file_;
+};
+
+}  // namespace rbpa::app

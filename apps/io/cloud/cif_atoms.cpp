@@ -1,0 +1,230 @@
+// Source: https://mmcif.wwpdb.org/dictionaries/mmcif_pdbx_v50.dic/Categories/atom_site.html
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "io/cloud/atoms.h"
+#include "io/failure.h"
+#include "io/text/cif_tokens.h"
+#include "io/text/lines.h"
+
+namespace rbpa::app {
+namespace {
+
+using Kind = CifTokens::Kind;
+
+constexpr std::string_view missing_columns = "Cartn_x, Cartn_y and Cartn_z";
+
+/// What atom_columns are called, in their order; where the first has no value the next counts. Author's names are those of the PDB file
+/// of the same structure.
+constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names_in_cif = {
+    {{"id"},
+     {"auth_asym_id", "label_asym_id"},
+     {"auth_seq_id", "label_seq_id"},
+     {"pdbx_PDB_ins_code"},
+     {"auth_comp_id", "label_comp_id"},
+     {"auth_atom_id", "label_atom_id"},
+     {"type_symbol"},
+     {"Cartn_x"},
+     {"Cartn_y"},
+     {"Cartn_z"},
+     {"label_alt_id"},
+     {"occupancy"},
+     {"B_iso_or_equiv"}}};
+
+/// What is behind the category in the name of an item, which the first dictionaries write with an underscore; else nothing.
+std::string_view item_of(std::string_view name, std::string_view category) {
+  if (name.size() <= category.size() + 1 || !same_letters(name.substr(0, category.size()), category)) return {};
+  const char dot = name[category.size()];
+  name.remove_prefix(category.size() + 1);
+  const bool is_other =
+      dot == '_' && (name.find('.') != std::string_view::npos || same_letters(name.substr(0, 5), "aniso"));
+  return (dot == '.' || dot == '_') && !is_other ? name : std::string_view();
+}
+
+class CifAtoms final : public AtomSource {
+ public:
+  CifAtoms(std::string_view text, const std::string& name) : text_(text), name_(name), tokens_(text, name) {}
+
+  bool next(Atom& atom) override {
+    while (in_rows_ || find_rows()) {
+      in_rows_ = take_row();
+      if (in_rows_ && is_of_first_model()) {
+        fill(atom);
+        return true;
+      }
+    }
+    if (models_ == 0) bad_input(name_, "no atom in a category _atom_site", "the atoms of a file in PDBx/mmCIF");
+    cell_ = unit_cell("_cell", cell_values_);
+    return false;
+  }
+
+  void require_columns() const override {
+    if (odd_line_ > 0) refuse_row(odd_line_);
+  }
+
+ private:
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  /// Goes to the first value of the next atoms; false at the end of the file.
+  bool find_rows() {
+    for (;;) {
+      const std::string_view item = tokens_.kind() == Kind::name ? item_of(tokens_.text(), "_atom_site") : "";
+      if (item.empty() && !columns_.empty()) return begin_rows();  // atoms, or one whose values stand beside names
+      if (tokens_.kind() == Kind::end) return false;
+      if (tokens_.kind() == Kind::block) {
+        ++block_;
+        if (first_block_ == 0) cell_values_ = {};
+      }
+      if (tokens_.kind() == Kind::loop) {
+        if (read_names()) return begin_rows();
+      } else if (tokens_.kind() == Kind::name) {
+        read_pair(item);
+      } else {
+        tokens_.next();
+      }
+    }
+  }
+
+  /// The names of a loop, and whether they are of atoms.
+  bool read_names() {
+    bool is_of_atoms = false;
+    for (tokens_.next(); tokens_.kind() == Kind::name; tokens_.next()) {
+      columns_.push_back(item_of(tokens_.text(), "_atom_site"));
+      is_of_atoms = is_of_atoms || !columns_.back().empty();
+    }
+    if (!is_of_atoms) columns_.clear();
+    return is_of_atoms;
+  }
+
+  /// A name and its value.
+  void read_pair(std::string_view item) {
+    constexpr std::array<std::string_view, 6> of_cell = {"length_a",    "length_b",   "length_c",
+                                                         "angle_alpha", "angle_beta", "angle_gamma"};
+    const std::string_view of = item_of(tokens_.text(), "_cell");
+    tokens_.next();
+    if (!tokens_.is_value()) return;
+    if (!item.empty()) {
+      columns_.push_back(item);
+      values_.push_back(tokens_.text());
+      row_line_ = tokens_.line();
+    }
+    for (std::size_t k = 0; k < of_cell.size() && (first_block_ == 0 || block_ == first_block_); ++k)
+      if (same_letters(of, of_cell[k])) cell_values_[k] = without_uncertainty(tokens_.text());
+    tokens_.next();
+  }
+
+  bool begin_rows() {
+    const std::size_t line = tokens_.line();
+    const auto place_of = [&](std::string_view name) {
+      const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                      [&](std::string_view column) { return same_letters(column, name); });
+      return name.empty() || found == columns_.end() ? none : static_cast<std::size_t>(found - columns_.begin());
+    };
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      places_[k] = {place_of(names_in_cif[k][0]), place_of(names_in_cif[k][1])};
+    model_ = place_of("pdbx_PDB_model_num");
+    for (std::size_t k = x_of_atom; k < x_of_atom + 3; ++k)
+      if (places_[k][0] == none)
+        bad_input(at_line(name_, line),
+                  place_of("fract_x") != none ? "atoms in fractions of the cell (_atom_site.fract_x)"
+                                              : "atoms without _atom_site." + std::string(names_in_cif[k][0]),
+                  std::string(missing_columns));
+    if (first_block_ == 0) {
+      first_block_ = block_;
+    } else if (block_ == first_block_) {
+      bad_input(at_line(name_, line), "a second loop of _atom_site in a block of data", "one");
+    } else {
+      blocks_ += block_ == last_block_ ? 0 : 1;
+    }
+    last_block_ = block_;
+    is_by_lines_ = is_first_row_ = true;
+    width_ = std::exchange(columns_, {}).size();
+    has_pairs_ = !values_.empty();
+    return true;
+  }
+
+  /// The values of the next atom; false where there are no more.
+  bool take_row() {
+    if (std::exchange(has_pairs_, false)) {
+      is_by_lines_ = false;
+      row_ = std::exchange(values_, {});
+      return true;
+    }
+    if (!tokens_.is_value()) return false;
+    row_.clear();
+    row_line_ = tokens_.line();
+    std::size_t last = row_line_;
+    for (; row_.size() < width_ && tokens_.is_value(); tokens_.next()) {
+      row_.push_back(tokens_.text());
+      last = tokens_.line();
+    }
+    const bool is_a_line = last == row_line_ && !(tokens_.is_value() && tokens_.line() == last);
+    if (odd_line_ == 0 && is_by_lines_ && !is_a_line) {
+      if (is_first_row_)
+        is_by_lines_ = false;
+      else
+        odd_line_ = row_line_;
+    }
+    is_first_row_ = false;
+    if (row_.size() < width_) {
+      require_columns();
+      refuse_row(row_line_);
+    }
+    return true;
+  }
+
+  /// Of the line where values are missing or too many.
+  [[noreturn]] void refuse_row(std::size_t line) const {
+    Lines lines(text_);
+    while (lines.number() < line && lines.next()) continue;
+    std::size_t count = is_by_lines_ ? 0 : row_.size();
+    if (is_by_lines_)
+      for (CifTokens words(lines.line(), name_); words.is_value(); words.next()) ++count;
+    bad_input(at_line(name_, line), counted(count, "value") + " (" + in_quotes(lines.line()) + ")",
+              std::to_string(width_) + ", one for each name of _atom_site");
+  }
+
+  bool is_of_first_model() {
+    if (block_ != first_block_) return false;
+    const std::string_view model = model_ == none ? std::string_view() : row_[model_];
+    if (model_names_.empty()) first_model_ = model;
+    if (model_names_.empty() || model != last_model_) model_names_.insert(model);
+    models_ = model_names_.size();
+    last_model_ = model;
+    return model == first_model_;
+  }
+
+  void fill(Atom& atom) const {
+    atom.line = row_line_;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      std::string_view value;
+      for (const std::size_t place : places_[k])
+        if (value.empty() && place != none) value = row_[place];
+      atom.fields[k] = is_text_of_atom(k) ? value : without_uncertainty(value);
+    }
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  CifTokens tokens_;
+  std::array<std::string_view, 6> cell_values_ = {};
+  std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // of data; the first that has atoms, the last that has
+  std::vector<std::string_view> columns_ = {}, values_ = {};  // of a loop, or names and their values
+  std::vector<std::string_view> row_ = {};                    // of the current atom
+  std::array<std::array<std::size_t, 2>, atom_columns.size()> places_ = {};
+  std::size_t width_ = 0, model_ = none, row_line_ = 0, odd_line_ = 0;
+  bool in_rows_ = false, has_pairs_ = false, is_by_lines_ = true, is_first_row_ = true;
+  std::string_view first_model_ = {}, last_model_ = {};
+  std::set<std::string_view> model_names_ = {};
+};
+
+}  // namespace
+
+std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name) {
+  return std::make_unique<CifAtoms>(text, name);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,28 @@
+// What: texts numbered as they come, so that a column of texts is one of numbers, and a list of the texts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace rbpa::app {
+
+class TextNumbers {
+ public:
+  double number_of(std::string_view text) {
+    const auto [place, is_new] = numbers_.try_emplace(std::string(text), texts_.size());
+    if (is_new) texts_.emplace_back(text);
+    return static_cast<double>(place->second);
+  }
+  /// Those that were found, in the order of their numbers.
+  std::vector<std::string> take_texts() { return std::move(texts_); }
+
+ private:
+  std::vector<std::string> texts_ = {};
+  std::unordered_map<std::string, std::size_t> numbers_ = {};
+};
+
+}  // namespace rbpa::app
