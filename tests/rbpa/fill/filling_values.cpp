@@ -72,8 +72,9 @@ TEST_SUITE("filling values") {
       if (one.points[i].y == 0) CHECK(rising[i] == one.points[i].x);
   }
 
-  TEST_CASE("more values than points are refused") {
+  TEST_CASE("without values there are none, and more than points are refused") {
     const Filling filling = fill(comb, std::vector{comb_polygon}, {.size = 1});
+    for (const double value : values_on_filling(filling, {})) CHECK(std::isnan(value));
     CHECK_THROWS_AS(values_on_filling(filling, std::vector<double>(filling.boundary_points + 1)), InvalidInput);
   }
 }
