@@ -19,6 +19,7 @@
 #include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/star/exposed_at.h"
 
 namespace rbpa {
 namespace {
@@ -65,30 +66,34 @@ double length_of(const Hole& curve, std::span<const Point3> points) {
   return sum;
 }
 
-/// The exposed triangles of one radius at the points of the rim.
+/// The exposed triangles of one radius at the beginnings of edges of the rim.
 class Exposed {
  public:
   Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
           const std::vector<std::uint8_t>& at_rim, double radius, const SurfaceOptions& options) {
-    space::NeighborhoodSubset near = space::neighborhood_subset(points, {}, duplicates, at_rim, radius);
-    exposed_ = exposed_triangles(near.points, radius, options);
-    for (Triangle& triangle : exposed_.triangles)
-      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
+    const space::NeighborhoodSubset near = space::neighborhood_subset(points, {}, duplicates, at_rim, radius);
+    std::vector<std::uint8_t> wanted;
+    for (const std::uint32_t i : near.input) wanted.push_back(at_rim[i]);
+    exposed_ = space::exposed_at(near.points, radius, wanted, options);
+    for (space::ExposedAt& of : exposed_)  // in the same order still
+      of = {near.input[of.at], near.input[of.second], near.input[of.third], near.input[of.beyond]};
   }
 
   /// The triangle to which the ball rolls over the edge's side of a triangle; nothing where it does not rest on that.
   std::optional<Triangle> next(const Triangle& triangle, const RimEdge& edge) const {
-    const auto& all = exposed_.triangles;
-    const auto found = std::lower_bound(all.begin(), all.end(), triangle);
-    if (found == all.end() || *found != triangle) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (triangle[k] != edge.from && triangle[k] != edge.to)
-        return all[exposed_.neighbors[static_cast<std::size_t>(found - all.begin())][k]];
-    return std::nullopt;  // never
+    const auto k = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), edge.from) - triangle.begin());
+    const space::ExposedAt wanted{triangle[k % 3], triangle[(k + 1) % 3], triangle[(k + 2) % 3], 0};
+    const auto found = std::lower_bound(exposed_.begin(), exposed_.end(), wanted);
+    if (found == exposed_.end() || found->at != wanted.at || found->second != wanted.second ||
+        found->third != wanted.third)
+      return std::nullopt;
+    Triangle next = {found->at, found->third, found->beyond};
+    std::rotate(next.begin(), std::min_element(next.begin(), next.end()), next.end());
+    return next;
   }
 
  private:
-  Surface exposed_;
+  std::vector<space::ExposedAt> exposed_;
 };
 
 /// Fills in the cause of an edge, and where it is. Requires: edge.next; the interior of the smaller radii, if there are any.
@@ -147,7 +152,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
     const auto level = static_cast<std::uint32_t>(i - 1);
     std::vector<std::uint8_t> at_rim(points.size(), 0);
     for (const RimEdge* edge : open)
-      if (level_of(edge->triangle) <= level) at_rim[edge->from] = at_rim[edge->to] = 1;
+      if (level_of(edge->triangle) <= level) at_rim[edge->from] = 1;
     const Exposed exposed(points, surface.duplicates, at_rim, radii[level], options);
     std::optional<space::Interior> smaller;
     if (level > 0) {

@@ -16,6 +16,7 @@
 #include "rbpa/space/levels/sub_surface.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/star/exposed_at.h"
 
 namespace rbpa {
 namespace {
@@ -35,14 +36,12 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   return unused;
 }
 
-/// Raises the causes of the corners of one radius's exposed triangles. `wanted` are the unused points whose cause is not the
-/// last one yet.
-void raise_causes(const space::NeighborhoodSubset& near, const Surface& exposed, const space::Agreement& agreement,
-                  const std::vector<std::uint8_t>& wanted, std::vector<UnusedCause>& causes, Steps& step) {
-  for (const auto& local : exposed.triangles) {
+/// Raises the causes of the corners of one radius's exposed triangles at unused points.
+void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::ExposedAt> exposed,
+                  const space::Agreement& agreement, std::vector<UnusedCause>& causes, Steps& step) {
+  for (const space::ExposedAt& local : exposed) {
     step(2);
-    const std::array triangle = {near.input[local[0]], near.input[local[1]], near.input[local[2]]};
-    if (std::none_of(triangle.begin(), triangle.end(), [&](std::uint32_t i) { return wanted[i] != 0; })) continue;
+    const std::array triangle = {near.input[local.at], near.input[local.second], near.input[local.third]};
     const bool agrees = agreement(triangle[0], triangle[1], triangle[2]);
     for (const std::uint32_t i : triangle)
       causes[i] = std::max(causes[i], agrees ? UnusedCause::blocked : UnusedCause::normals_disagree);
@@ -70,17 +69,11 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
 }
 
 /// Changes `no_ball_rests` to `hidden` where it is so, for wanted points in the subset.
-void find_hidden(const space::NeighborhoodSubset& near, const Surface& exposed, double radius,
-                 std::vector<UnusedCause>& causes, const std::vector<std::uint8_t>& wanted, Steps& step) {
-  std::vector<Point3> places;
-  std::vector<std::uint32_t> input;
-  for_each_distinct(near.points.size(), exposed.duplicates, [&](std::uint32_t i) {
-    places.push_back(near.points[i]);
-    input.push_back(near.input[i]);
-  });
+void find_hidden(const space::NeighborhoodSubset& near, double radius, std::vector<UnusedCause>& causes,
+                 const std::vector<std::uint8_t>& wanted, Steps& step) {
   Threads threads;
-  const space::Cells cells(places, radius, threads);
-  const auto index_of = [&](space::Site site) { return input[cells.input_index()[site]]; };
+  const space::Cells cells(near.points, radius, threads);
+  const auto index_of = [&](space::Site site) { return near.input[cells.input_index()[site]]; };
   space::Cells::Around around_cell(cells);
   std::vector<space::Site> around;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
@@ -122,9 +115,10 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
     if (!is_any) break;
     const space::NeighborhoodSubset near =
         space::neighborhood_subset(points, {}, surface.duplicates, wanted, radii[level]);
-    const Surface exposed = exposed_triangles(near.points, radii[level], options);
-    raise_causes(near, exposed, agreement, wanted, causes, step);
-    if (level + 1 == radii.size()) find_hidden(near, exposed, radii[level], causes, wanted, step);
+    std::vector<std::uint8_t> wanted_here;
+    for (const std::uint32_t i : near.input) wanted_here.push_back(wanted[i]);
+    raise_causes(near, space::exposed_at(near.points, radii[level], wanted_here, options), agreement, causes, step);
+    if (level + 1 == radii.size()) find_hidden(near, radii[level], causes, wanted, step);
   }
   for (UnusedPoint& point : unused) point.cause = causes[point.index];
   return unused;
