@@ -1,6 +1,7 @@
 #include "cli/periodic_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -36,6 +37,7 @@ class PeriodicRun : public Run {
   /// What somebody reads of it.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
   std::string name_of_points() const;
+  void settle_box();
   void remark_range() const;
   void build();
   void select_within();
@@ -43,7 +45,7 @@ class PeriodicRun : public Run {
   void write_picture(OutputFile& file) const;
 
   const SolidArguments& arguments_;
-  const SolidRequest& request_;
+  SolidRequest request_;
   SpacePoints file_;
   PeriodicSolid solid_;
   std::vector<Triangle> boundary_;
@@ -54,6 +56,24 @@ class PeriodicRun : public Run {
 std::string PeriodicRun::name_of_points() const {
   const Format format = request_.source.format;
   return format == Format::pdb || format == Format::cif ? "atoms" : "points";
+}
+
+/// That of the file where it is asked for; else a note says that another one is given.
+void PeriodicRun::settle_box() {
+  const auto& [sides, fault] = file_.cell;
+  const Point3 given = *request_.box;
+  if (given == Point3()) {
+    if (!sides)
+      throw BadInput(
+          input() + ": found " + (fault.empty() ? "no cell" : fault) +
+          ", expected CRYST1 or _cell with right angles, as --box auto asks (--box LX,LY,LZ says the sides)");
+    request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
+  } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
+    remark("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
+           text_of((*sides)[2]) + " (--box auto takes it)");
+  } else if (!fault.empty()) {
+    remark("the file has " + fault);
+  }
 }
 
 /// Points that are not all within one box may have been given the wrong one.
@@ -157,6 +177,7 @@ void PeriodicRun::run() {
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   remark(file_.remarks);
   if (file_.points.empty()) throw BadInput(input() + ": 0 " + name_of_points() + " selected, and a box needs some");
+  settle_box();
   remark_range();
   facts_.read_seconds = lap();
   build();

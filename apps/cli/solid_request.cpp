@@ -40,7 +40,8 @@ Target parse_boundary(const std::string& path) {
 Point3 parse_box(const std::string& text) {
   const auto fail = [&] {
     throw WrongUsage("--box: found " + in_quotes(text) +
-                     ", expected the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all");
+                     ", expected the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the "
+                     "cell of a molecule's file");
   };
   std::array<double, 3> sides{};
   std::size_t count = 0;
@@ -133,7 +134,10 @@ SolidRequest parse(const SolidArguments& arguments) {
       parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
   if (arguments.voids) request.voids = parse_voids(*arguments.voids);
   if (arguments.box) {
-    request.box = parse_box(*arguments.box);
+    const Format format = request.source.format;
+    if (*arguments.box == "auto")
+      require_format(format == Format::pdb || format == Format::cif, "--box auto", "without a cell", "cif or pdb");
+    request.box = *arguments.box == "auto" ? Point3() : parse_box(*arguments.box);
     check_box(arguments, request);
   }
   parse_choice_of_voids(arguments, request);

@@ -38,7 +38,7 @@ struct SolidAlpha {
 struct SolidRequest {
   SpacePointSource source;
   SolidAlpha alpha;
-  std::optional<Point3> box;  ///< sides of a box that repeats
+  std::optional<Point3> box;  ///< sides of a box that repeats; all 0 where they are those of the input's cell
   std::vector<Target> targets;
   std::optional<Target> boundary, voids, pockets;
   std::optional<Shift> shift = std::nullopt;  ///< of the boundary in single precision

@@ -193,8 +193,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
           "--box", arguments.box,
           "Points are those of a box with these sides that repeats, as under periodic boundary conditions; "
           "coordinates count modulo the sides. Voids have a dimension: in how many directions they percolate, 0 "
-          "where they are closed")
-      ->type_name("LX,LY,LZ");
+          "where they are closed. auto: the cell of a molecule's file")
+      ->type_name("LX,LY,LZ|auto");
   add_output_options(verb, arguments, solid_formats);
   verb.add_option("--boundary", arguments.boundary,
                   "Write the boundary as a closed surface, where the solid touches itself with a vertex for each side "

@@ -180,6 +180,43 @@ TEST_SUITE("solid box") {
     CHECK(folder.has("t.mesh"));
   }
 
+  TEST_CASE("the box is that of the file of a molecule where --box says auto, and another one is noted") {
+    const Folder folder;
+    std::string atoms;
+    for (int x = 0; x < 4; ++x)
+      for (int y = 0; y < 4; ++y)
+        for (int z = 0; z < 4; ++z) {
+          char line[64];
+          std::snprintf(line, sizeof line, "ATOM      1  C   GLY A   1    %8.3f%8.3f%8.3f\n", 1.0 * x, 1.0 * y,
+                        1.0 * z);
+          atoms += line;
+        }
+    const auto cell = [](const char* angle) {
+      return std::string("CRYST1    4.000    4.000    4.000  90.00  90.00  ") + angle + " P 1           1\n";
+    };
+    folder.file("m.pdb", cell("90.00") + atoms);
+    folder.file("oblique.pdb", cell("60.00") + atoms);
+    folder.file("none.pdb", atoms);
+    const auto run = [&](const std::string& arguments) { return folder.rbpa("solid " + arguments + " --alpha 0.9"); };
+    const Outcome of_file = run("m.pdb --box auto --json"), given = run("m.pdb --box 4 --json");
+    CHECK(of_file.code == 0);
+    CHECK(of_file.out == given.out);
+    CHECK(of_file.err == given.err);
+    CHECK(json::parse(of_file.out)["box"] == json{4.0, 4.0, 4.0});
+    CHECK(run("m.pdb --box 5 -o t.npy")
+              .err.find("rbpa: m.pdb: the cell of the file is 4 x 4 x 4 (--box auto takes it)\n") == 0);
+    const Outcome oblique = run("oblique.pdb --box auto -o t.npy");
+    CHECK(oblique.code == 3);
+    CHECK(oblique.err ==
+          "rbpa: oblique.pdb: found CRYST1 with angles of 90, 90 and 60 degrees, expected CRYST1 or _cell with right "
+          "angles, as --box auto asks (--box LX,LY,LZ says the sides)\n");
+    CHECK(run("none.pdb --box auto -o t.npy").err.find("none.pdb: found no cell, expected CRYST1") !=
+          std::string::npos);
+    folder.file("t.xyz", "0 0 0\n");
+    CHECK(run("t.xyz --box auto -o t.npy").err ==
+          "rbpa: --box auto: found a format without a cell, expected cif or pdb\n");
+  }
+
   TEST_CASE("what does not go with a box is refused") {
     const Folder folder;
     folder.file("c.xyz", cube_of(4));
