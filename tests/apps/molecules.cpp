@@ -242,9 +242,9 @@ TEST_SUITE("molecules") {
 
   TEST_CASE("frames of a simulation are models, whatever ends them") {
     const std::string atom = "ATOM      1  CA  RES A   1       4.000   0.000   0.000\n";
-    for (const std::string text : {"MODEL        1\n" + atom + "MODEL        2\n" + atom,
-                                   atom + "END\n" + atom + "END\n", atom + "ENDMDL\n" + atom + "ENDMDL\nEND\n",
-                                   "MODEL        1\nENDMDL\n" + atom + "END\nMODEL        2\n" + atom}) {
+    for (const std::string& text : {"MODEL        1\n" + atom + "MODEL        2\n" + atom,
+                                    atom + "END\n" + atom + "END\n", atom + "ENDMDL\n" + atom + "ENDMDL\nEND\n",
+                                    "MODEL        1\nENDMDL\n" + atom + "END\nMODEL        2\n" + atom}) {
       CAPTURE(text);
       const SpacePoints atoms = read(text, Format::pdb);
       CHECK(atoms.points.size() == 1);

@@ -37,7 +37,7 @@ std::string refusal(const std::string& text, const PointSource& source = {}, con
 std::vector<std::string> keys(const std::string& text) {
   const PointFile file = read(text, {.where = Condition::of_groups({.key = "name"}, "", names_of_columns())});
   std::vector<std::string> found;
-  for (const double number : file.fields.at(0)) found.push_back(file.keys.at(static_cast<std::size_t>(number)));
+  for (const double number : file.fields.at(0)) found.push_back(file.texts.at(0)->at(static_cast<std::size_t>(number)));
   return found;
 }
 
@@ -187,7 +187,8 @@ TEST_SUITE("quotes and separators") {
       text += ",1,2\n" + record + record;
       REQUIRE(text.size() == piece - shift + 2 * record.size());
       for (int i = 0; i < 40000; ++i) text += filler;
-      const PointSource source{.path = folder.file("p.csv", text), .where = Condition("", names_of_columns(), {"x"})};
+      const PointSource source{.path = folder.file("p.csv", text),
+                               .where = Condition("", names_of_columns(), {{.name = "x"}})};
       const PointFile whole = read_points(source);
       const auto blocks = open_point_blocks(source);
       Points points, block;
