@@ -166,10 +166,11 @@ TEST_SUITE("input_indices") {
     const Folder folder;
     folder.file("m.pdb", text);
     const std::string solid = "solid m.pdb --alpha 0.9 --where \"element != 'H'\" -q ";
-    CHECK(folder.rbpa(solid + "--voids v.json --json > all.json").code == 0);
+    const Outcome outcome = folder.rbpa(solid + "--voids v.json --json");
+    CHECK(outcome.code == 0);
     const json voids = json::parse(folder.content("v.json"));
     REQUIRE(voids.size() == 1);
-    CHECK(json::parse(folder.content("all.json"))["void_list"][0]["atoms"] == voids[0]["atoms"]);
+    CHECK(json::parse(outcome.out)["void_list"][0]["atoms"] == voids[0]["atoms"]);
     REQUIRE(voids[0]["points"].size() == 6);
     const json first = json::parse(R"({"serial": 20, "chain": "B", "resseq": 100, "icode": null, "resname": "LYS",
                                        "name": "C", "element": "C", "x": 0, "y": 1, "z": 1})");
