@@ -4,6 +4,12 @@
 
 namespace meshops {
 
+SiteVertices::SiteVertices(Connectivity& mesh, std::size_t sites) : mesh_(mesh), first_(sites) {
+  std::size_t live = 0;
+  for_each_vertex(mesh, [&](Vertex) { ++live; });
+  has_dead_ = live < mesh.n_vertices();
+}
+
 SiteVertices::SiteVertices(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), first_(0) {
   require(site_of.size() == mesh.n_vertices(), "Front: a site for each vertex of the mesh is needed");
   further_.resize(site_of.size());

@@ -20,13 +20,14 @@ namespace meshops {
 class MESHOPS_API SiteVertices {
  public:
   /// Vertex i stands on site i. Keeps a reference to the mesh, which has these vertices.
-  SiteVertices(Connectivity& mesh, std::size_t sites) : mesh_(mesh), first_(sites) {}
+  SiteVertices(Connectivity& mesh, std::size_t sites);
   /// Vertex v stands on site_of[v].
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
   /// There is one list of the vertices of a mesh: it can be moved, and then has no sites any more, but not be copied.
   SiteVertices(SiteVertices&& other) noexcept
       : mesh_(other.mesh_),
         first_(std::exchange(other.first_, 0)),
+        has_dead_(other.has_dead_),
         further_(std::exchange(other.further_, {})),
         listed_at_first_(std::exchange(other.listed_at_first_, {})),
         listed_(std::exchange(other.listed_, {})),
@@ -51,7 +52,7 @@ class MESHOPS_API SiteVertices {
 
   /// No fan is on this site. Throws ContractViolation when there is none.
   bool is_free(Site s) const {
-    if (is_first(s)) return mesh_.is_isolated(Vertex(static_cast<int>(s))) && first_listed(s) < 0;
+    if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
     require(s < sites(), "Front: no such site");
     return first_listed(s) < 0;
   }
@@ -65,8 +66,7 @@ class MESHOPS_API SiteVertices {
   /// a vertex that is listed.
   Vertex first(Site s) const {
     require(s < sites(), "Front: no such site");
-    const Vertex own(static_cast<int>(s));
-    return is_first(s) && !mesh_.is_isolated(own) ? own : listed(first_listed(s));
+    return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
   }
   Vertex next(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
@@ -102,6 +102,11 @@ class MESHOPS_API SiteVertices {
   static constexpr int waiting = -2;  // waiting − i: vertex i of further_ waits for a fan
 
   bool is_first(Site s) const { return s < first_; }
+  /// Returns whether the vertex of a first site has faces. One that is deleted may name a halfedge that is, too.
+  bool has_own_fan(Site s) const {
+    const Vertex own(static_cast<int>(s));
+    return !mesh_.is_isolated(own) && (!has_dead_ || is_live(mesh_, own));
+  }
   Vertex listed(int index) const {
     if (index < 0) return Vertex();
     require(!mesh_.is_isolated(vertex(index)), "Front: the mesh was changed by others: a vertex has lost its faces");
@@ -118,6 +123,7 @@ class MESHOPS_API SiteVertices {
 
   Connectivity& mesh_;
   std::size_t first_;
+  bool has_dead_ = false;             // some first vertices were deleted when the list was made
   std::vector<Further> further_;      // of vertex first_ + i
   std::vector<int> listed_at_first_;  // of each first site, where its list begins; empty while all are empty
   std::vector<int> listed_;           // the same of site first_ + i; or what waits there

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "meshops/core/contract.h"
+#include "meshops/stellar/remove_vertex.h"
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
@@ -92,6 +93,26 @@ TEST_SUITE("front") {
       }
     CHECK(boundary(front, 1, 0).is_valid());
     CHECK_FALSE(boundary(front, 0, 1).is_valid());
+  }
+
+  TEST_CASE("on a mesh with deleted elements no fan stands on the site of a deleted vertex") {
+    TestMesh mesh;
+    {
+      Front fan(mesh, 5);
+      for (Site s = 1; s < 5; ++s) fan.create(0, s, s % 4 + 1);
+    }
+    remove_vertex(mesh, Vertex(0));
+    REQUIRE(mesh.status(Vertex(0)).deleted());
+    Front front(mesh);
+    CHECK(front.is_free(0));
+    for (Site s = 1; s < 5; ++s) {
+      CHECK_FALSE(front.is_free(s));
+      CHECK_FALSE(front.edge_between(0, s).is_valid());
+      CHECK(front.edges_between(0, s).empty());
+      CHECK(front.edges_between(s, 0).empty());
+      CHECK_FALSE(front.boundary_between(0, s).is_valid());
+      CHECK_FALSE(front.triangle_on(0, s, s % 4 + 1).is_valid());
+    }
   }
 
   TEST_CASE("a seed whose sides are on the boundary is glued there") {
