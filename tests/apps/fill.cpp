@@ -78,7 +78,7 @@ TEST_SUITE("fill") {
     folder.file("p.json", plate_json);
     folder.file("p.poly", plate_poly);
     folder.file("multi.wkt",
-                "SRID=3857;MULTIPOLYGON Z (((0 0 5, 4 0 5, 4 3 5, 0 3 5, 0 0 5), (1 1 5, 2 1 5, 2 2 5, 1 2 5)))");
+                "SRID=3857;MULTIPOLYGON M (((0 0 5, 4 0 5, 4 3 5, 0 3 5, 0 0 5), (1 1 5, 2 1 5, 2 2 5, 1 2 5)))");
     folder.file(
         "collection.json",
         R"({"type": "GeometryCollection", "geometries": [{"coordinates": [[[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]],

