@@ -181,7 +181,7 @@ TEST_CASE("a tetrahedron's triangles within a sphere are an island in its void")
   CHECK(inner->triangles.size() == 4);
 }
 
-TEST_CASE("what is no triangulation, or no radius, is refused by name") {
+TEST_CASE("what is no triangulation, or no radius, is refused by name; points in a plane have no voids") {
   const Points3 points = uniform_cube(30, 8);
   const Solid delaunay = rbpa::solid(points, infinity), bare = rbpa::solid(points, infinity, {.neighbors = false});
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
@@ -191,8 +191,7 @@ TEST_CASE("what is no triangulation, or no radius, is refused by name") {
                        meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::count_full(points, delaunay, radii, 0), rbpa::InvalidInput);
   const Points3 flat = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  CHECK_THROWS_WITH_AS(rbpa::void_space(flat, rbpa::solid(flat, infinity), {}, 1), doctest::Contains("in a plane"),
-                       rbpa::InvalidInput);
+  CHECK(rbpa::void_space(flat, rbpa::solid(flat, infinity), {}, 1).simplices.empty());
 }
 
 TEST_SUITE_END();
