@@ -117,7 +117,8 @@ TEST_SUITE("space alpha") {
       std::vector<std::array<double, 3>> pairs;
       const Outcome outcome = folder.rbpa("alpha " + command + " --json --persistence -q");
       REQUIRE(outcome.code == 0);
-      for (const json& pair : json::parse(outcome.out)["pairs"])
+      const json report = json::parse(outcome.out);
+      for (const json& pair : report["pairs"])
         pairs.push_back({pair["dimension"].get<double>(), pair["birth"].get<double>(),
                          pair["death"].is_null() ? -1 : pair["death"].get<double>()});
       std::sort(pairs.begin(), pairs.end());
