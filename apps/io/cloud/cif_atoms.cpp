@@ -17,8 +17,8 @@ using Kind = CifTokens::Kind;
 
 constexpr std::string_view missing_columns = "Cartn_x, Cartn_y and Cartn_z";
 
-/// What atom_columns are called, in their order; where the first has no value the next counts. Author's names are those of the PDB file
-/// of the same structure.
+/// What atom_columns are called, in their order; where the first has no value the next counts. Author's names are those
+/// of the PDB file of the same structure.
 constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names_in_cif = {
     {{"id"},
      {"auth_asym_id", "label_asym_id"},
@@ -34,7 +34,8 @@ constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names
      {"occupancy"},
      {"B_iso_or_equiv"}}};
 
-/// What is behind the category in the name of an item, which the first dictionaries write with an underscore; else nothing.
+/// What is behind the category in the name of an item, which the first dictionaries write with an underscore; else
+/// nothing.
 std::string_view item_of(std::string_view name, std::string_view category) {
   if (name.size() <= category.size() + 1 || !same_letters(name.substr(0, category.size()), category)) return {};
   const char dot = name[category.size()];

@@ -36,7 +36,7 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
 }
 
 void LineSelection::settle_kinds(std::string_view line, Lines behind, char separator) {
-  std::size_t open = static_cast<std::size_t>(std::count(kinds_.begin(), kinds_.end(), Kind::by_value));
+  auto open = static_cast<std::size_t>(std::count(kinds_.begin(), kinds_.end(), Kind::by_value));
   do {
     std::size_t place = 0;
     for (Fields fields(line, separator); open > 0 && !fields.at_end(); ++place) {
