@@ -185,7 +185,7 @@ TEST_SUITE("input_indices") {
     }
     CHECK(folder.rbpa("solid m.pdb --alpha 0.86 --where \"element != 'H'\" -q --pockets p.csv").code == 0);
     CHECK(folder.content("p.csv").starts_with(
-        "number,volume,closes,filled,depth,mouth_a,mouth_b,mouth_c,serial_a,serial_b,serial_c\n"));
+        "number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c,serial_a,serial_b,serial_c\n"));
     folder.file("t.csv", "x,y,z,name,serial\n0,0,0,p,7\n1,0,0,q,8\n0,1,0,r,x9\n0,0,1,s,\n");
     CHECK(folder.rbpa("solid t.csv --alpha inf --voids t.json -q").code == 0);
     folder.file("t.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");  // without names
