@@ -105,10 +105,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "shape",
       "The alpha solid as polygons with holes, valid under OGC Simple Features\n\n"
       "Which alpha to choose: plateau first. It is a radius around which the shape hardly changes, and single points "
-      "far from the others do not decide it; of a scan that is dense along lines and sparse between them it may be "
-      "that "
-      "of the lines, and a note says which plateau is the footprint. A number, where you know which gaps are to stay "
-      "open. min covers every "
+      "far from the others do not decide it. A number, where you know which gaps are to stay open. min covers every "
       "point, and auto does so in one piece, so that the loneliest point decides them; with --cover 0.99 they leave "
       "out 1 point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_group_options(verb, arguments, "Shapes");
