@@ -49,9 +49,9 @@ set(allowed
   "rbpa/space/persistence: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/predicate"
   "rbpa/space/pivot: rbpa/space/predicate"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
-  "rbpa/space/refining: meshops/stellar rbpa rbpa/space/predicate"
+  "rbpa/space/refining: meshops/core meshops/stellar rbpa rbpa/space/predicate"
   "rbpa/space/spacing: rbpa/base"
-  "rbpa/space/star: rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
+  "rbpa/space/star: meshops/core rbpa rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
   "rbpa/space/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort rbpa/space rbpa/space/insertion
     rbpa/space/predicate"
   "rbpa/space/triples: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
@@ -66,7 +66,7 @@ set(allowed
   "io: rbpa/base"
   "io/bytes: meshops/core io"
   "io/cloud: rbpa/base io io/bytes io/polygon io/text"
-  "io/mesh: meshops/core meshops/topology rbpa/base io io/bytes io/cloud io/polygon io/text"
+  "io/mesh: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/cloud io/polygon io/text"
   "io/polygon: rbpa rbpa/base io io/bytes io/text"
   "io/text: io io/bytes"
   "javascript: rbpa rbpa/base"
@@ -78,7 +78,7 @@ set(allowed
   "report: rbpa rbpa/base io io/bytes io/text"
   "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
   "tasks: rbpa rbpa/base io io/bytes stream"
-  "triangulation: meshops/core rbpa rbpa/base io io/bytes")
+  "triangulation: meshops/core rbpa rbpa/base io io/bytes io/mesh")
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")
