@@ -115,7 +115,8 @@ TEST_CASE("files of different systems of coordinates are not one input") {
   const Folder folder;
   folder.file("a.csv", "geometry\n\"SRID=28992;POINT (1 2)\"\n");
   folder.file("b.csv", "geometry\n\"SRID=31370;POINT (1 2)\"\n");
-  CHECK(said(folder, "a.csv b.csv --alpha 1 -o p.wkt", 3).find("EPSG:28992 as files before") != std::string::npos);
+  CHECK(said(folder, "a.csv b.csv --alpha 1 -o p.wkt", 3).find("expected EPSG:28992, as in a.csv") !=
+        std::string::npos);
   CHECK(folder.rbpa("stream a.csv b.csv --alpha 1 --crs EPSG:28992 -o p.wkt -q").code == 0);
 }
 
