@@ -92,7 +92,7 @@ TEST_SUITE("readme") {
     const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
     const std::string page = read_file((root / "docs/which_alpha.md").string());
     CHECK(at(page, "**Which alpha to choose.** `plateau` first.") < at(page, "| you want | type |"));
-    CHECK(at(page, "| `--alpha plateau` |") < at(page, "| `--alpha auto`"));
+    CHECK(at(page, "| `--alpha plateau`; ") < at(page, "| `--alpha auto`"));
   }
 
   TEST_CASE("so it is with tasks, which make runs") {

@@ -119,7 +119,7 @@ TEST_SUITE("solid") {
     REQUIRE(report["void_list"].size() == 1);
     REQUIRE(report["solid_component_list"].size() == 1);
     CHECK(report["solid_component_list"][0]["volume"] == report["volume"]);
-    CHECK(double(report["void_list"][0]["volume"]) + double(report["volume"]) == 64);
+    CHECK(double(report["void_list"][0]["volume_between_points"]) + double(report["volume"]) == 64);
     CHECK(report["void_list"][0]["points"].size() >= 6);
     CHECK(report["void_list"][0]["islands"] == 0);
     CHECK(report["solid_component_list"][0]["box"] == json({{0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}}));

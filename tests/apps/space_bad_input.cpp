@@ -220,9 +220,11 @@ TEST_SUITE("bad points of space") {
     CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1") == "p: found 2 words behind COUNT, expected 3, one for each of FIELDS");
     CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4 3") ==
           "p: field z: found 'F 3', expected a type F, I or U and its size in bytes");
-    for (const std::string count : {"0", "-1", "65537", "18446744073709551615"})
+    for (const std::string count : {"-1", "65537", "18446744073709551615"})
       CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1 " + count) ==
-            "p: field z: found a count of '" + count + "', expected one from 1 to 65536");
+            "p: field z: found a count of '" + count + "', expected one from 0 to 65536");
+    CHECK(pcd(std::string(16, '\0'), "COUNT 1 1 1", "COUNT 1 1 0") ==
+          "p: found points without 'z', expected the fields x, y and z");
     CHECK(pcd("", "POINTS 2", "POINTS 3") == "p: found 3 points, expected 2 times 1 as WIDTH and HEIGHT say");
     CHECK(pcd("", "WIDTH 2", "WIDTH two") == "p:6: found 'WIDTH two', expected a number of points");
     CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "") ==
@@ -243,7 +245,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj(v + "f 1//0\n") == "p:3: found '1//0', expected a normal number from 1, or from -1 to -1");
     CHECK(obj(v + "f -2//1\n") == "p:3: found '-2//1', expected a vertex number from 1, or from -1 to -1");
     CHECK(obj(v + "f 1//x\n") == "p:3: found '1//x', expected a normal number from 1, or from -1 to -1");
-    CHECK(obj(v + "f //1\n") == "p:3: found '//1', expected a vertex number from 1, or from -1 to -1");
+    CHECK(obj(v + "f //1\n") == "p:3: found '//1' in a face, expected numbers of vertices, and one face a line");
     CHECK(obj("f 1//1\nv 0 0 0\n") == "none");  // no normals at all: nothing to be wrong about
   }
 

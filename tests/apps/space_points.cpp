@@ -277,7 +277,10 @@ TEST_SUITE("points of space") {
     };
     const std::string first = "v 0.5 -1 2", second = "\nv 3 4e-3 1e6";
     says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
-    says(first + " 1 1 x" + second + " 1 1 1\n", Format::obj, "line 1 has none");
+    CHECK_THROWS_WITH_AS(
+        read(first + " 1 1 x" + second + " 1 1 1\n", Format::obj),
+        "p:1: found 'x' behind a vertex, expected at most 5 numbers, a weight and a colour, and one vertex a line",
+        BadInput);
     says(first + " 0 0 0" + second + " 1 256 1\n", Format::obj,
          "line 2 has a channel of '256', and not from 0 to 1 or to 255");
     says(first + " 0 0 -0.1" + second + " 1 1 1\n", Format::obj,

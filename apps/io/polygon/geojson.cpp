@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -286,9 +287,11 @@ class Events {
     return true;
   }
 
+  /// Requires of an integer in coordinates that a double holds it, as it does where its bits span 53 places.
   template <typename Integer>
   void require_exact(Integer value) const {
-    if (is_in(Slot::coordinates) && !is_exact_in_double(value))
+    const auto size = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    if (is_in(Slot::coordinates) && size != 0 && (size >> std::countr_zero(size)) >> 53U != 0)
       refuse(std::to_string(value), expected_instead(NumberFault::rounded_integer));
   }
 
