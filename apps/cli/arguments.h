@@ -55,7 +55,7 @@ bool any_has_vertices(const std::vector<Target>& targets);
 /// The files of a target of GDAL, in the order of their endings.
 std::vector<std::string> ogr_paths(const Target& target);
 
-/// What --shift says, of targets of which one or more are in single precision.
+/// Parses --shift. It applies where at least one target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
 /// A file for the points in no polygon, by its ending.

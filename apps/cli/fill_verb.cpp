@@ -129,7 +129,7 @@ TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid,
   return features;
 }
 
-/// Of the points of the filling, where polygons have heights and a target has a place for them.
+/// Heights of the points of the filling, where polygons have heights and a target keeps them.
 std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
                                const Filling& filling, const ValidFeatures& valid) {
   std::vector<double> z = file.vertices.z;

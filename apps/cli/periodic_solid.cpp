@@ -58,7 +58,7 @@ std::string PeriodicRun::name_of_points() const {
   return format == Format::pdb || format == Format::cif ? "atoms" : "points";
 }
 
-/// That of the file where it is asked for; else a note says that another one is given.
+/// Returns the box of the file for --box auto, else the given one, with a note where the file has another.
 void PeriodicRun::settle_box() {
   const auto& [sides, fault] = file_.cell;
   const Point3 given = *request_.box;

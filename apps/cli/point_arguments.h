@@ -62,11 +62,11 @@ struct SpacePointSource {
   CloudRequest choice = {};
 };
 
-/// The same of points in space, and of columns that `option` asks for, if any, or that are wanted if they are there.
+/// Likewise for points in space; with the columns that `option` requires, if any, and those wanted where present.
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
-/// What names a point, of atoms and of tables that have such columns.
+/// The columns that name a point: those of atoms, also in tables that have them.
 std::vector<WantedColumn> columns_of_names();
 
 /// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".

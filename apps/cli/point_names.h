@@ -25,7 +25,7 @@ class PointNames {
   bool has(std::size_t column) const;
   bool are_any() const;
   const std::string& text(std::size_t column, std::uint32_t point) const;
-  /// Of each point an object of the columns that the input has, and x, y and z; null where a point has nothing.
+  /// Returns an object for each point: x, y, z and the columns of the input; null where a point has no value.
   nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;
 
  private:

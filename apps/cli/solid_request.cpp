@@ -73,7 +73,7 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
                      " and --box, whose voids may have no end; expected json or csv");
 }
 
-/// Whether a ball can leave a void is asked of the full complex: triangles without a tetrahedron stop it as well.
+/// The full complex decides whether a ball can leave a void: triangles without a tetrahedron stop it as well.
 VoidWalls parse_walls(const SolidArguments& arguments) {
   const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
   const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;

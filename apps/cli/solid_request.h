@@ -44,7 +44,7 @@ struct SolidRequest {
   std::optional<Shift> shift = std::nullopt;  ///< of the boundary in single precision
   double voids_above = 0;
   std::size_t top = std::numeric_limits<std::size_t>::max();  ///< of voids, and of pockets
-  VoidWalls walls;  ///< of voids: as --complex says, else full where voids are what is asked for
+  VoidWalls walls;  ///< of voids: given by --complex; else full where voids are requested
   int width;
   RunOptions run;
 };

@@ -47,7 +47,7 @@ bool is_about_tiles(const std::string& path, Format format) {
   return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
 }
 
-/// What a folder has; names without the folder, but for files of points.
+/// Contents of a folder; names lack the folder, except those of files of points.
 struct FolderContent {
   std::map<Format, std::vector<std::string>> points = {};
   std::vector<std::string> left_out = {}, clouds = {};  ///< and those of points in formats that are not read

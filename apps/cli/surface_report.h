@@ -27,7 +27,7 @@ namespace rbpa::app {
 /// By CurveKind.
 inline constexpr std::array kind_names{"rim", "hole", "island"};
 
-/// What is left out of a surface on request, and what there was before.
+/// Components dropped from a surface on request, and the counts before.
 struct DroppedComponents {
   std::size_t components = 0, triangles = 0, genus = 0;
   std::size_t points = 0;  ///< that are in no triangle any more

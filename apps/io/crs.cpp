@@ -86,7 +86,7 @@ Crs wgs84() { return {.authority = "EPSG", .code = "4326", .degrees = true}; }
 
 namespace {
 
-/// Of heights or not.
+/// Returns the system that a name stands for, also one of heights.
 std::optional<Crs> system_of_name(std::string_view name) {
   const std::string folded = upper(name);
   // Of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", the first is that of the plane.
@@ -150,7 +150,7 @@ std::string_view without_blanks_around(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// What is between commas, but for those in quotes and in brackets.
+/// Splits at commas that are neither in quotes nor in brackets.
 std::vector<std::string_view> items_of(std::string_view text) {
   std::vector<std::string_view> items;
   std::size_t begin = 0;
@@ -186,7 +186,7 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// That of its AUTHORITY or ID, and of none deeper.
+/// Returns the code of its own AUTHORITY or ID, of none deeper.
 std::optional<Crs> own_crs(const WktNode& node) {
   for (const std::string_view item : node.items) {
     const WktNode inner = node_of(item);

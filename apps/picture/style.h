@@ -17,7 +17,7 @@ constexpr Colour edge_colour{0x4A, 0x86, 0xB4};
 constexpr Colour boundary_colour{0x10, 0x33, 0x5C};
 constexpr Colour isolated_colour{0xD5, 0x5E, 0x00};
 
-/// Of a group of polygons, which may lie upon others.
+/// The style of a group of polygons, which may lie upon others.
 struct GroupColours {
   Colour fill, boundary;
 };

@@ -14,7 +14,7 @@
 
 namespace rbpa {
 
-/// Where an edge crosses the line.
+/// The crossing of an edge and the line.
 struct EdgeCrossing {
   std::uint32_t from, to;  ///< the ends of the edge, left and right of the line
   double share;            ///< of the way from one to the other

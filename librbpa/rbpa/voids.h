@@ -19,7 +19,7 @@
 
 namespace rbpa {
 
-/// What closes a void.
+/// The kind of complex whose faces close a void.
 enum class VoidWalls {
   solid,  ///< tetrahedra: voids() of solid()
   full    ///< and triangles that are in none: what a ball of radius alpha cannot leave; voids of the full alpha complex

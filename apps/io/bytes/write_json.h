@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// What nlohmann's serializer writes to.
+/// The output of nlohmann's serializer.
 class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
  public:
   explicit JsonToFile(OutputFile& file) : file_(file) {}
@@ -20,7 +20,7 @@ class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
   OutputFile& file_;
 };
 
-/// As dump(indent) has it, and a line end. Throws: as OutputFile::write().
+/// Writes what dump(indent) returns, and a line end. Throws: as OutputFile::write().
 inline void write_json(OutputFile& file, const nlohmann::ordered_json& json, unsigned indent) {
   nlohmann::detail::serializer<nlohmann::ordered_json> serializer(std::make_shared<JsonToFile>(file), ' ');
   serializer.dump(json, true, false, indent);

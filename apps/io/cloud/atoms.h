@@ -15,13 +15,13 @@
 
 namespace rbpa::app {
 
-/// What an atom has. The first are what names it.
+/// The columns of an atom. Those that name it come first.
 inline constexpr std::array<std::string_view, 13> atom_columns = {"serial", "chain",     "resseq", "icode", "resname",
                                                                   "name",   "element",   "x",      "y",     "z",
                                                                   "altloc", "occupancy", "bfactor"};
 inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, no_atom_column = atom_columns.size();
 
-/// Which of atom_columns is called that, in letters of either case; no_atom_column where none is.
+/// Returns the index in atom_columns of a name, in letters of either case; no_atom_column where there is none.
 std::size_t atom_column(std::string_view name);
 
 /// Whether it holds a text, whatever that looks like; else it holds a number.

@@ -177,7 +177,7 @@ class CifAtoms final : public AtomSource {
     return true;
   }
 
-  /// Of the line where values are missing or too many.
+  /// Refuses the line where values are missing or too many.
   [[noreturn]] void refuse_row(std::size_t line) const {
     Lines lines(text_);
     while (lines.number() < line && lines.next()) continue;

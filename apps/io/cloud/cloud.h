@@ -25,7 +25,7 @@
 
 namespace rbpa::app {
 
-/// What becomes of the atoms of water that a molecule's file has.
+/// The choice about atoms of water in the file of a molecule.
 enum class Waters {
   counted,   ///< they are atoms as all others
   noted,     ///< the same, and a remark says how many
@@ -116,7 +116,7 @@ void append_fields(std::span<const double> values, CloudBlock& block);
 /// Appends those of a block behind those of other blocks.
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
 
-/// The same of the indices. Throws BadInput for one beyond 32 bits.
+/// Likewise for the indices. Throws BadInput for one beyond 32 bits.
 void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
 
 /// Without any where each is its place.

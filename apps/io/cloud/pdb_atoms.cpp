@@ -13,7 +13,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// What stands in columns `first` to `last`, counted from 1.
+/// Returns the text in columns `first` to `last`, counted from 1.
 std::string_view at_columns(std::string_view line, std::size_t first, std::size_t last) {
   if (line.size() < first) return {};
   return trimmed(line.substr(first - 1, last - first + 1));
@@ -59,7 +59,7 @@ class PdbAtoms final : public AtomSource {
       if (line.starts_with("CRYST1"))
         cell_ = unit_cell("CRYST1", {at_columns(line, 7, 15), at_columns(line, 16, 24), at_columns(line, 25, 33),
                                      at_columns(line, 34, 40), at_columns(line, 41, 47), at_columns(line, 48, 54)});
-      // What is behind END is another structure, or the next frame of a simulation.
+      // Behind END there is another structure, or the next frame of a simulation.
       if (line.starts_with("MODEL ") || line.starts_with("ENDMDL") || line == "END") is_new_model_ = true;
       if (!is_atom(line)) continue;
       if (std::exchange(is_new_model_, false)) ++models_;

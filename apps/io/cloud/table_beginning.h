@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// What a line before the points says of them.
+/// The number of points, as a line before them announces it.
 struct AnnouncedPoints {
   std::size_t count, line;
   bool atoms = false;  ///< others may follow, in which case these are the first of them

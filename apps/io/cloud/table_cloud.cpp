@@ -334,7 +334,7 @@ class TableCloud final : public Cloud {
     return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
   }
 
-  /// What follows the atoms is the next frame of a trajectory, or something else. Returns false.
+  /// Passes over the text behind the atoms: the next frame of a trajectory, or something else. Returns false.
   bool end_atoms() {
     const bool is_frame = parse_count(lines_.line()).has_value();
     if (!is_frame && !request_.skip_invalid)

@@ -26,7 +26,7 @@ class TableLines {
   void set_layout(char separator, std::size_t least_fields);
 
   std::string_view line() const { return line_; }
-  /// Of the line, from 1; of one that goes on its first.
+  /// The number of the line, from 1; the first of a record of several lines.
   std::size_t number() const { return lines_.number() - spanned_; }
   /// Whether a text in quotes begins in the line and ends nowhere.
   bool is_open() const { return is_open_; }

@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// What a line is when it is apart by some sign.
+/// A line as one separator splits it.
 struct Split {
   FieldCount fields = {};
   std::size_t numbers = 0;

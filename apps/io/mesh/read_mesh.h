@@ -67,7 +67,7 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 /// or the facet of a binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 
-/// What read_stl_mesh() makes of a file of these triangles.
+/// Returns the mesh that read_stl_mesh() makes of a file of these triangles.
 MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// A Claim: the facets of a binary file. ASCII claims nothing.

@@ -19,7 +19,7 @@ namespace rbpa::app {
 
 constexpr bool has_single_precision(Format format) { return format == Format::stl || format == Format::glb; }
 
-/// What is subtracted from positions before they are rounded, as --shift says it.
+/// The offset that is subtracted from positions before they are rounded: --shift.
 struct Shift {
   std::optional<Position> by =
       std::nullopt;  ///< absent: the middle of their box, as floats, where rounding changes some
@@ -47,7 +47,7 @@ struct Lost {
   bool any() const { return areas > 0 || vertices > 0; }
 };
 
-/// What rounding takes from a mesh. Throws Cancelled.
+/// Counts what a mesh loses by rounding. Throws Cancelled.
 Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
           const SinglePositions& rounded);
 

@@ -18,7 +18,7 @@ using PositionRing = std::vector<Point3>;
 /// Whether a longitude is beyond 180 or -180, and none beyond 360 or -360.
 bool is_beyond_antimeridian(std::span<const Point> points);
 
-/// The same longitude within -180 to 180.
+/// Returns the equal longitude within -180 to 180.
 double within_antimeridian(double longitude);
 
 /// The parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.

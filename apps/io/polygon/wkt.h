@@ -42,7 +42,7 @@ class WktGeometries {
 
   /// The system that an SRID has named, if any.
   const std::optional<Crs>& crs() const { return crs_; }
-  /// What there is to say of an SRID that names none of the plane.
+  /// The warning on an SRID that names no system of the plane.
   const std::string& crs_remark() const { return crs_remark_; }
 
  private:

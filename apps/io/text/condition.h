@@ -22,7 +22,7 @@ struct FieldNames {
 /// Of tables: any name. One that is no word, such as "point class", stands in double quotes.
 FieldNames names_of_columns();
 
-/// What is wanted of each point beside its place.
+/// A column that is wanted of each point beside its place.
 struct WantedColumn {
   enum class Kind {
     by_value,  ///< numbers where the first value is one, else texts; of atoms as the column has it
@@ -139,7 +139,7 @@ class Selection {
     }
     return count();
   }
-  /// The same of a point whose numbers are in values().
+  /// Likewise for a point whose numbers are in values().
   bool holds() {
     return holds([&](std::size_t i) { return values_[i]; }, [](std::size_t) { return false; });
   }

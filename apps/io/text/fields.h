@@ -120,7 +120,7 @@ char separator_of(std::string_view line);
 /// Whether `line`, apart at `separator`, has commas, and every one of them stands in a number of its own: "1,5;2".
 bool commas_are_decimal(std::string_view line, char separator);
 
-/// What "sep=;" says, which Excel may write before everything else.
+/// Returns the separator of a line "sep=;", which Excel may write before everything else.
 std::optional<char> separator_hint(std::string_view line);
 
 /// With a decimal point or comma.

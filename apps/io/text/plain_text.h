@@ -20,7 +20,7 @@ std::string_view plain_text(std::string_view bytes, const std::string& name, For
 /// The same of a piece of a text that begins with a line, as size_of_lines() cuts it, behind others.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 
-/// How many bytes of `text` are whole lines: none where none ends in it for certain.
+/// Returns how many bytes of `text` are whole lines: 0 where none ends in it for certain.
 std::size_t size_of_lines(std::string_view text);
 
 }  // namespace rbpa::app

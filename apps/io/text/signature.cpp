@@ -46,7 +46,7 @@ bool is_vertex(std::string_view line) {
   return word == "v" && three;
 }
 
-/// Of a text, by its first line with content.
+/// Recognizes a text by its first line with content.
 std::string_view ending_of_text(std::string_view text) {
   Lines lines(text);
   if (!lines.next_with_content()) return {};

@@ -31,7 +31,7 @@ class EngineSide {
     front_.guard_.require_intact();
   }
 
-  /// Nobody else has changed the mesh.
+  /// Returns whether no other code has changed the mesh.
   bool is_intact() const { return front_.guard_.is_intact(); }
 
   /// The next in the queue that is active, and stays so; it is in no queue any more.

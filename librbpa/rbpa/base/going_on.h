@@ -1,4 +1,4 @@
-// What: a caller's progress function as the question whether to go on, asked by one thread or by several.
+// What: a caller's progress function as a function that returns whether to continue, for one thread or several.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ inline std::function<bool()> going_on(const std::function<bool(const Progress&)>
   return [&progress, points, triangles] { return progress({triangles, points}); };
 }
 
-/// Asks whether to go on from any thread, one call at a time. Throws: Cancelled.
+/// Calls the function from any thread, one call at a time. Throws: Cancelled.
 class AskFromAnyThread {
  public:
   /// Keeps a reference. Empty: asks nobody.

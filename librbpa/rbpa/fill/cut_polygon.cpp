@@ -21,7 +21,7 @@ class Boundary {
  public:
   explicit Boundary(std::span<const Point> points) : points_(points) {}
 
-  /// Of corners that follow each other at one place one is kept.
+  /// Keeps one of the corners that follow each other at one place.
   void add(const Corners& closed) {
     Corners corners;
     for (const std::uint32_t i : closed) {

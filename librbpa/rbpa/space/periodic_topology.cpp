@@ -98,7 +98,7 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
   return points;
 }
 
-/// Which tetrahedra are inside, and which triangles part voids.
+/// Marks of the tetrahedra inside, and of the triangles that separate voids.
 struct Complex {
   const PeriodicSolid& delaunay;
   std::vector<bool> is_inside;

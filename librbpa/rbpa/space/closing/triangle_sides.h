@@ -21,7 +21,7 @@ struct TriangleSide {
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
                                        const std::vector<bool>& is_wanted, meshops::Steps& step);
 
-/// As boundary_loops() has them. Throws ContractViolation as that; Cancelled.
+/// Returns the loops of boundary_loops(). Throws ContractViolation as that; Cancelled.
 std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                                  meshops::Steps& step);
 

@@ -40,7 +40,7 @@ struct CornerWeights {
   }
 };
 
-/// What triangles around a vertex have together.
+/// The area and curvature of the triangles around a vertex together.
 struct FanCurvature {
   Vector sum{};     ///< of weights times edges: the area times the curvature, along the normal
   Vector normal{};  ///< of any length

@@ -21,7 +21,7 @@ class LeastSquares {
     entries_.push_back({static_cast<std::uint32_t>(known_.size()) - 1, place, factor});
   }
 
-  /// Nothing where the places are not determined.
+  /// Returns nothing where the places are not determined.
   std::optional<std::vector<Vector3<double>>> solution() const;
 
  private:
