@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "rbpa/base/progress.h"
 #include "rbpa/close_surface.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/refine_filling.h"
@@ -35,9 +36,7 @@ double area_of(const Point3& a, const Point3& b, const Point3& c) {
 /// Another surface in place of one. Requires: the curves have numbers of its triangles.
 void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface surface, const std::vector<bool>& is_new,
              const SurfaceOptions& options) {
-  std::function<bool()> go_on;
-  if (options.progress)
-    go_on = [&, triangles = surface.triangles.size()] { return options.progress({triangles, points.size()}); };
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
   bounded.surface = std::move(surface);
   bounded.filled = is_new;
   bounded.curves = with_causes(surface_curves(points, bounded.surface, go_on), bounded.curves);

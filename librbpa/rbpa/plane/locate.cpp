@@ -11,6 +11,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/base/input.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/natural_neighbors.h"
 #include "rbpa/plane/predicate/predicates.h"
@@ -24,13 +25,6 @@ bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   for (const auto& neighbors : of.neighbors)
     sides += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), no_index));
   return of.triangles.size() + sides + 2 == 2 * points;
-}
-
-std::function<void()> asking(const std::function<bool()>& go_on) {
-  if (!go_on) return {};
-  return [&go_on] {
-    if (!go_on()) throw Cancelled();
-  };
 }
 
 /// Corners of a triangle as seen from a point in it, from afar where differences would overflow.

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/curve_kinds.h"
 #include "rbpa/split_fans.h"
 #include "rbpa/surface_components.h"

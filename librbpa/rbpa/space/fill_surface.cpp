@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/fill_holes.h"
 #include "rbpa/space/closing/linked_triangles.h"
 #include "rbpa/split_fans.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
+#include <functional>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -13,8 +13,9 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/ask_from_any_thread.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/sort_unique.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/check_input.h"
@@ -165,6 +166,8 @@ class Remedies {
         holes_(holes),
         options_(options),
         threads_(options.threads),
+        go_on_(going_on(options.progress, points.size(), surface.triangles.size())),
+        ask_(go_on_),
         surfaces_(points, normals, surface),
         remedies_(holes.size()) {}
 
@@ -186,11 +189,7 @@ class Remedies {
     if (left.empty()) return;
     const space::NeighborhoodFinder near(points_, radius);
     for_each_index(threads_, left.size(), [&](std::size_t k) {
-      {
-        const std::lock_guard<std::mutex> lock(asking_);
-        if (options_.progress && !options_.progress({surface_.triangles.size(), points_.size()}))
-          throw meshops::Cancelled();
-      }
+      ask_();
       attempt(holes_[left[k]], remedies_[left[k]], near);
     });
   }
@@ -300,9 +299,8 @@ class Remedies {
     for (std::uint32_t i = 0; i < holes_.size(); ++i)
       if (remedies_[i].kind == RemedyKind::none) left.push_back(i);
     if (left.empty()) return;
-    const std::function<bool()> go_on = going_on(options_.progress, points_.size(), surface_.triangles.size());
-    const Surface surface = indexable_surface(surface_, go_on);
-    const std::vector<Hole> curves = surface_curves(points_, surface, go_on);
+    const Surface surface = indexable_surface(surface_, go_on_);
+    const std::vector<Hole> curves = surface_curves(points_, surface, go_on_);
     const auto first = [](const Hole& hole) {
       const RimEdge& edge = hole.edges.front();
       return std::tuple(edge.from, edge.to, edge.triangle);
@@ -337,7 +335,8 @@ class Remedies {
   std::span<const Hole> holes_;
   const SurfaceOptions& options_;
   Threads threads_;
-  std::mutex asking_;
+  std::function<bool()> go_on_;
+  AskFromAnyThread ask_;
   space::LocalSurfaces surfaces_;
   std::vector<HoleRemedy> remedies_;
 };

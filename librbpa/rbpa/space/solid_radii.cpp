@@ -10,8 +10,8 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/ask_from_any_thread.h"
 #include "rbpa/base/error.h"
-#include "rbpa/base/going_on.h"
 #include "rbpa/base/input.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/simplices_at.h"

@@ -7,7 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/distinct.h"
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/cells.h"

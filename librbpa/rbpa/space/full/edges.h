@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/ask_from_any_thread.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/simplices_at.h"

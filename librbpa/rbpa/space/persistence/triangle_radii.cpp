@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/ask_from_any_thread.h"
 #include "rbpa/space/predicate/least_sphere.h"
 
 namespace rbpa::space {

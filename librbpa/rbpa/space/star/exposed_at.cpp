@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "rbpa/base/going_on.h"
+#include "rbpa/base/ask_from_any_thread.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/steps.h"
 #include "rbpa/space/cells/cells.h"

@@ -1,21 +1,12 @@
-// What: a caller's progress function as a function that returns whether to continue, for one thread or several.
+// What: a function that returns whether to continue, called by several threads.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <mutex>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/progress.h"
 
 namespace rbpa {
-
-/// For the work before the first triangle or after the last: false ends it. Empty where `progress` is. Keeps a reference.
-inline std::function<bool()> going_on(const std::function<bool(const Progress&)>& progress, std::size_t points,
-                                      std::size_t triangles = 0) {
-  if (!progress) return {};
-  return [&progress, points, triangles] { return progress({triangles, points}); };
-}
 
 /// Calls the function from any thread, one call at a time. Throws: Cancelled.
 class AskFromAnyThread {
