@@ -13,7 +13,7 @@
 #include "meshops/topology/orient.h"
 #include "meshtopo/components.h"
 #include "meshtopo/exact.h"
-#include "meshtopo/nesting.h"
+#include "rbpa/outer_shells.h"
 
 namespace rbpa::app {
 namespace {
@@ -91,7 +91,9 @@ void orient(EditedMesh& edited) {
     signs.push_back(volume_sign(edited.mesh.positions, triangles[p]));
     if (signs.back() == 0) triangles[p].clear();
   }
-  const std::vector<std::size_t> depth = depths(edited.mesh.positions, triangles);
+  std::vector<Point3> points;
+  for (const auto& [x, y, z] : edited.mesh.positions) points.push_back({x, y, z});
+  const std::vector<std::size_t> depth = nesting_depths(points, triangles, until_interrupted());
   for (std::size_t p = 0; p < triangles.size(); ++p) {
     if (signs[p] == 0) continue;
     const bool is_wall_of_cavity = depth[p] % 2 == 1;

@@ -87,57 +87,6 @@ int volume_sign(std::span<const Position> positions, std::span<const Triangle> t
   return volume_sign_in_integers(positions, triangles);
 }
 
-namespace {
-
-/// All places in whole numbers of one unit.
-template <std::size_t n>
-std::array<std::array<Integer, 3>, n> in_common_units(const std::array<Position, n>& places) {
-  int exponent = std::numeric_limits<int>::max();
-  for (const Position& p : places)
-    for (const double x : p) exponent = std::min(exponent, unit_exponent(x));
-  std::array<std::array<Integer, 3>, n> result;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = in_units(places[i][k], exponent);
-  return result;
-}
-
-/// Of a determinant of differences, where its sign is certain: below 16 · 2^−53 times the sum of its products is its
-/// error (Shewchuk 1997, section 4.4, has 3 and 7), unless products underflow; where they overflow no comparison holds.
-std::optional<int> certain_sign(double determinant, double products) {
-  constexpr double error = 16 * 0x1p-53, least = 1e-280;
-  if (!(std::abs(determinant) > error * products && std::abs(determinant) > least) || !std::isfinite(products))
-    return std::nullopt;
-  return determinant > 0 ? 1 : -1;
-}
-
-}  // namespace
-
-int side_along_x(const Position& a, const Position& b, const Position& p) {
-  const double one = (b[1] - a[1]) * (p[2] - a[2]), other = (b[2] - a[2]) * (p[1] - a[1]);
-  if (const auto sign = certain_sign(one - other, std::abs(one) + std::abs(other))) return *sign;
-  const auto in = in_common_units(std::array{a, b, p});
-  return Integer((in[1][1] - in[0][1]) * (in[2][2] - in[0][2]) - (in[1][2] - in[0][2]) * (in[2][1] - in[0][1])).sign();
-}
-
-int side_of_plane(const Position& a, const Position& b, const Position& c, const Position& p) {
-  double determinant = 0, products = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t x = (k + 1) % 3, y = (k + 2) % 3;
-    const double one = (b[x] - a[x]) * (c[y] - a[y]), other = (b[y] - a[y]) * (c[x] - a[x]);
-    determinant += (p[k] - a[k]) * (one - other);
-    products += std::abs(p[k] - a[k]) * (std::abs(one) + std::abs(other));
-  }
-  if (const auto sign = certain_sign(determinant, products)) return *sign;
-  const auto in = in_common_units(std::array{a, b, c, p});
-  Integer sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t x = (k + 1) % 3, y = (k + 2) % 3;
-    sum += (in[3][k] - in[0][k]) *
-           ((in[1][x] - in[0][x]) * (in[2][y] - in[0][y]) - (in[1][y] - in[0][y]) * (in[2][x] - in[0][x]));
-  }
-  return sum.sign();
-}
-
 bool are_within(const Position& a, const Position& b, double distance) {
   // The sum of the squares has a relative error below 6 · 2^−53, and so has the other square, unless they underflow.
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];

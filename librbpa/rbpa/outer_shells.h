@@ -5,7 +5,9 @@
 // Cost: a sort of the shells, and for each triangle a search among them.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -24,8 +26,15 @@ namespace rbpa {
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const std::function<bool()>& go_on = {});
 
-/// Of each component, how many other closed ones wind around a corner of it that they do not have, exactly: 0 of a body beside others,
-/// 1 of the wall of a cavity, or of a body within a body; 0 of those that are not closed.
+/// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a cavity, or for
+/// a body within a body. A ray from a corner that touches no other surface decides, of such corners the lexicographically least. A surface
+/// without a triangle lies in none; one with every corner on another does not lie in that.
+/// Requires: triangles that close each surface. Throws: as outer_shells().
+/// Cost:     for each triangle, the rays that begin behind it; n log n where surfaces hide few others.
+RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
+                                                 std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
+                                                 const std::function<bool()>& go_on = {});
+/// Returns the same for each component of a surface; 0 for those that are not closed.
 /// Requires: a surface of these points, and its components. Throws: as outer_shells().
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                                  const SurfaceComponents& components,

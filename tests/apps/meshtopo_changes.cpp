@@ -324,23 +324,6 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(solid["volume"] == solid["result"]["volume"]);
   }
 
-  TEST_CASE("sides of lines and planes are exact, at the ends of double too") {
-    using rbpa::app::side_along_x;
-    using rbpa::app::side_of_plane;
-    for (const double size : {1.0, 1e-320, 1e-160, 1e307}) {
-      CAPTURE(size);
-      const std::array<double, 3> o = {0, 0, 0}, y = {0, size, 0}, z = {0, 0, size}, x = {size, 0, 0};
-      CHECK(side_along_x(o, y, z) == 1);
-      CHECK(side_along_x(o, z, y) == -1);
-      CHECK(side_along_x(y, z, {5, size / 2, size / 2}) == 0);
-      CHECK(side_of_plane(o, y, z, x) == 1);
-      CHECK(side_of_plane(o, z, y, x) == -1);
-      CHECK(side_of_plane(o, y, z, {0, size, size}) == 0);
-      CHECK(side_of_plane(o, y, z, {5e-324, size, size}) == 1);
-      CHECK(side_of_plane(x, y, z, {size, std::nextafter(0.0, -1), 0}) == -1);
-    }
-  }
-
   TEST_CASE("what is not orientable is reported by its first face and left as it is; what is open agrees") {
     const Folder folder;
     folder.file("m.off",

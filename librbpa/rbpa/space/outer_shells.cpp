@@ -13,7 +13,7 @@
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/levels/sub_surface.h"
-#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/ray_along_x.h"
 #include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa {
@@ -61,35 +61,6 @@ class RestingBall {
   Real height_ = 0, clearance_ = 0, error_ = 0;
 };
 
-/// The side of pq that the line through `at` along x is on, all seen along x: 1 if p, q and the line are counter-clockwise in y
-/// and z. A line that meets pq counts as moved by an infinitesimal in y, and by a smaller one in z; 0 if pq is along x.
-int side_of_line(const Point3& p, const Point3& q, const Point3& at) {
-  const double py = p.y - at.y, pz = p.z - at.z, qy = q.y - at.y, qz = q.z - at.z;
-  const double left = py * qz, right = pz * qy, difference = left - right;
-  // Each factor has one rounding, each product another; below the bound on underflow nothing is certain.
-  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-  const double bound = 8 * unit_roundoff * (std::abs(left) + std::abs(right));
-  if (bound > 0x1p-900 && bound < std::numeric_limits<double>::infinity()) {
-    if (difference > bound) return 1;
-    if (difference < -bound) return -1;
-  }
-  const Point3 ahead{at.x < 1 ? 2.0 : 0.0, at.y, at.z};
-  const int forward = ahead.x > at.x ? 1 : -1;
-  const int side = forward * space::exact::orientation(p, q, at, ahead);
-  if (side != 0) return side;
-  if (p.z != q.z) return p.z < q.z ? -1 : 1;
-  if (p.y != q.y) return p.y < q.y ? 1 : -1;
-  return 0;
-}
-
-/// How the ray from `at` along x crosses a triangle: 1 from behind, −1 from the front, 0 not at all.
-int crossing(const std::array<Point3, 3>& t, const Point3& at) {
-  const int first = side_of_line(t[0], t[1], at);
-  if (first == 0 || side_of_line(t[1], t[2], at) != first || side_of_line(t[2], t[0], at) != first) return 0;
-  // The triangle is ahead if `at` is on the side from which the ray comes.
-  return space::exact::orientation(t[0], t[1], t[2], at) == -first ? first : 0;
-}
-
 /// Calls visit(component, i) for each component that winds around place i, with places of such coordinates as points have. A triangle is
 /// compared with the places that are in reach of it in y.
 template <typename Visit>
@@ -118,7 +89,7 @@ void for_each_enclosed(std::span<const Point3> points, const Surface& shells, co
       for (step(); near != by_y.end() && places[*near].y <= high_y; ++near) {
         step();
         if (places[*near].z < low_z || places[*near].z > high_z) continue;
-        const int turn = crossing(corners, places[*near]);
+        const int turn = space::crossing(corners, places[*near]);
         if (turn == 0) continue;
         winding[*near] += turn;
         crossed.push_back(*near);
@@ -168,30 +139,11 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
 std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                         const SurfaceComponents& components, const std::function<bool()>& go_on) {
   require_components(points, surface, components);
-  Steps step(go_on);
-  constexpr std::uint32_t none = 0xffffffff, several = 0xfffffffe;
-  std::vector<std::uint32_t> owner(points.size(), none);
+  std::vector<std::vector<Triangle>> closed(components.all.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const std::uint32_t corner : surface.triangles[t]) {
-      step();
-      std::uint32_t& of = owner[corner];
-      of = of == none || of == components.number[t] ? components.number[t] : several;
-    }
-  std::vector<Point3> places(components.all.size());  // the least of each that no other has, where there is one
-  std::vector<int> rank(places.size(), 0);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const std::uint32_t corner : surface.triangles[t]) {
-      const std::uint32_t c = components.number[t];
-      const int own = owner[corner] == c ? 2 : 1;
-      if (own < rank[c] || (own == rank[c] && !(points[corner] < places[c]))) continue;
-      places[c] = points[corner];
-      rank[c] = own;
-    }
-  std::vector<std::size_t> depths(places.size(), 0);
-  for_each_enclosed(points, surface, components, places, step, [&](std::uint32_t shell, std::uint32_t i) {
-    depths[i] += shell != i && components.all[shell].is_closed() && components.all[i].is_closed();
-  });
-  return depths;
+    if (const std::uint32_t c = components.number[t]; components.all[c].is_closed())
+      closed[c].push_back(surface.triangles[t]);
+  return nesting_depths(points, closed, go_on);
 }
 
 }  // namespace rbpa
