@@ -13,8 +13,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 /// UTF-16 and UTF-32 begin with a mark, or have zeros in the places of ASCII; empty where it is neither.
 std::string_view other_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
@@ -112,12 +110,17 @@ bool is_in_other_encoding(std::string_view bytes, Format format) {
 
 }  // namespace
 
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  while (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return text;
+}
+
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room) {
   if (!may_be_text(format)) return bytes;
   if (const std::string_view other = other_encoding(bytes); !other.empty() && is_in_other_encoding(bytes, format))
     bad_input(name, "text in " + std::string(other), "UTF-8 (iconv -f " + std::string(other) + " -t UTF-8)");
-  std::string_view text = bytes;
-  while (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::string_view text = without_mark(bytes);
   const std::size_t size = text_size(text, format);
   if (size == 0) return bytes;
   return with_line_feeds(text, size, room);

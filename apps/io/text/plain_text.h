@@ -17,6 +17,9 @@ namespace rbpa::app {
 std::string_view plain_text(std::string_view bytes, const std::string& name, std::string& room);
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room);
 
+/// Returns the text behind the mark of UTF-8, however often that stands there.
+std::string_view without_mark(std::string_view text);
+
 /// The same of a piece of a text that begins with a line, as size_of_lines() cuts it, behind others.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 

@@ -8,6 +8,7 @@
 #include "io/failure.h"
 #include "io/text/fields.h"
 #include "io/text/lines.h"
+#include "io/text/plain_text.h"
 
 namespace rbpa::app {
 namespace {
@@ -82,12 +83,8 @@ std::string_view ending_of_content(std::string_view bytes) {
                                                                     bytes.data() + facet_count, std::endian::little)})
     return "stl";
   constexpr std::size_t most = std::size_t{1} << 20U;
-  bytes = bytes.substr(0, most);
-  while (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  // Lines that end in CR alone: no signature needs more than a line of them.
-  std::string text(bytes);
-  std::replace(text.begin(), text.end(), '\r', '\n');
-  return ending_of_text(text);
+  std::string room;
+  return ending_of_text(with_line_feeds(without_mark(bytes.substr(0, most)), room));
 }
 
 Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::string_view known,
