@@ -59,8 +59,8 @@ std::string name_of(const AlphaChoice& choice);
 /// WrongUsage when there are fewer plateaus than the rank.
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
 
-/// What is to be said where the best plateau is one piece of dense points, such as the lines of a scanner, and another one also of
-/// what is between them; "" where it is not.
+/// Returns the remark on uneven density, where the best plateau is one piece of dense points, such as the lines of a
+/// scanner, and another plateau also covers the space between them; else "".
 std::string remark_on_density(const std::vector<Plateau>& plateaus);
 
 /// ", alpha auto = 0.25" for a summary, in digits that read back to the radius; "" where the command line has given it.

@@ -26,9 +26,9 @@ namespace rbpa {
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const std::function<bool()>& go_on = {});
 
-/// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a cavity, or for
-/// a body within a body. A ray from a corner that touches no other surface decides, of such corners the lexicographically least. A surface
-/// without a triangle lies in none; one with every corner on another does not lie in that.
+/// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a
+/// cavity, or for a body within a body. A ray from a corner that touches no other surface decides, of such corners the
+/// lexicographically least. A surface without a triangle lies in none; one with every corner on another not in that.
 /// Requires: triangles that close each surface. Throws: as outer_shells().
 /// Cost:     for each triangle, the rays that begin behind it; n log n where surfaces hide few others.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,

@@ -53,7 +53,7 @@ struct Group {
   }
 };
 
-/// Of the first lines those that go together: with the first where any do, else the most.
+/// Returns the first lines that agree: with the first line where any do, else the largest group.
 Group largest_group(std::string_view text, char separator, const std::string& name) {
   constexpr std::size_t most_lines = 64;
   TableLines lines(Content(text, name));

@@ -23,7 +23,7 @@ namespace rbpa::app {
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup, const std::optional<Shift>& shift = std::nullopt);
 
-/// Faces as the triangles that STL has of them.
+/// Faces as triangles, as STL keeps them.
 struct TriangulatedFaces {
   std::vector<Point3> vertices = {};
   std::vector<std::array<std::uint32_t, 3>> triangles = {};

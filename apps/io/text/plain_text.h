@@ -20,7 +20,7 @@ std::string_view plain_text(std::string_view bytes, const std::string& name, For
 /// Returns the text behind the mark of UTF-8, however often that stands there.
 std::string_view without_mark(std::string_view text);
 
-/// The same of a piece of a text that begins with a line, as size_of_lines() cuts it, behind others.
+/// Likewise for a piece of a text that begins with a line, as size_of_lines() cuts it, behind others.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 
 /// Returns how many bytes of `text` are whole lines: 0 where none ends in it for certain.

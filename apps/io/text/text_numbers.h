@@ -17,7 +17,7 @@ class TextNumbers {
     if (is_new) texts_.emplace_back(text);
     return static_cast<double>(place->second);
   }
-  /// Those that were found, in the order of their numbers.
+  /// Returns the texts that were found, in the order of their numbers.
   std::vector<std::string> take_texts() { return std::move(texts_); }
 
  private:

@@ -18,7 +18,7 @@ constexpr std::uint32_t none = TriangleArrays::none;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Those of points that were put on the edges of a ring, between two that were given.
+/// Sets the values of points that were put on the edges of a ring, between two that were given.
 void interpolate_edges(std::span<const Point> points, const Ring& ring, std::size_t given, std::vector<double>& value) {
   const std::size_t size = ring.points.size();
   const auto at = [&](std::size_t i) { return ring.points[i % size]; };

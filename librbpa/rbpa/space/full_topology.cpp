@@ -38,7 +38,7 @@ meshops::DisjointSets connected_outside(const Solid& delaunay, const space::Face
   return sets;
 }
 
-/// Of points in a plane.
+/// Counts the simplices of points in a plane.
 FullCounts count_flat(std::span<const Point3> points, double alpha, unsigned threads) {
   const SolidFiltration filtration = solid_filtration(points, {.threads = threads});
   FullCounts counts;

@@ -1,5 +1,6 @@
 // What: the crossing of a triangle and a ray from a point in the direction of x.
-// Law:  exact for every finite input; a ray that only touches counts as moved by an infinitesimal in y, and by a smaller one in z.
+// Law:  exact for every finite input; a ray that only touches counts as moved by an infinitesimal in y, and by a smaller
+//       one in z.
 // Cost: that of four orientations.
 #pragma once
 
@@ -10,8 +11,8 @@
 
 namespace rbpa::space {
 
-/// Returns the side of pq, seen along x, on which the moved ray is: `side`, on which the point is, where that is not 0; 0 only if pq is
-/// along x.
+/// Returns the side of pq, seen along x, on which the moved ray is: `side`, on which the point is, where that is not 0;
+/// 0 only if pq is along x.
 inline int moved_side(int side, const Point3& p, const Point3& q) {
   if (side != 0) return side;
   if (p.z != q.z) return p.z < q.z ? -1 : 1;
