@@ -214,8 +214,8 @@ TEST_CASE("nesting depths: bodies in bodies, walls of cavities, and beside them 
   const std::array<std::size_t, 6> right{0, 1, 2, 0, 0, 0};  // in the order in which they are added
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     CHECK(depths[components.number[t]] == right[surface.triangles[t][0] / 8]);
-  CHECK(rbpa::nesting_depths({}, {}, {}).empty());
-  CHECK_THROWS_AS(rbpa::nesting_depths(points, surface, {}), meshops::ContractViolation);
+  CHECK(rbpa::nesting_depths({}, rbpa::Surface{}, {}).empty());
+  CHECK_THROWS_AS(rbpa::nesting_depths(points, surface, SurfaceComponents{}), meshops::ContractViolation);
 }
 
 TEST_SUITE_END();
