@@ -1,6 +1,6 @@
 """Makes a wheel of the source tree: CMake builds the package, and a wheel is a zip of it. For pip, under PEP 517.
 
-Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/python.md). Where patchelf is, the wheel has the
+Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/reference/python.md). Where patchelf is, the wheel has the
 libraries that it needs inside.
 """
 
@@ -152,7 +152,7 @@ def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=N
 def build_sdist(sdist_directory: str, config_settings=None) -> str:
     top = f"rbpa-{version()}"
     kept = ["CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "CHANGELOG.md", "pyproject.toml",
-            "libmeshops", "librbpa", "apps", "docs/python.md"]  # fmt: skip
+            "libmeshops", "librbpa", "apps", "docs/reference/python.md"]  # fmt: skip
 
     def source(member: tarfile.TarInfo) -> tarfile.TarInfo | None:
         return None if "__pycache__" in member.name else member
