@@ -25,21 +25,21 @@ constexpr double margin = 1.25;       // surfaces are not flat, and not all gaps
 constexpr double ladder = 2;          // a ball this many times larger than needed loses detail
 constexpr double some_of_all = 0.05;  // share of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
-constexpr double least_flatness = 0.5;  // of neighbours that are on a surface
-constexpr double least_returned = 0.5;  // share of a point's neighbours that are as near to it as to their own
+constexpr double least_flatness = 0.5;  // of neighbors that are on a surface
+constexpr double least_returned = 0.5;  // share of a point's neighbors that are as near to it as to their own
 constexpr double most_strangers =
     0.3;  // share of the points that are on no surface; where there are more, they are the set
 constexpr double none = -1;
 
-/// The gap around each point, or none, in the order of the neighbourhoods.
+/// The gap around each point, or none, in the order of the neighborhoods.
 struct Gaps {
   space::Neighborhoods near;
   std::vector<double> gap;
   std::vector<double> least;  // circumradii, used if no point has a gap
 };
 
-/// Whether a point is one of a surface, as far as its neighbours show: outliers are farther from their neighbours than these are from
-/// theirs, or have neighbours on all sides.
+/// Whether a point is one of a surface, as far as its neighbors show: outliers are farther from their neighbors than these are from
+/// theirs, or have neighbors on all sides.
 bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
   if (flatness < least_flatness) return false;
   const auto squared = [&](std::uint32_t p, std::uint32_t q) {
@@ -53,7 +53,7 @@ bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatn
   return static_cast<double>(returned) >= least_returned * static_cast<double>(near.count);
 }
 
-/// Neighbours relative to point i, times 2^-exponent so that no square overflows or underflows. Returns: the exponent.
+/// Neighbors relative to point i, times 2^-exponent so that no square overflows or underflows. Returns: the exponent.
 int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
   const Point3& p = near.points[i];
   const auto around = near.around(i);
@@ -68,7 +68,7 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbours they are the most.
+/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbors they are the most.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
@@ -98,7 +98,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
       const int exponent = relative(gaps.near, i, around);
-      // A corner within half of the farthest neighbour's distance is not nearer to any point beyond the neighbours.
+      // A corner within half of the farthest neighbor's distance is not nearer to any point beyond the neighbors.
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;
@@ -114,7 +114,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-/// The largest gap up to `largest` in the neighbourhood of each point; none where there is none.
+/// The largest gap up to `largest` in the neighborhood of each point; none where there is none.
 std::vector<double> needs(const Gaps& gaps, double largest) {
   std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {

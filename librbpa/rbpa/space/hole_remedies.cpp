@@ -216,7 +216,7 @@ class Remedies {
     at.insert(at.end(), turned.begin(), turned.end());
     sort_unique(at);
     // What a radius adds at a point depends on what smaller ones made at the points that its ball touches there. So each carries
-    // what is changed one neighbourhood farther, and as many more make what is there as it is in the whole.
+    // what is changed one neighborhood farther, and as many more make what is there as it is in the whole.
     Indices changed = at, input;
     for (std::size_t i = 0; i < radii_.size(); ++i) changed = near.around(changed);
     input = changed;

@@ -30,7 +30,7 @@ class OpenFaces {
                      "solid_boundary: expected a solid with neighbors");
   }
 
-  /// 1. Those that have no neighbour, in canonical order.
+  /// 1. Those that have no neighbor, in canonical order.
   void find() {
     first_.resize(solid_.simplices.size());
     std::vector<Row> rows;  // corners, and the face
@@ -74,7 +74,7 @@ class OpenFaces {
   }
 
  private:
-  /// The tetrahedra around an edge are passed from the triangle on. Every neighbour is known to share its face before it is passed to, so that
+  /// The tetrahedra around an edge are passed from the triangle on. Every neighbor is known to share its face before it is passed to, so that
   /// no two have the same next one, and the way ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";

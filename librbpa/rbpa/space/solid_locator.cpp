@@ -89,7 +89,7 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
     before = t;
     t = next;
   }
-  // Those that have the query on a common face, edge or corner are neighbours through faces that it is on.
+  // Those that have the query on a common face, edge or corner are neighbors through faces that it is on.
   walk.around.assign(1, t);
   std::uint32_t first = t;
   for (std::size_t i = 0; i < walk.around.size(); ++i)

@@ -13,7 +13,7 @@
 
 namespace rbpa::space {
 
-/// The tetrahedra `kept`, ascending. They are neighbours across their corner k if keeps(t, k).
+/// The tetrahedra `kept`, ascending. They are neighbors across their corner k if keeps(t, k).
 template <typename Keeps>
 Solid part_of(const Solid& solid, const std::vector<std::uint32_t>& kept, const Keeps& keeps) {
   Solid part;

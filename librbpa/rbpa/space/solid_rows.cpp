@@ -73,10 +73,10 @@ void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t b
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
   if (!neighbors) return;
   if (ask) ask();
-  // The first touch of fresh memory costs as much as this, so that the neighbours come where the rows were.
+  // The first touch of fresh memory costs as much as this, so that the neighbors come where the rows were.
   rows.corners.swap(solid.neighbors);
   if (solid.neighbors.capacity() / 5 * 4 > count) solid.neighbors.shrink_to_fit();
-  // In the order of the rows, whose neighbours are near each other.
+  // In the order of the rows, whose neighbors are near each other.
   for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (i + 16 < count) __builtin_prefetch(&solid.neighbors[place[i + 16]], 1);

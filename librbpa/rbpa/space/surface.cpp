@@ -20,9 +20,9 @@ namespace {
 
 /// The triangles for which keep(v, x, y) holds, for sites; see SurfaceAssembly::add(). In order:
 ///   1. find the rings of a part of the sites, in any thread (find_rings());
-///   2. add the triangles of the part that are kept, and the rings that are needed for their neighbours;
+///   2. add the triangles of the part that are kept, and the rings that are needed for their neighbors;
 ///   3. report progress, part by part in order;
-///   4. when all parts are there, number the triangles and look up their neighbours;
+///   4. when all parts are there, number the triangles and look up their neighbors;
 ///   5. list the points that are equal to another one.
 template <typename Keep, typename IsNeeded>
 void assemble(const space::Cells& cells, bool fits_double, std::size_t input_points, Threads& threads,

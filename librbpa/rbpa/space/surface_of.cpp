@@ -141,7 +141,7 @@ std::vector<Triangle> glued_by_place(std::span<const Point3> points, std::span<c
   return neighbors;
 }
 
-/// Sorts triangles and their neighbours.
+/// Sorts triangles and their neighbors.
 void put_in_order(SurfaceOfTriangles& surface, std::span<const Triangle> triangles, std::vector<Triangle>& neighbors) {
   std::vector<Triangle> rotated(triangles.begin(), triangles.end());
   for (std::size_t t = 0; t < rotated.size(); ++t) {

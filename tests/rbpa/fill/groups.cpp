@@ -101,7 +101,7 @@ TEST_CASE("parcels on random points: whole, cut, graded, kept, without a size") 
   }
 }
 
-TEST_CASE("an edge that one parcel has to keep whole stays whole in its neighbour") {
+TEST_CASE("an edge that one parcel has to keep whole stays whole in its neighbor") {
   Random random(13);
   std::size_t filled = 0, whole = 0;
   for (int i = 0; i < 100; ++i) {

@@ -190,7 +190,7 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
 
 namespace {
 
-/// One group as if it had been filled alone, but for its neighbours, which are found here.
+/// One group as if it had been filled alone, but for its neighbors, which are found here.
 rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t given,
                     std::span<const Polygon> polygons) {
   rbpa::Filling part;

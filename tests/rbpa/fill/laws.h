@@ -12,7 +12,7 @@ namespace rbpa_test {
 
 /// The first thing that is wrong with a filling, "" when nothing is:
 ///   a triangle is not counter-clockwise, or out of order; arrays or mesh are not sound, or not the same; a side without
-///   a neighbour is not an edge of a ring, as it runs, or an edge of a ring no such side; the areas of triangles and
+///   a neighbor is not an edge of a ring, as it runs, or an edge of a ring no such side; the areas of triangles and
 ///   rings do not add up to the same, exactly; points of the input have moved, or others are in no triangle; a ring does
 ///   not pass the points of the input in their order, or others are farther from its edges than rounding.
 /// Why that is enough: sides of positive triangles that add up to the boundary of the polygons cover every place inside

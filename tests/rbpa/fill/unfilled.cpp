@@ -233,7 +233,7 @@ TEST_CASE("whatever was filled and emptied, the triangulation is the same as one
 }
 
 TEST_CASE("a site among thousands that see it is placed and goes again") {
-  // Of a circle of places on no circle, a site in the middle has nearly all others as neighbours.
+  // Of a circle of places on no circle, a site in the middle has nearly all others as neighbors.
   constexpr int corners = 20000;
   Listed front;
   rbpa_test::Random random(13);

@@ -81,7 +81,7 @@ TEST_CASE("the nine cells hold what a ball can reach, once, and nothing that is 
 }
 
 TEST_CASE("cells that are tiny beside the coordinates are numbered well enough") {
-  // Neighbouring doubles far from the origin, with a diameter of half, one, … of what lies between them.
+  // Neighboring doubles far from the origin, with a diameter of half, one, … of what lies between them.
   Random random(92);
   Statistics statistics;
   for (int trial = 0; trial < trials(1000); ++trial) {

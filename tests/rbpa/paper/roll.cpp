@@ -35,7 +35,7 @@ Float after(const Float& from, const Float& at) {
   return turn > two_pi() - tolerance ? Float(0) : turn;
 }
 
-/// The ball around v touches or holds a point while the direction from v to its centre is between two.
+/// The ball around v touches or holds a point while the direction from v to its center is between two.
 struct Contact {
   Site site;
   Float direction, half_width;

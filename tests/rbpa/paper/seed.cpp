@@ -109,7 +109,7 @@ TEST_CASE("where the ball meets several points at once a seed is found, and each
   for (const double x : {0.0, 6.0, 12.0})
     for (const double y : {-8.0, 0.0, 8.0}) rectangles.push_back({x, y});
   check(rectangles, 5);
-  // Arcs of circles of radius 5 and 25, their centres on a grid, and a few stray points.
+  // Arcs of circles of radius 5 and 25, their centers on a grid, and a few stray points.
   Random random(99);
   for (int trial = 0; trial < trials(250); ++trial) {
     const int radius = random.chance(0.5) ? 5 : 25;

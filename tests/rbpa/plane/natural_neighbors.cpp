@@ -1,4 +1,4 @@
-// Natural neighbour interpolation: against Voronoi cells cut out of the plane one half-plane at a time.
+// Natural neighbor interpolation: against Voronoi cells cut out of the plane one half-plane at a time.
 #include "rbpa/plane/natural_neighbors.h"
 
 #include <doctest/doctest.h>
@@ -89,7 +89,7 @@ struct Natural {
 
 }  // namespace
 
-TEST_CASE("shares are the areas of what is cut out of the neighbours' cells") {
+TEST_CASE("shares are the areas of what is cut out of the neighbors' cells") {
   Random random(41);
   std::size_t compared = 0, many = 0;
   for (int number = 0; number < 300; ++number) {

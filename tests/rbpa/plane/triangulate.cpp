@@ -37,7 +37,7 @@ rbpa::TriangulationOptions all_of(unsigned threads = 1, Complex complex = Comple
   return options;
 }
 
-/// Neighbours and boundary are those of the triangles.
+/// Neighbors and boundary are those of the triangles.
 void check_connected(const Triangulation& of) {
   REQUIRE(of.neighbors.size() == of.triangles.size());
   std::map<Edge, std::uint32_t> at_side;

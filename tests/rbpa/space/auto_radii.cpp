@@ -224,7 +224,7 @@ TEST_CASE("the gap around a point is the farthest corner of its cell in the plan
   const Point3 up = {0, 0, 1};
   const auto near = [](double value) { return doctest::Approx(value).epsilon(1e-12); };
   CHECK(*gap_around(around, up, 1.4) == near(std::sqrt(0.5)));
-  CHECK(!gap_around(around, up, 0.7));  // beyond the neighbours
+  CHECK(!gap_around(around, up, 0.7));  // beyond the neighbors
   Points3 half = around;
   std::erase_if(half, [](const Point3& p) { return p.x < 0; });
   CHECK(!gap_around(half, up, 1.4));  // it is not closed

@@ -58,7 +58,7 @@ class ModelSurface {
   std::map<Side, Side> glued_;
 };
 
-/// Checks triangles, neighbours and levels.
+/// Checks triangles, neighbors and levels.
 bool is_model(const rbpa::Surface& surface, const ModelSurface& model);
 
 }  // namespace rbpa_test

@@ -69,7 +69,7 @@ long double winding(const Points3& points, const Shells& shells, std::uint32_t s
   return sum / (2 * static_cast<long double>(M_PI));
 }
 
-/// The centre of the ball on a triangle: along the normal from the point that is as far from all corners.
+/// The center of the ball on a triangle: along the normal from the point that is as far from all corners.
 Vector centre_of(const Points3& points, const Triangle& triangle, double radius, long double* height) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   const Vector u = {(long double)b.x - a.x, (long double)b.y - a.y, (long double)b.z - a.z};
@@ -129,14 +129,14 @@ TEST_CASE("shells are outer exactly if no shell winds around any ball that rests
     const double radius = space_radius(points, random);
     double greatest = 0;
     for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    if (radius < 1e-9 * greatest) continue;  // centres are rounded to the last bits of the coordinates
+    if (radius < 1e-9 * greatest) continue;  // centers are rounded to the last bits of the coordinates
     const Shells shells(points, radius);
     REQUIRE(shells.outer.size() == shells.components.all.size());
     if (!shells.outer.empty()) CHECK(shells.count() > 0);
     for (std::size_t t = 0; t < shells.surface.triangles.size(); ++t) {
       long double height = 0;
       const Vector at = centre_of(points, shells.surface.triangles[t], radius, &height);
-      if (!(height >= 1e-6L * radius)) continue;  // the centre may be on the surface, or anywhere
+      if (!(height >= 1e-6L * radius)) continue;  // the center may be on the surface, or anywhere
       const auto is_off = [&](std::uint32_t corner) {
         const Point3& p = points[corner];
         return std::abs(std::hypot(p.x - at[0], p.y - at[1], p.z - at[2]) - radius) > 1e-9L * radius;

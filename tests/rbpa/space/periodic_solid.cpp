@@ -63,7 +63,7 @@ FaceKey face_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) 
   return key_of(face);
 }
 
-/// Counts what is wrong with the neighbours.
+/// Counts what is wrong with the neighbors.
 std::size_t wrong_neighbors(const PeriodicSolid& solid) {
   std::map<FaceKey, std::vector<std::uint32_t>> at;
   for (std::uint32_t t = 0; t < solid.simplices.size(); ++t)
@@ -101,7 +101,7 @@ std::vector<double> some_alphas(const PeriodicSet& set, Random& random) {
 
 }  // namespace
 
-TEST_CASE("tetrahedra of a box are those of all points and their images, once each, with their neighbours") {
+TEST_CASE("tetrahedra of a box are those of all points and their images, once each, with their neighbors") {
   std::size_t sets = 0, tetrahedra = 0, crossing = 0, complete = 0;
   for (std::uint64_t trial = 0; trial < 180; ++trial) {
     Random random(4000 + trial);

@@ -22,7 +22,7 @@ using rbpa::Surface;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to their neighbours; nowhere else") {
+TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to their neighbors; nowhere else") {
   Random random(95);
   std::size_t triangles = 0, elsewhere = 0, several = 0;
   for (int k = 0; k < space_kinds; ++k)

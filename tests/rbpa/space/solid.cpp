@@ -182,7 +182,7 @@ void check_laws(const Points3& points, const Solid& s) {
     }
   }
   CHECK(wrong == 0);
-  // Faces without a neighbour are those of one tetrahedron.
+  // Faces without a neighbor are those of one tetrahedron.
   std::vector<std::array<std::uint32_t, 3>> faces, open;
   for (std::size_t t = 0; t < s.simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k) {
@@ -227,7 +227,7 @@ Rational volume(const Points3& points, const Solid& s) {
   return sum / 6;
 }
 
-/// The same from the faces without a neighbour alone (divergence theorem).
+/// The same from the faces without a neighbor alone (divergence theorem).
 Rational volume_within(const Points3& points, const Solid& s) {
   static constexpr std::array<std::array<std::size_t, 3>, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   Rational sum = 0;
@@ -369,7 +369,7 @@ TEST_CASE("a point in the middle of many on a sphere: one cavity that holds near
   points.push_back({0, 0, 0});
   const Solid full = solid(points, infinity);
   check_laws(points, full);
-  // Nearly all tetrahedra have the centre, so that their circumradius is little above 1/2.
+  // Nearly all tetrahedra have the center, so that their circumradius is little above 1/2.
   CHECK(solid(points, 0.51).simplices.size() > 3 * points.size() / 2);
 }
 

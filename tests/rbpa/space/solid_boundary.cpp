@@ -56,7 +56,7 @@ std::set<std::uint32_t> wedge(const Solid& s, std::uint32_t from, std::uint32_t 
   return all;
 }
 
-/// Triangles are the faces of one tetrahedron, outward, in order; neighbours bound the same wedge; the mesh is sound.
+/// Triangles are the faces of one tetrahedron, outward, in order; neighbors bound the same wedge; the mesh is sound.
 void check_boundary(const Points3& points, const Solid& s, const SolidBoundary& b) {
   const auto faces = tetrahedra_of_faces(s);
   const auto& triangles = b.surface.triangles;
@@ -328,7 +328,7 @@ TEST_CASE("arrays that are no solid are refused") {
   CHECK_THROWS_AS(rbpa::solid_boundary(solid(points, infinity, {.neighbors = false})), ContractViolation);
   CHECK_THROWS_AS(rbpa::measure(std::span(points).first(3), boundary.surface), ContractViolation);
   CHECK_THROWS_AS(rbpa::glued_outside(std::span(points).first(3), boundary.surface), ContractViolation);
-  // Whatever neighbours are, the walk ends, and what it finds is linked.
+  // Whatever neighbors are, the walk ends, and what it finds is linked.
   std::size_t refused = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
     Solid wrong = right;

@@ -111,7 +111,7 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
   CHECK(checked > 200);
 }
 
-TEST_CASE("threads make no difference, and large sets have no wrong neighbour of a face") {
+TEST_CASE("threads make no difference, and large sets have no wrong neighbor of a face") {
   const Points3 points = uniform_cube(12000, 5002);
   const SolidFiltration one = rbpa::solid_filtration(points, {.threads = 1});
   const SolidFiltration more = rbpa::solid_filtration(points, {.threads = 3});

@@ -18,7 +18,7 @@ namespace rbpa_test {
 using Tetrahedron = std::array<std::uint32_t, 4>;
 using Face = std::array<std::uint32_t, 3>;  ///< ascending
 
-/// Those of the tetrahedra that are kept, with the neighbours that are.
+/// Those of the tetrahedra that are kept, with the neighbors that are.
 rbpa::Solid part_of(const rbpa::Solid& solid, std::size_t points, const std::vector<bool>& kept);
 /// A random part: each tetrahedron with the probability.
 rbpa::Solid random_part(const rbpa::Solid& solid, std::size_t points, double probability, Random& random);

@@ -70,7 +70,7 @@ TEST_CASE("vertices are those of the halfedge mesh, and at each the triangles ar
   CHECK(split > 20);
 }
 
-TEST_CASE("an indexable surface has the same triangles, and neighbours are those with an edge in common") {
+TEST_CASE("an indexable surface has the same triangles, and neighbors are those with an edge in common") {
   std::size_t glued_anew = 0, cut = 0, as_before = 0;
   for_each_surface(323, 40, [&](const Points3&, const Surface& surface) {
     const Surface made = rbpa::indexable_surface(surface);

@@ -265,7 +265,7 @@ TEST_CASE("points on a torus have a closed surface of genus 1") {
 TEST_CASE("any number of threads, the same bytes; a run can be watched and cancelled") {
   Random random(85);
   const Points3 points = space_set(SpaceKind::noisy_sphere, 6000, random);
-  const Points3 normals = points;  // from the centre
+  const Points3 normals = points;  // from the center
   std::size_t calls = 0, last = 0;
   const auto watch = [&](const rbpa::Progress& p) {
     ++calls;

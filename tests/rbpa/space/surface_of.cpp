@@ -165,7 +165,7 @@ TEST_CASE(
   for (const auto& component : components.all) CHECK(component.volume > 0);
 }
 
-TEST_CASE("the exposed triangles of any points, without their neighbours, are glued as the ball rolls") {
+TEST_CASE("the exposed triangles of any points, without their neighbors, are glued as the ball rolls") {
   Random random(71);
   std::size_t crowded = 0;
   for (int k = 0; k < space_kinds; ++k)

@@ -458,7 +458,7 @@ TEST_CASE("components are pieces connected through triangles or points, with the
   CHECK(differ > static_cast<std::size_t>(trials(40)));
 }
 
-TEST_CASE("a boundary of another solid, and a solid without neighbours, are refused") {
+TEST_CASE("a boundary of another solid, and a solid without neighbors, are refused") {
   Random random(418);
   const Points3 points = space_set(SpaceKind::cube, 60, random);
   const Solid s = solid(points, infinity);

@@ -18,7 +18,7 @@ int in_circle(const Point& a, const Point& b, const Point& p, const Point& q);
 /// infinitely larger: the sign of the first nonzero coefficient of the expansion.
 int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q);
 
-/// Sign of (distance of the circumcentre from a) − alpha. Requires: a, b, c not on a line.
+/// Sign of (distance of the circumcenter from a) − alpha. Requires: a, b, c not on a line.
 int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha);
 
 /// Sign of |ab| − 2 alpha.
@@ -30,10 +30,10 @@ int compare_distances(const Point& v, const Point& p, const Point& q);
 /// Sign of (p − v) · (q − v).
 int dot_sign(const Point& v, const Point& p, const Point& q);
 
-/// |p − centre| ≤ radius.
+/// |p − center| ≤ radius.
 bool in_disc(const Point& centre, double radius, const Point& p);
 
-/// p is left of a→b, and inside or on the circle through a, b whose centre lies k half-chords left of their midpoint.
+/// p is left of a→b, and inside or on the circle through a, b whose center lies k half-chords left of their midpoint.
 bool in_segment(const Point& a, const Point& b, double k, const Point& p);
 
 /// p is not right of the line through a in direction (dx, dy).

@@ -16,7 +16,7 @@ enum class Kind {
   near_line,         ///< on a line but for a few units in the last place
   on_line,           ///< exactly
   near_circle,       ///< on a circle but for a few units in the last place
-  on_circle,         ///< integers at the same distance from an integer centre
+  on_circle,         ///< integers at the same distance from an integer center
   offset_grid,       ///< spacing 10⁻³ at coordinates of 10⁶, rounded
   mixed_scales,      ///< every coordinate with an exponent of its own
   limits_of_double,  ///< from 2⁻¹⁵⁰ to just below 2¹⁵⁰, among them near ties

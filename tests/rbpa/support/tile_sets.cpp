@@ -206,7 +206,7 @@ TileSet few_points(Random& random) {
 std::vector<Triangle> delaunay_by_winners(const Points& points) {
   std::vector<std::pair<Index, Index>> queue;
   for (Index i = 1; i < points.size(); ++i) {
-    // The nearest neighbour of a point is one of its Delaunay neighbours.
+    // The nearest neighbor of a point is one of its Delaunay neighbors.
     if (queue.empty() || P::compare_distances(points[0], points[i], points[queue[0].second]) < 0) queue = {{0, i}};
   }
   if (!queue.empty()) queue.emplace_back(queue[0].second, queue[0].first);

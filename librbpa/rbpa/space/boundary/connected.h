@@ -28,7 +28,7 @@ inline void require_boundary(std::size_t points, const Solid& solid, const Solid
     for (const std::uint32_t other : neighbors) meshops::require(other != Surface::none, not_its_boundary);
 }
 
-/// Sets of tetrahedra. Throws ContractViolation when a neighbour is none of them.
+/// Sets of tetrahedra. Throws ContractViolation when a neighbor is none of them.
 inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
   meshops::DisjointSets sets(solid.simplices.size());
   for (std::uint32_t t = 0; t < solid.neighbors.size(); ++t)

@@ -10,7 +10,7 @@
 
 namespace rbpa::space {
 
-/// Changes the neighbours of a boundary that is glued through the solid. Returns: how many edges it has less than half of its sides, as some
+/// Changes the neighbors of a boundary that is glued through the solid. Returns: how many edges it has less than half of its sides, as some
 /// are those of several wedges.
 /// Requires: closed, linked, on these points.
 std::size_t glue_outside(std::span<const Point3> points, Surface& boundary);

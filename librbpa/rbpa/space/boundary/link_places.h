@@ -15,11 +15,11 @@
 
 namespace rbpa::space {
 
-/// The corners of a tetrahedron but the one that is the centre.
+/// The corners of a tetrahedron but the one that is the center.
 using LinkTriangle = std::array<std::uint32_t, 3>;
 
 /// Whether the arc from within one triangle of the link to within another one crosses that from p to q, all as directions from a point.
-/// Requires: neither triangle is in a plane with the centre, nor are p and q on a line with it.
+/// Requires: neither triangle is in a plane with the center, nor are p and q on a line with it.
 bool arcs_cross(std::span<const Point3> points, std::uint32_t centre, const LinkTriangle& from, const LinkTriangle& to,
                 std::uint32_t p, std::uint32_t q);
 

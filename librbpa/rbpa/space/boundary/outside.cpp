@@ -226,7 +226,7 @@ class AtPoints {
   std::span<const Point3> points_;
   const Solid& solid_;
   const std::vector<Triangle>& triangles_;
-  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbours
+  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors
   const std::vector<std::uint32_t>& behind_;                   // tetrahedra
   Outside& outside_;
   std::vector<std::uint32_t> seen_;  // of each tetrahedron, the last region that it was in

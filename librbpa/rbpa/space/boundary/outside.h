@@ -1,6 +1,6 @@
 // What: what is outside of a solid, known from its boundary: which triangles bound the same part of it, and counts.
 // Law:  a function of the tetrahedra; exact.
-// How:  a regular neighbourhood of the complex is bounded by closed surfaces, one for each component of what is outside of a connected complex
+// How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of what is outside of a connected complex
 //       (Alexander duality). Such a surface runs along triangles glued through the outside, and around a point in all fans that are
 //       in the same region of its link's complement. docs/solid.md, section 9.
 // Cost: linear; where several fans meet at a point, that of passing all tetrahedra around it.
@@ -34,7 +34,7 @@ struct Outside {
   std::ptrdiff_t twice_euler = 0;
 };
 
-/// Requires: a solid of these points with neighbours, and its boundary.
+/// Requires: a solid of these points with neighbors, and its boundary.
 /// Throws:   ContractViolation where they visibly are not.
 Outside outside_of(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 

@@ -1,4 +1,4 @@
-// What: which of the new tetrahedra are neighbours: those whose outer faces share an edge.
+// What: which of the new tetrahedra are neighbors: those whose outer faces share an edge.
 // How:  a table from directed edges to faces. Both tetrahedra at an edge write it in their own direction, and then read the other's,
 //       so that nothing has to be cleared.
 //

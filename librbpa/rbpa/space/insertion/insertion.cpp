@@ -123,8 +123,8 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// The faces of two neighbours' common side is where powers with respect to their spheres are equal. So the power of the point
-/// decreases from a tetrahedron to the neighbour on the point's side of a face; the walk goes where it decreases most.
+/// The faces of two neighbors' common side is where powers with respect to their spheres are equal. So the power of the point
+/// decreases from a tetrahedron to the neighbor on the point's side of a face; the walk goes where it decreases most.
 std::uint32_t Insertion::locate(Vertex v) const {
   const InsertedPoint& q = vertex_[v];
   std::uint32_t t = start_;

@@ -1,7 +1,7 @@
 // What:   the Delaunay triangulation of points in space, built point by point. docs/solid.md, section 4, has a drawing.
 // How:    for each point
 //           1. walk from a tetrahedron made last to one whose sphere has the point inside;
-//           2. find all of them, the cavity, from neighbour to neighbour, level by level;
+//           2. find all of them, the cavity, from neighbor to neighbor, level by level;
 //           3. join the faces of its boundary to the point.
 //         The hull has a ghost over each face, so that points outside are no special case.
 // Law:    exact on any finite input. The tetrahedra do not depend on the order of the points.

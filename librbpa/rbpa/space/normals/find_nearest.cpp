@@ -118,7 +118,7 @@ Real square_between(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Fills `chosen`. First come the two nearest, which keep neighbours on a line connected. Then come points whose distance from all
+/// Fills `chosen`. First come the two nearest, which keep neighbors on a line connected. Then come points whose distance from all
 /// chosen ones is at least the spacing of as many evenly spread points in the disc; then the same with half that spacing, and so on.
 template <typename Real>
 void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
@@ -129,7 +129,7 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
     places.push_back(k);
   };
   for (std::size_t k = 0; k < std::min<std::size_t>(2, chosen.size()); ++k) choose(k);
-  constexpr Real spread = 2.56;  // discs whose centres are so far apart leave few gaps and do not fit more often
+  constexpr Real spread = 2.56;  // discs whose centers are so far apart leave few gaps and do not fit more often
   Real least = spread * nearest.square(nearest.size() - 1) / static_cast<Real>(chosen.size());
   for (; places.size() < chosen.size(); least /= 4)
     for (std::size_t k = 0; k < nearest.size() && places.size() < chosen.size(); ++k) {

@@ -2,7 +2,7 @@
 //       a scanner, others that are farther from each other.
 // Law:  nearest by rounded squared distances, and of equal ones the lexicographically least points. Points are renumbered in
 //       the order of the tree's leaves, near ones together: a function of the set of points.
-// Cost: O(n log n); about 30 times that at points where wider neighbourhoods are looked at.
+// Cost: O(n log n); about 30 times that at points where wider neighborhoods are looked at.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
                            const std::function<void()>& go_on, const SpansPlane& spans_plane = {});
 
-/// The median over the points of the distance between neighbours: where as many points per area are in a square grid.
+/// The median over the points of the distance between neighbors: where as many points per area are in a square grid.
 /// Requires: points, with nearest others.
 double spacing_of(const Neighborhoods& near);
 

@@ -22,7 +22,7 @@ struct Plane {
   bool is_certain() const { return roundness >= 0.03; }
 };
 
-/// A unit normal, to either side, of the plane through the centroid of point i and its neighbours that has the least sum of
+/// A unit normal, to either side, of the plane through the centroid of point i and its neighbors that has the least sum of
 /// squared distances from them. Where they are on a line within the precision of double, the direction across it that is
 /// nearest to +z, or to +y if the line is parallel to z; for one point +z. Differences are of type Real.
 template <typename Real>
@@ -35,7 +35,7 @@ struct PlanesOfPoints {
 };
 
 /// The planes of points and their `count` nearest others. Where `count` is 8 or more and these are about on a line, of wider
-/// neighbourhoods (find_nearest()); fewer are often on one, and are kept. Requires and calls go_on() as find_nearest().
+/// neighborhoods (find_nearest()); fewer are often on one, and are kept. Requires and calls go_on() as find_nearest().
 template <typename Real>
 PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads,
                           const std::function<void()>& go_on);

@@ -1,5 +1,5 @@
 // What:   turns normals to one side, along a minimum spanning tree of the graph of nearest points (Boost.Graph).
-// Law:    a function of the neighbourhoods: the order of edges of equal weight depends only on the order of the points, which
+// Law:    a function of the neighborhoods: the order of edges of equal weight depends only on the order of the points, which
 //         is that of the k-d tree's leaves.
 // Cost:   O(n log n), in one thread.
 // Source: Hoppe et al. (1992), section 3.3; the normal of one end is compared after reflection across the edge's middle, as
@@ -22,7 +22,7 @@ struct OrientationTree {
   std::vector<std::uint32_t> parent;  ///< of each point, and of the root itself
 };
 
-/// Turns the normals, one for each point of the neighbourhoods, as estimate_normals() promises. Calls go_on() repeatedly, if
+/// Turns the normals, one for each point of the neighborhoods, as estimate_normals() promises. Calls go_on() repeatedly, if
 /// there is one. Where the outer side of a point is known, as outer_sides() has it, the tree begins there.
 template <typename Real>
 OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals,

@@ -20,7 +20,7 @@ using Number = std::uint32_t;
 // Chosen on some fifty sets of points with known normals, and tried on others (docs/surface_derivation.md, section 11).
 constexpr double one_sided = 0.35;          // of the area around a point: what its sum has where its side is known
 constexpr double least_one_sided = 0.5;     // on average over a component
-constexpr double most_contradicted = 0.05;  // of pairs of neighbours
+constexpr double most_contradicted = 0.05;  // of pairs of neighbors
 constexpr double nearly_all = 0.7;          // of points
 constexpr double most_opposed = 0.02;       // of the points of a component: then the normals given are kept
 
@@ -67,7 +67,7 @@ struct Verdict {
   std::size_t points = 0, seen = 0, known = 0,
               opposed = 0;                  // that it touches; whose side is known; and is not the normal's
   double one_sided = 0;                     // sum over those that it touches
-  std::size_t pairs = 0, contradicted = 0;  // neighbours whose sides are known and whose planes are hardly tilted
+  std::size_t pairs = 0, contradicted = 0;  // neighbors whose sides are known and whose planes are hardly tilted
   double apart = 0, apart_squared = 0;      // sums over the contradicted pairs: how far one lies above the other
 
   /// The two sides of a sheet as thin as the points are apart contradict each other. But of such a sheet the ball sees nearly all

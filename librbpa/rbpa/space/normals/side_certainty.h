@@ -1,7 +1,7 @@
 // What: how sure it is on which side of its plane each normal is, once the spanning tree of orient_normals() has turned them.
 // How:  an edge of the tree cuts the graph of nearest points in two, and each edge of the graph across that cut is a vote: whether the
 //       normals at its ends, as they are turned, agree. A point is as sure as the least sure cut between it and where the tree begins.
-// Law:  a function of the neighbourhoods, the normals and the tree.
+// Law:  a function of the neighborhoods, the normals and the tree.
 // Cost: O(n log n), in one thread.
 #pragma once
 

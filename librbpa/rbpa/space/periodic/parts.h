@@ -35,7 +35,7 @@ class Parts {
   Rank directions_outside_;
 };
 
-/// How many boxes to go from where tetrahedron t is to where its neighbour across from corner k meets it.
+/// How many boxes to go from where tetrahedron t is to where its neighbor across from corner k meets it.
 Boxes step_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k);
 
 }  // namespace rbpa::space

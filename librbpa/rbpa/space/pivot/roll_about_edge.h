@@ -1,5 +1,5 @@
 // What:   the ball rolls all the way around an edge: on which arcs it holds no point, and on which triangles they end.
-// Law:    exact. Each free arc of the circle of its centres is reported once, by the exposed triangle at which it begins and
+// Law:    exact. Each free arc of the circle of its centers is reported once, by the exposed triangle at which it begins and
 //         the one at which it ends. A function of the edge and the set of points. docs/surface_derivation.md, section 4.
 // How:    where the ball leaves a point, another one may hold it: then go on to where it leaves that one. Where none does, the
 //         ball is free until it touches the first point.

@@ -22,7 +22,7 @@ namespace rbpa::space {
 /// Requires: the circumradius of the three is at most the radius.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
-/// The ball of the radius that touches a, b and c, with its centre on the side from which they are counter-clockwise.
+/// The ball of the radius that touches a, b and c, with its center on the side from which they are counter-clockwise.
 /// Real is double for points and a radius within the range of fits_double() (space/cells/scale.h), and long double for any.
 template <typename Real>
 class Ball {
@@ -52,7 +52,7 @@ class Ball {
     return decide(q);
   }
 
-  /// The side of the triangle's plane that q is on: 1 for the side of the centre, −1 for the other, 0 in the plane.
+  /// The side of the triangle's plane that q is on: 1 for the side of the center, −1 for the other, 0 in the plane.
   int side_of_plane(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real height = dot(normal_, d);
@@ -130,7 +130,7 @@ class Ball {
   bool rests_ = false;
   Vector3<Real> normal_{};  // n = (b − a) × (c − a)
   Real normal_error_ = 0;
-  Vector3<Real> centre_{};  // 2 n² (centre − a)
+  Vector3<Real> centre_{};  // 2 n² (center − a)
   Real square_ = 0;         // n²
   Real square_bound_ = 0, centre_bound_ = 0;
 };

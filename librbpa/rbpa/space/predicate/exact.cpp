@@ -71,7 +71,7 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
   const Corners t(scale, a, b, c);
   const Vector w = scale(d) - t.origin, vw = cross(t.v, w), wu = cross(w, t.u);
   const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v), ww = dot(w, w);
-  // The centre is at (uu v × w + vv w × u + ww u × v) / 2 volume, from a.
+  // The center is at (uu v × w + vv w × u + ww u × v) / 2 volume, from a.
   const Vector centre = {uu * vw.x + vv * wu.x + ww * t.n.x, uu * vw.y + vv * wu.y + ww * t.n.y,
                          uu * vw.z + vv * wu.z + ww * t.n.z};
   const Integer diameter = 2 * scale(radius) * dot(t.n, w), squares = dot(centre, centre) - diameter * diameter;
@@ -82,7 +82,7 @@ int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Poin
   const Scale scale{a, b, c, d, q};
   const Corners t(scale, a, b, c);
   const Vector w = scale(d) - t.origin, p = scale(q) - t.origin;
-  // The volume times the power of q, twice the product with the centre being as above.
+  // The volume times the power of q, twice the product with the center being as above.
   const Integer power = dot(p, p) * dot(t.n, w) - dot(t.u, t.u) * dot(cross(t.v, w), p) -
                         dot(t.v, t.v) * dot(cross(w, t.u), p) - dot(w, w) * dot(t.n, p);
   return -power.sign();
@@ -98,7 +98,7 @@ int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, cons
   const Scale scale{a, b, c, q};
   const Corners t(scale, a, b, c);
   const Vector d = scale(q) - t.origin;
-  // n² times the power of q; the centre is at (uu v × n + vv n × u) / 2 n², from a.
+  // n² times the power of q; the center is at (uu v × n + vv n × u) / 2 n², from a.
   const Integer power =
       dot(t.n, t.n) * dot(d, d) - dot(t.u, t.u) * dot(cross(t.v, t.n), d) - dot(t.v, t.v) * dot(cross(t.n, t.u), d);
   return -power.sign();

@@ -28,7 +28,7 @@ int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Poin
 int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& q);
 int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q);
 
-/// The side of q with respect to the ball that touches a, b, c, with its centre on the positive side of them: 1 when q is
+/// The side of q with respect to the ball that touches a, b, c, with its center on the positive side of them: 1 when q is
 /// inside, −1 when outside, 0 when it touches too.
 /// Requires: the circumradius of (a, b, c) is at most the radius.
 int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);

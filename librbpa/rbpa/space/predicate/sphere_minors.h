@@ -95,7 +95,7 @@ enum class RadiusSide { within, beyond, unknown };
 
 /// By the minors, where nothing underflows; docs/predicates.md, section 7.
 inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
-  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcentre.
+  // (m0, m1, m2) is 2 minor 3 times the vector to the circumcenter.
   constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;
   const double volume = std::abs(m[3]), volume_error = error.slope();
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]),

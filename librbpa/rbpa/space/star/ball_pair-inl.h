@@ -1,12 +1,12 @@
-// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centres around
+// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centers around
 //       v. For one pair of points or for as many as a vector has lanes.
-// Law:  centres come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
-// How:  seen from v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centres are (p² (q × n) + q² (n × p) ± √D n) / 2n²:
+// Law:  centers come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
+// How:  seen from v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are (p² (q × n) + q² (n × p) ± √D n) / 2n²:
 //
 //               n
 //               ↑     · left: on (v, p, q)
 //               │     │ √D / 2|n|
-//           v ──┼─────m─────  plane of v, p and q; m is the circumcentre of the triangle
+//           v ──┼─────m─────  plane of v, p and q; m is the circumcenter of the triangle
 //                     │
 //                     · right: on (v, q, p)
 //
@@ -60,10 +60,10 @@ class BallPair {
   HWY_INLINE hn::Mask<D> are_apart() const {
     return clearance_ < hn::Mul(hn::Set(d_, -limits::flatness * radius_ * radius_), product_);
   }
-  /// Both balls exist, for certain; but the error of their centres may be too large.
+  /// Both balls exist, for certain; but the error of their centers may be too large.
   HWY_INLINE hn::Mask<D> exist() const { return clearance_ > hn::Mul(hn::Set(d_, limits::flatness), whole_); }
 
-  /// A bound for the error of c · x − x²/2, for either centre c, as a share of Σ|xᵢ|. Requires: exist().
+  /// A bound for the error of c · x − x²/2, for either center c, as a share of Σ|xᵢ|. Requires: exist().
   HWY_INLINE V error() const {
     const V terms = hn::MulAdd(hn::Mul(hn::Set(d_, 384), product_), inverse(),
                                hn::MulAdd(hn::Set(d_, 32), hn::Div(whole_, clearance_), hn::Set(d_, 32)));
@@ -95,7 +95,7 @@ class BallPair {
 
 /// The two balls that rest on v, p and q: where the circles of p and q cross.
 struct Crossing {
-  Vector3<double> left{}, right{};  // centres of the balls on (v, p, q) and (v, q, p)
+  Vector3<double> left{}, right{};  // centers of the balls on (v, p, q) and (v, q, p)
   double error = 0;
   // Not bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
   std::uint32_t is_certain = 0, is_impossible = 0;

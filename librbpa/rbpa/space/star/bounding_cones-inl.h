@@ -5,7 +5,7 @@
 //
 //             C ───────── C'        hull of the lengthened corners: outside the sphere
 //              ╲  ╭───╮  ╱
-//               c╯  G  ╰c'          part G of the region, on the sphere of centres
+//               c╯  G  ╰c'          part G of the region, on the sphere of centers
 //                ╲     ╱
 //       ──────────╲   ╱──────────   plane through v, perpendicular to the sum of the corners
 //                   v

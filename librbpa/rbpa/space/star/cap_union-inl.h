@@ -1,4 +1,4 @@
-// What: the union of the caps that have been subtracted from the sphere of a ball's centres: whether it covers a point, a
+// What: the union of the caps that have been subtracted from the sphere of a ball's centers: whether it covers a point, a
 //       circle, a great circle.
 // Law:  "yes" is certain, "no" means that it could not be shown. Compiled once for each kind of vector unit; no include guard
 //       but the compiler's own per kind.
@@ -51,7 +51,7 @@ class CapUnion {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// No cap covers a centre that has an error of up to `error`.
+  /// No cap covers a center that has an error of up to `error`.
   bool misses(const Vector& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = points_[i];

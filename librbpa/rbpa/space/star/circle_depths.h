@@ -1,4 +1,4 @@
-// What: how deep a point's circle, of the centres of balls that touch it, is in the cap of another point.
+// What: how deep a point's circle, of the centers of balls that touch it, is in the cap of another point.
 // Law:  right up to the errors that limits.h allows.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What: where the centre of a ball may be that touches a point v and holds no other: the sphere of centres around v without one
+// What: where the center of a ball may be that touches a point v and holds no other: the sphere of centers around v without one
 //       cap for each other point. Its corners are the exposed triangles at v.
 // Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is enough the region is lost, and false is
 //       returned. docs/surface_derivation.md, section 5.

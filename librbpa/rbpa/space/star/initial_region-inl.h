@@ -39,7 +39,7 @@ class InitialRegion {
  public:
   static constexpr std::size_t most = 8;                          // points: as many as AVX-512 has lanes
   static constexpr std::size_t most_corners = most * (most - 1);  // two for each two points
-  /// The ball rests on (v, about, left) with its centre at `at`; from there the boundary follows the circle of `about` to the
+  /// The ball rests on (v, about, left) with its center at `at`; from there the boundary follows the circle of `about` to the
   /// corner `next`. Points are positions in the list.
   struct Corner {
     Vector3<double> at;

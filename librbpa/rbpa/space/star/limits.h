@@ -6,8 +6,8 @@ namespace rbpa::space::limits {
 
 inline constexpr double unit_roundoff = 0x1p-53, float_roundoff = 0x1p-24;
 
-/// Greatest error of a corner's centre, in radii. The bound is (192κ² + 32/η² + 32)ε for a triangle with sides |u|, |v| and
-/// normal n, where κ = |u||v|/|n| and η is the height of the centre above the triangle, in radii. A smaller limit would lose
+/// Greatest error of a corner's center, in radii. The bound is (192κ² + 32/η² + 32)ε for a triangle with sides |u|, |v| and
+/// normal n, where κ = |u||v|/|n| and η is the height of the center above the triangle, in radii. A smaller limit would lose
 /// regions at triangles that are merely thin; a greater one would leave too little between itself and `slack`.
 inline constexpr double error = 1e-7;
 
@@ -28,7 +28,7 @@ static_assert(slack >= 10 * error);
 inline constexpr double placed = 1e-10;
 static_assert(placed > 1000 * unit_roundoff && placed < error);
 
-/// Error of the greatest and the least c · p − p²/2 for centres c on the circle of q, as a share of the radius and Σ|pᵢ|. Half
+/// Error of the greatest and the least c · p − p²/2 for centers c on the circle of q, as a share of the radius and Σ|pᵢ|. Half
 /// of their difference is √(p² − (p · q)²/q²) √(r² − q²/4), whose differences are off by at most 15ε p² and 5ε r²; where they
 /// are near 0 the roots are off by the roots of these.
 inline constexpr double extreme = 1e-7;

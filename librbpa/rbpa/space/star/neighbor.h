@@ -29,7 +29,7 @@ struct Neighbor {
     const double square = dot(at, at);
     return {at, square / 2, std::sqrt(square), site};
   }
-  /// Σ|atᵢ|, by which errors of centres are multiplied.
+  /// Σ|atᵢ|, by which errors of centers are multiplied.
   double size() const { return std::abs(at.x) + std::abs(at.y) + std::abs(at.z); }
 };
 

@@ -1,4 +1,4 @@
-// What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's centres.
+// What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's centers.
 // Law:  arcs are shorter than 120 degrees, by corners that are no triangles where necessary. docs/surface_derivation.md,
 //       section 5.
 // How:  corner k and the arc from it to corner next[k] are in the same place of all arrays, so that one loop over vector lanes

@@ -1,5 +1,5 @@
-// What: makes arrays of triangles and neighbours, in canonical order, from the rings of all sites.
-// Law:  each triangle is read from the ring of its corner of the lowest input index; its neighbours from the rings of that
+// What: makes arrays of triangles and neighbors, in canonical order, from the rings of all sites.
+// Law:  each triangle is read from the ring of its corner of the lowest input index; its neighbors from the rings of that
 //       corner and of the next one.
 // Cost: linear; for each triangle a few short searches in the rings of its corners, which are near in memory.
 #pragma once
@@ -20,7 +20,7 @@ namespace rbpa::space {
 class SurfaceAssembly {
  public:
   using Triple = std::array<std::uint32_t, 3>;
-  static constexpr std::uint32_t none = 0xffffffff;  // no neighbour
+  static constexpr std::uint32_t none = 0xffffffff;  // no neighbor
   static constexpr std::size_t part_size = 256;      // sites: few, so that a run is cancelled soon
 
   /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
@@ -51,7 +51,7 @@ class SurfaceAssembly {
   template <typename Keep, typename IsNeeded>
   std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 
-  /// Fills in all triangles and their neighbours. Requires: all parts have been added.
+  /// Fills in all triangles and their neighbors. Requires: all parts have been added.
   /// Throws: InvalidInput when there are too many triangles for 32 bits.
   void finish(std::size_t input_points, Threads& threads, std::vector<Triple>& triangles,
               std::vector<Triple>& neighbors) const;

@@ -86,7 +86,7 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Then the centre is off by less than a hundredth of the radius: docs/solid_tiles.md.
+  /// Then the center is off by less than a hundredth of the radius: docs/solid_tiles.md.
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// A box that contains the ball. Requires: is_certain().

@@ -1,4 +1,4 @@
-// What: faces of tetrahedra whose neighbour is not known, and which of them are the same.
+// What: faces of tetrahedra whose neighbor is not known, and which of them are the same.
 // How:  in buckets by their first corner.
 // Cost: linear, where few have the same first corner.
 #pragma once
@@ -36,7 +36,7 @@ inline bool is_ascending_outside(const Row& corners, std::size_t k) {
   return ((a < b) + (b < c) + (c < a)) == 2;
 }
 
-/// Sets the neighbours across faces that come twice. `bound` is above all corners.
+/// Sets the neighbors across faces that come twice. `bound` is above all corners.
 void link_border_faces(std::span<const BorderFace> faces, std::size_t bound, meshops::FreshVector<Row>& neighbors);
 
 }  // namespace rbpa::space

@@ -1,6 +1,6 @@
 // What: the points that may be the fourth corner of a tetrahedron at a point v: those within reach whose stars are not finished.
 // How:  a block has the points in the cells around, once for all points of a cell. Of these the ones in a ball around v are
-//       candidates, seen from it, in double for certainty and in single to choose by. The centres of balls through v, p and q are
+//       candidates, seen from it, in double for certainty and in single to choose by. The centers of balls through v, p and q are
 //       x/2 + t n, and of the points above the plane the one of the least t is the corner wanted (docs/solid_triples.md has the quotients).
 //       What was chosen is then certain if every other candidate is outside of its sphere by more than the error, and the sphere
 //       within the ball: if its radius is at most half of the reach.

@@ -1,5 +1,5 @@
 // What: the Delaunay tetrahedra of circumradius at most alpha, tile by tile; those at points that no tile settles, from a
-//       triangulation of these points and their neighbours.
+//       triangulation of these points and their neighbors.
 // Law:  exact and complete, each once (docs/solid_tiles.md).
 // Cost: about a microsecond a point, for points that fill a volume.
 #pragma once

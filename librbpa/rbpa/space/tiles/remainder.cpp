@@ -102,7 +102,7 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
       if (open_sides[added[i]][k] == none) add(tetrahedra[added[i]].neighbor[k] / 4);
-  // 3. With their neighbours.
+  // 3. With their neighbors.
   for (const std::uint32_t t : added) {
     Row row = corners_of(t), neighbors = nothing;
     for (std::size_t k = 0; k < 4; ++k) {

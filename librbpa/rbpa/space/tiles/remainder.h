@@ -1,6 +1,6 @@
 // What: the tetrahedra that tiles have not found: those all of whose corners are unsettled.
 // How:  each of them is Delaunay among the unsettled points too. What else there is in the triangulation of these is left out by
-//       going from the faces that have a tetrahedron on one side only to the other side, and on from there to neighbours, never
+//       going from the faces that have a tetrahedron on one side only to the other side, and on from there to neighbors, never
 //       across such a face.
 // Cost: that of inserting the unsettled points.
 #pragma once
@@ -20,7 +20,7 @@ namespace rbpa::space {
 struct FoundRows {
   SolidRows rows;
   meshops::FreshVector<std::uint8_t> is_within;  ///< of each, whether its circumradius is at most alpha
-  meshops::FreshVector<BorderFace> border;       ///< faces whose neighbour was not known when they were found
+  meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was not known when they were found
 };
 
 /// Appends them. Requires: all that have a settled corner, linked; the spread of the leaves' points.

@@ -52,7 +52,7 @@ class StarSearch : public StarFinder, private ApexSearch {
  private:
   using Corners = std::array<std::uint16_t, 4>;
   static constexpr std::uint32_t none = Stars::none;
-  /// The first is none: neighbour of faces that have no other.
+  /// The first is none: neighbor of faces that have no other.
   static constexpr std::uint32_t nobody = 0;
   /// Of a point that is not the leaf's, or that was given up. Others have their number among the leaf's.
   static constexpr std::uint32_t waits_for_nothing = 1U << 16U;
@@ -170,7 +170,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_within_.resize(2 * count_ + 1024);
   }
 
-  /// The tetrahedron (second, first, apex, v), but for the neighbour across the apex.
+  /// The tetrahedron (second, first, apex, v), but for the neighbor across the apex.
   HWY_INLINE std::uint32_t add(OpenFaces::AtCorner& open, Local first, Local second) {
     const std::uint32_t t = count_++;
     const Local apex = apex_;
@@ -231,7 +231,7 @@ class StarSearch : public StarFinder, private ApexSearch {
   std::vector<std::uint8_t> is_settled_;  // of the leaf's points in their order
   // Of the tetrahedra found, from 1 on.
   std::vector<Corners> corners_;
-  std::vector<std::uint32_t> across_;  // of each face, the same one as its neighbour has it, or nobody
+  std::vector<std::uint32_t> across_;  // of each face, the same one as its neighbor has it, or nobody
   std::uint32_t count_ = 1;
   std::vector<std::uint32_t> number_;  // of those that are the leaf's, or none
   std::vector<std::uint8_t> is_within_;
@@ -296,7 +296,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   return false;
 }
 
-/// Numbers of neighbours, once all have one.
+/// Numbers of neighbors, once all have one.
 void StarSearch::link() {
   found_->neighbors.resize(found_->tetrahedra.size());
   number_[nobody / 4] = none;

@@ -38,7 +38,7 @@ class Tile {
   bool is_own(Local i) const { return place_[i] - first_own_ < own_; }
   Place first_own() const { return first_own_; }
 
-  /// Cells are numbered from 0 along each axis, those along z being neighbours.
+  /// Cells are numbered from 0 along each axis, those along z being neighbors.
   const std::array<int, 3>& cells() const { return cells_; }
   std::size_t cell(int x, int y, int z) const {
     return (static_cast<std::size_t>(x) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *

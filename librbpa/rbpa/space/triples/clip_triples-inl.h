@@ -1,7 +1,7 @@
 // What: a register of triangles (v, q, r), and which sides of each may have a tetrahedron whose other corner comes after r.
 // Law:  conservative: what is left out has none. docs/solid_triples.md derives the bounds.
-// How:  in alphas, with v at the origin: centres of balls through the triangle are x/2 + t n, with n = q × r and
-//       x = (|q|² r − |r|² q) × n / n². Such a ball holds p unless t b ≤ a, for a = p² − p · x and b = 2 p · n. Where the centre
+// How:  in alphas, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r and
+//       x = (|q|² r − |r|² q) × n / n². Such a ball holds p unless t b ≤ a, for a = p² − p · x and b = 2 p · n. Where the center
 //       is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| / |n|; 512 are used. So the
 //       t left by all points are between L and U, from (a + E) / b, and no apex after r has its t before (a − E) / b.
 //
@@ -109,7 +109,7 @@ class Lookup {
   hn::Vec<SingleNumbers> positions_;
 };
 
-/// The triangles of v with a register of pairs: their planes, their lines of centres, and the bounds of errors.
+/// The triangles of v with a register of pairs: their planes, their lines of centers, and the bounds of errors.
 template <int kRegisters>
 class Triangles {
  public:
@@ -167,7 +167,7 @@ class Triangles {
 HWY_INLINE Single raised(Single t) { return hn::MulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 HWY_INLINE Single lowered(Single t) { return hn::NegMulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 
-/// Pairs whose triangles all points leave something of the line of centres: its ends, L and U.
+/// Pairs whose triangles all points leave something of the line of centers: its ends, L and U.
 class OpenTriangles {
  public:
   void clear() { count_ = 0; }

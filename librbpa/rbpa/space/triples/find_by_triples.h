@@ -4,7 +4,7 @@
 // How:  for each point v, once for all points of a cell,
 //       1. gather the points after v, in the order of sites, and those before it, within 2 alpha (near_points-inl.h);
 //       2. list the pairs (q, r) after v, q before r, whose triangle with v has a circumradius of at most alpha;
-//       3. of a register of such triangles, clip the line of centres x + t n by every point p near v: a centre is at least as
+//       3. of a register of such triangles, clip the line of centers x + t n by every point p near v: a center is at least as
 //          far from p as from v where t b <= a. The first p on either side makes a tetrahedron (clip_triples-inl.h);
 //       4. whatever may be a tetrahedron is computed again in double (apex-inl.h), then exactly (exact_apex.h).
 // Cost: for m points within 2 alpha of one, about pairs × m / lanes operations, twenty each.

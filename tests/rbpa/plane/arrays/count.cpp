@@ -96,7 +96,7 @@ void check_all_ways(const Points& points, double alpha) {
 
 }  // namespace
 
-TEST_CASE("counts of arrays are those of the mesh, with pinches, by boundary or neighbours") {
+TEST_CASE("counts of arrays are those of the mesh, with pinches, by boundary or neighbors") {
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
     const Points points = set.make();

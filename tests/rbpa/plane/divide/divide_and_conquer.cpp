@@ -142,7 +142,7 @@ TEST_CASE("every triangle is the winner's at its sides, and none is missing: set
   for (const TileSet& set : tile_sets()) check(set.name, distinct(set.points));
 }
 
-TEST_CASE("points on a line have no triangle, and one beside it makes one for each pair of neighbours") {
+TEST_CASE("points on a line have no triangle, and one beside it makes one for each pair of neighbors") {
   const double steps[][2] = {{1, 0}, {0, 1}, {3, -7}, {0.5, 0.25}, {-1, -1}};
   for (const auto& step : steps)
     for (const int count : {0, 1, 2, 3, 4, 5, 100, 1000}) {
@@ -230,7 +230,7 @@ TEST_CASE("the number of threads changes no triangle, nor their order") {
   }
 }
 
-TEST_CASE("what is not kept is replaced by its mark in the neighbours") {
+TEST_CASE("what is not kept is replaced by its mark in the neighbors") {
   const Points points = uniform(2000, 14);
   const Patch all = triangulated(points);
   const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::nothing : 0; };

@@ -86,7 +86,7 @@ Points flat_parabola(int count, double curvature) {
   return points;
 }
 
-/// Density that falls with the square of the distance from the centre, over three decades.
+/// Density that falls with the square of the distance from the center, over three decades.
 Points heavy_centre(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -281,7 +281,7 @@ TEST_CASE("a close pair among uniform points costs few levels, on which next to 
   const Hierarchy with = hierarchy(points, infinity, 1);
   CHECK(wrong_numbers(with, infinity) == "");
   CHECK(with.least_radius < 1e-11);
-  // About forty doublings lie between the pair and its neighbours.
+  // About forty doublings lie between the pair and its neighbors.
   CHECK(with.levels.size() <= without.levels.size() + 8);
   std::size_t extra = 0;
   for (const rbpa::Level& level : with.levels)

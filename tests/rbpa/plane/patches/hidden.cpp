@@ -78,7 +78,7 @@ TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settl
   }
 }
 
-TEST_CASE("what lies far outside costs the sides it can be seen from, and what lies within its neighbourhood") {
+TEST_CASE("what lies far outside costs the sides it can be seen from, and what lies within its neighborhood") {
   const Points points = uniform(3000, 2);
   const Counts none = check_hidden(points, {}, Radius());
   const Counts inside = check_hidden(points, {{27.3, 27.4}}, Radius());

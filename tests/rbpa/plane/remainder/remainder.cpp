@@ -204,7 +204,7 @@ TEST_CASE("where density is even nearly all sites are done, however many tiles t
   for (const Points& points : {uniform(1500, 6), jittered_grid(40, 0.9, 7), perfect_grid(40, 1)})
     for (const Radius& radius : {Radius(), Radius(1)}) {
       const Counts counts = check({"even", points}, radius, 100, 1);
-      // The hull and its neighbours, and theirs where a circle is large.
+      // The hull and its neighbors, and theirs where a circle is large.
       CHECK(counts.not_done < 0.3 * static_cast<double>(counts.sites));
       CHECK(counts.complete > 0.8 * static_cast<double>(counts.sites));
       CHECK(counts.added < counts.told / 40);

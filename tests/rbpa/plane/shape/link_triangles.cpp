@@ -15,7 +15,7 @@ using namespace rbpa_test;
 
 TEST_SUITE_BEGIN("shape");
 
-TEST_CASE("neighbours by the triangles alone are those that the run finds") {
+TEST_CASE("neighbors by the triangles alone are those that the run finds") {
   Random random(61);
   const double infinity = std::numeric_limits<double>::infinity();
   for (int run = 0; run < 60; ++run) {

@@ -20,7 +20,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// The finite tetrahedra, corners sorted, after points came in that order; and whether neighbours name each other.
+/// The finite tetrahedra, corners sorted, after points came in that order; and whether neighbors name each other.
 std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const std::vector<std::uint32_t>& order,
                                                    std::size_t& wrong) {
   const rbpa::space::Spread spread = rbpa::space::spread(points);

@@ -110,7 +110,7 @@ TEST_CASE("few points, equal ones, and coordinates at both ends of double have o
   CHECK(found.distance == doctest::Approx(4e-300));
 }
 
-TEST_CASE("what is no factor, no number of neighbours or no point is refused; progress cancels") {
+TEST_CASE("what is no factor, no number of neighbors or no point is refused; progress cancels") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   for (const double factor : {0.5, -1.0, std::nan("")})
     CHECK_THROWS_AS(rbpa::outliers(points, {.factor = factor}), rbpa::InvalidInput);

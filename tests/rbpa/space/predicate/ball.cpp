@@ -35,7 +35,7 @@ Rational det(const Vector& u, const Vector& v, const Vector& w) {
 }
 int sign(const Rational& r) { return r.sign(); }
 
-/// The ball as textbooks have it: the circumcentre solves 2u·x = u², 2v·x = v², n·x = 0, and the centre is h normals above.
+/// The ball as textbooks have it: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals above.
 struct RationalBall {
   RationalBall(const Point3& a, const Point3& b, const Point3& c, double radius)
       : u(from(a, b)), v(from(a, c)), n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x} {
@@ -51,7 +51,7 @@ struct RationalBall {
   }
   /// 1 inside, −1 outside, 0 where the ball touches d, which is relative to a.
   int side(const Vector& d) const {
-    // |d|² − 2 centre · d − 2 √height (n · d)
+    // |d|² − 2 center · d − 2 √height (n · d)
     const Rational plain = dot(d, d) - 2 * dot(centre, d), factor = 2 * dot(n, d);
     const Rational squares = plain * plain - factor * factor * height;
     if (sign(plain) != sign(factor)) return sign(plain) != 0 ? -sign(plain) : height == 0 ? 0 : sign(factor);

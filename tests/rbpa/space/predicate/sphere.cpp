@@ -32,7 +32,7 @@ Vector cross(const Vector& u, const Vector& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// The circumcentre from a, by Cramer's rule. Requires: a volume.
+/// The circumcenter from a, by Cramer's rule. Requires: a volume.
 Vector centre(const Vector& u, const Vector& v, const Vector& w) {
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const Rational uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), twice = 2 * dot(uv, w);

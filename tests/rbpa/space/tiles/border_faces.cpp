@@ -24,7 +24,7 @@ constexpr std::uint32_t none = 0xffffffff;
 
 }  // namespace
 
-TEST_CASE("a face has its corners ascending, and neighbours see it from opposite sides") {
+TEST_CASE("a face has its corners ascending, and neighbors see it from opposite sides") {
   // (0, 1, 2, 3) positively oriented, and across from 3 a point on the other side of (0, 1, 2).
   const Row t = {10, 20, 30, 40}, turned = {20, 10, 30, 50};
   CHECK(border_face(t, 7, 3).corners == std::array<std::uint32_t, 3>{10, 20, 30});
@@ -40,7 +40,7 @@ TEST_CASE("a face has its corners ascending, and neighbours see it from opposite
   CHECK(!rbpa::space::is_ascending_outside(t, 1));
 }
 
-TEST_CASE("faces that come twice become neighbours, others remain as they are") {
+TEST_CASE("faces that come twice become neighbors, others remain as they are") {
   Random random(3191);
   std::size_t linked = 0;
   for (int trial = 0; trial < 100; ++trial) {

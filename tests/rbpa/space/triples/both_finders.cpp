@@ -49,7 +49,7 @@ double spacing(const Points3& points) {
 
 }  // namespace
 
-TEST_CASE("at any alpha, the same rows, neighbours, duplicates and isolated points as from all tetrahedra") {
+TEST_CASE("at any alpha, the same rows, neighbors, duplicates and isolated points as from all tetrahedra") {
   Random random(3121);
   std::size_t compared = 0;
   for (int trial = 0; trial < trials(60); ++trial) {

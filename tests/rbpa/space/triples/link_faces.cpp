@@ -1,4 +1,4 @@
-// The neighbours of rows of four numbers, against every pair of rows.
+// The neighbors of rows of four numbers, against every pair of rows.
 #include "rbpa/space/triples/link_faces.h"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ std::set<std::uint32_t> face(const Row& row, std::size_t across) {
 
 }  // namespace
 
-TEST_CASE("rows are neighbours across each common face, and across no other") {
+TEST_CASE("rows are neighbors across each common face, and across no other") {
   Random random(3111);
   rbpa::Threads threads(2);
   std::size_t linked = 0;
