@@ -1,4 +1,4 @@
-// A polygon is cut into ears, the shortest cut first: keys that change with the neighbours, and edges that are deferred.
+// A polygon is cut into ears, the shortest cut first: keys that change with the neighbors, and edges that are deferred.
 // Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>

@@ -26,12 +26,12 @@ class BallInPlane {
 
   BallInPlane(std::vector<Place> places, double alpha) : places_(std::move(places)), alpha_(alpha) {}
 
-  /// How many half-chords left of the edge ab the centre is when the ball touches c as well.
+  /// How many half-chords left of the edge ab the center is when the ball touches c as well.
   double half_chords(Site a, Site b, Site c) const {
     const Place e = at(c) - at(a), f = at(c) - at(b), d = at(b) - at(a);
     return dot(e, f) / cross(d, e);
   }
-  /// On a and b, with the centre so many half-chords left of the edge.
+  /// On a and b, with the center so many half-chords left of the edge.
   Disc on_edge(Site a, Site b, double half_chords) const {
     const Place d = at(b) - at(a);
     return {middle(a, b) + (half_chords / 2) * left_of(d), length(d) / 2 * std::sqrt(1 + half_chords * half_chords)};

@@ -19,7 +19,7 @@ struct Place {
 double length(Place p);
 /// Of length 1; the zero vector stays.
 Place direction(Place p);
-/// The point at an angle in degrees on a circle about the origin, and about another centre.
+/// The point at an angle in degrees on a circle about the origin, and about another center.
 Place polar(double degrees, double radius, Place centre = {});
 
 /// A line from place to place; with `bend` a parabola that leaves and arrives in the direction of it.
@@ -30,7 +30,7 @@ struct Segment {
   Place middle() const { return bend ? 0.25 * (from + to) + 0.5 * *bend : 0.5 * (from + to); }
 };
 
-/// Blue against orange and dark against light stay apart for every kind of colour vision, and in grey.
+/// Blue against orange and dark against light stay apart for every kind of color vision, and in gray.
 namespace colour {
 constexpr std::string_view paper = "#ffffff";
 constexpr std::string_view text = "#1b2733";
@@ -42,7 +42,7 @@ constexpr std::string_view face = "#dcebf8";
 constexpr std::string_view curve = "#1f6fb2";
 constexpr std::string_view touched = "#d9730d";
 constexpr std::string_view touched_face = "#fadcb9";
-}  // namespace colour
+}  // namespace color
 
 enum class Lettering { plain, italic, code, small };
 enum class Align { start, middle, end };

@@ -34,7 +34,7 @@ Point3 point_with_cap(Vector direction, double degrees) {
 
 Vector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// The centre of the ball on (v, x, y).
+/// The center of the ball on (v, x, y).
 Vector centre_on(const Vector& x, const Vector& y) {
   const Vector n = cross(x, y), w = minus(x, y);
   const double nn = dot(n, n), xx = dot(x, x), yy = dot(y, y), rise = std::sqrt(4 * nn - xx * yy * dot(w, w));
@@ -97,7 +97,7 @@ Region region_without(std::span<const Point3> points) {
   return drawn;
 }
 
-/// One view of the sphere of centres, from above.
+/// One view of the sphere of centers, from above.
 class View {
  public:
   View(Canvas& canvas, Place middle) : canvas_(canvas), middle_(middle) {

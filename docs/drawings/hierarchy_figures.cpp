@@ -123,7 +123,7 @@ std::vector<Segment> in_frame(const Frame& frame, std::vector<Segment> segments)
   return segments;
 }
 
-/// What was there before is grey; the boundary and the points that go on are marked, unless nothing goes on.
+/// What was there before is gray; the boundary and the points that go on are marked, unless nothing goes on.
 void draw_level(Canvas& canvas, const Frame& frame, const AfterLevel& after, double dot) {
   canvas.region(in_frame(frame, after.earlier), colour::pale);
   canvas.region(in_frame(frame, after.fresh), colour::face);

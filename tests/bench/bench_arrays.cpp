@@ -1,4 +1,4 @@
-// What: the C++ side of bench_python.py: triangulate() with neighbours and boundary on a file of native float64 pairs, once
+// What: the C++ side of bench_python.py: triangulate() with neighbors and boundary on a file of native float64 pairs, once
 //       for each line that comes in on standard input, and the seconds of it and of the processor on standard
 //       output.
 #include <chrono>

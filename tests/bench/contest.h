@@ -45,7 +45,7 @@ struct Contestant {
 /// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
-/// rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbours.
+/// rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbors.
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
                Triangles* list = nullptr);
 

@@ -108,7 +108,7 @@ KnownNormals box(const std::string& name, std::size_t count, const Point3& sides
 KnownNormals lens(const std::string& name, std::size_t count, double angle) {
   KnownNormals known{.name = name};
   Adder to(known, 0, 5);
-  const double off = std::cos(angle / 2 * pi / 180);  // of the centres from the plane between them
+  const double off = std::cos(angle / 2 * pi / 180);  // of the centers from the plane between them
   while (known.points.size() < count) {
     const Point3 u = to.direction();
     if (std::abs(u.z) < off) continue;

@@ -14,7 +14,7 @@
 namespace rbpa_bench {
 
 enum class Ground {
-  jittered,  ///< one point in each square of side 1, moved by up to 0.45 either way; neighbours follow each other
+  jittered,  ///< one point in each square of side 1, moved by up to 0.45 either way; neighbors follow each other
   uniform    ///< as many points anywhere in each strip of height 1, in any order
 };
 

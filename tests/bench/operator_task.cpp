@@ -115,7 +115,7 @@ class SiteFinder {
                    return true;
                  });
   }
-  /// Inner vertices whose stars share no vertex, each with two neighbours half a turn apart.
+  /// Inner vertices whose stars share no vertex, each with two neighbors half a turn apart.
   std::vector<Site> vertices() {
     return apart(
         [&](meshops::Vertex v) {

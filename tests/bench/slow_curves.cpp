@@ -6,7 +6,7 @@ namespace {
 
 using rbpa::Point;
 
-/// Points of so many circles around one centre.
+/// Points of so many circles around one center.
 Points circles(std::size_t count, int number, std::uint64_t seed) {
   return scattered(count, seed, [=](Random& random) {
     const double radius = random.integer(1, number) / static_cast<double>(number);

@@ -8,7 +8,7 @@ namespace {
 
 using rbpa::Point;
 
-/// Points anywhere on so many lines along x, the lines `apart` mean distances of neighbours within one from each other.
+/// Points anywhere on so many lines along x, the lines `apart` mean distances of neighbors within one from each other.
 Points rows(std::size_t count, int number, double apart, std::uint64_t seed) {
   number = std::max(number, 2);
   const double length = static_cast<double>(count) / number;

@@ -24,7 +24,7 @@ Point3 any(double size, Random& random) {
   return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }
 
-/// One of the two tori: around an axis through `centre` on the x axis.
+/// One of the two tori: around an axis through `center` on the x axis.
 struct Torus {
   static constexpr double wide = 1, tube = 0.35;
   double centre;

@@ -21,7 +21,7 @@ struct SurfacePoints {
 SurfacePoints on_sphere(std::size_t count, double noise);
 
 /// About as many on two tori that have grown together, of genus 2: around the tubes of both in rings one spacing apart,
-/// points of neighbouring rings half a spacing apart, moved like those of the sphere, brought to the common surface,
+/// points of neighboring rings half a spacing apart, moved like those of the sphere, brought to the common surface,
 /// and of any two that are nearer than half a spacing to each other, which are where the tori meet, only one.
 SurfacePoints on_double_torus(std::size_t count);
 

@@ -11,7 +11,7 @@ struct WarmRun {
   std::size_t triangles = 0;
 };
 
-/// Triangles of the points of a file, as arrays with neighbours, and polygons of them on request, in a process
+/// Triangles of the points of a file, as arrays with neighbors, and polygons of them on request, in a process
 /// of its own. Throws std::runtime_error when that fails.
 WarmRun compute_warm(const std::string& file, double alpha, unsigned threads, bool with_polygons);
 

@@ -21,15 +21,15 @@ extern const Workload grid;
 extern const Workload clusters;  ///< a hundred Gaussian clusters of equal number whose widths span three decades
 extern const Workload kuzmin;    ///< a heavy centre: density falls with the third power of the distance
 extern const Workload lidar;     ///< scan lines at map coordinates, quantised to a hundredth
-extern const Workload decades;   ///< spacing grows with the distance from the centre, from 1 to 1000
+extern const Workload decades;   ///< spacing grows with the distance from the center, from 1 to 1000
 
 /// Traps, of radius 1 where they are round.
 extern const Workload circle;               ///< rounded: cocircular but for the last bits
 extern const Workload circle_line_cluster;  ///< a third on a circle, on a line across it, in a square of side 10⁻¹²
 extern const Workload curves;               ///< along a parabola, a cubic and a rational circle
-extern const Workload concentric;           ///< ten circles around one centre
+extern const Workload concentric;           ///< ten circles around one center
 
-/// The mean distance of neighbours along `curves`.
+/// The mean distance of neighbors along `curves`.
 double spacing_along_curves(const rbpa_test::Points& points);
 
 /// A hundred Gaussian clusters of equal number whose widths span so many decades.

@@ -1,4 +1,4 @@
-// Readers of points of space: any bytes are points, all finite, with a normal and a colour of each or of none, or refused in
+// Readers of points of space: any bytes are points, all finite, with a normal and a color of each or of none, or refused in
 // a sentence of one line. The first byte is the format and the options; the rest is the file.
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-// What: natural neighbour coordinates by CGAL, on exact numbers.
+// What: natural neighbor coordinates by CGAL, on exact numbers.
 #pragma once
 
 #include <cstdint>

@@ -13,10 +13,10 @@
 
 namespace rbpa_test {
 
-/// E_r, and how its triangles are glued: canonical triangles by the lowest input indices; of each, neighbour k is the one
+/// E_r, and how its triangles are glued: canonical triangles by the lowest input indices; of each, neighbor k is the one
 /// across from corner k.
 struct ExposedByCgal {
-  /// What stands for a neighbour where there is none.
+  /// What stands for a neighbor where there is none.
   static constexpr std::uint32_t none = 0xffffffff;
   std::vector<Triangle> triangles, neighbors;
 };

@@ -26,7 +26,7 @@ bool cgal_takes(const meshops::PolygonSoup& soup);
 /// Requires: no corner is out of range, no face degenerate or repeated.
 meshops::PolygonSoup cgal_oriented(const meshops::PolygonSoup& soup);
 
-/// The faces that are worth keeping, as lists of the same points: repeated neighbours are named once, then what is no
+/// The faces that are worth keeping, as lists of the same points: repeated neighbors are named once, then what is no
 /// polygon or repeats another goes. Requires: no corner is out of range.
 std::vector<std::vector<std::uint32_t>> cgal_kept_faces(const meshops::PolygonSoup& soup);
 

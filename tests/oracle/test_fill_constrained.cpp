@@ -46,7 +46,7 @@ std::set<Triangle> peer_triangles(const PolygonCase& polygon) {
   return triangles;
 }
 
-/// Four points of two neighbours lie on one circle: then there is more than one triangulation.
+/// Four points of two neighbors lie on one circle: then there is more than one triangulation.
 bool has_ties(const rbpa::Filling& filling) {
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
     for (const std::uint32_t other : filling.neighbors[t]) {

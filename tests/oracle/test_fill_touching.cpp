@@ -93,7 +93,7 @@ bool touches(const Filling& filling) {
   return twice;
 }
 
-/// Area and boundary; "" when they are right. The boundary is the sides without a neighbour.
+/// Area and boundary; "" when they are right. The boundary is the sides without a neighbor.
 std::string wrong_with(const Filling& filling, const GeosGeometry& geometry, const Points& points) {
   double twice = 0, extent = 1;
   std::set<std::pair<std::uint32_t, std::uint32_t>> open, rings;

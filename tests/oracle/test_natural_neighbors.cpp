@@ -1,4 +1,4 @@
-// Natural neighbour interpolation against CGAL's coordinates.
+// Natural neighbor interpolation against CGAL's coordinates.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -81,7 +81,7 @@ std::size_t check(const Points3& points) {
 
 }  // namespace
 
-TEST_CASE("small sets of every kind have CGAL's Delaunay tetrahedra within alpha, and their neighbours") {
+TEST_CASE("small sets of every kind have CGAL's Delaunay tetrahedra within alpha, and their neighbors") {
   const std::uint64_t sets = argument("count", 2000) / space_kinds;
   std::size_t tetrahedra = 0;
   for (int k = 0; k < space_kinds; ++k) {

@@ -56,7 +56,7 @@ Points along_curves(int per_curve);
 /// Every integer point at distance `radius` of the origin, counter-clockwise. 5·13·17 = 1105 has 108, 32045 has 324.
 Points integer_circle(int radius);
 
-/// Integer circles of radius and 2 · radius around one centre, with the centre on request.
+/// Integer circles of radius and 2 · radius around one center, with the center on request.
 Points integer_concentric(int radius, bool centre);
 
 /// Two circles of `each` points, rounded: cocircular but for the last bits.
@@ -96,16 +96,16 @@ inline constexpr double ring_of_pinches_alpha = 3;
 /// farther: alpha = 1 is the tie.
 Points pairs_at_distance_2(int pairs, std::uint64_t seed);
 
-/// The centre and the integer points of a circle: every triangle at the centre has circumradius a little above
+/// The center and the integer points of a circle: every triangle at the center has circumradius a little above
 /// radius / 2, so alpha = 0.5001 · radius keeps narrow triangles and leaves long edges dangling between them.
 Points star(int radius);
 
-// Traps (generate_traps.cpp): few neighbours, and large circles that are empty or full of points -----------------------
+// Traps (generate_traps.cpp): few neighbors, and large circles that are empty or full of points -----------------------
 
 /// Points of the unit circle, rounded: cocircular but for the last bit.
 Points rounded_circle(std::size_t count);
 
-/// Circles of radius 1, 2, 3 … around one centre, `each` points in each.
+/// Circles of radius 1, 2, 3 … around one center, `each` points in each.
 Points many_rounded_circles(std::size_t circles, std::size_t each);
 
 /// A curve with a loop on either side, about 10 long.

@@ -18,7 +18,7 @@ struct PeriodicSet {
   rbpa::Point3 box;
 };
 
-/// About so many points, of one kind in turn: uniform, on integer and body-centred lattices with vacancies, in layers and rods, near the sides of the box,
+/// About so many points, of one kind in turn: uniform, on integer and body-centered lattices with vacancies, in layers and rods, near the sides of the box,
 /// outside of it, with duplicates.
 PeriodicSet periodic_set(std::uint64_t kind, std::size_t count, Random& random);
 inline constexpr std::uint64_t periodic_kinds = 9;

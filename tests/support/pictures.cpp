@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pixel_area = 4, side = 2;
 
-/// Labels of a grid with a margin of one; pixels are connected through sides. −1: not labelled.
+/// Labels of a grid with a margin of one; pixels are connected through sides. −1: not labeled.
 struct Labels {
   std::size_t rows, columns;
   std::vector<int> of;

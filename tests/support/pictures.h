@@ -14,7 +14,7 @@ namespace rbpa_test {
 /// Rows from the top; '#' is solid. All rows are of one length.
 using Picture = std::vector<std::string>;
 
-/// A pixel is 2 × 2, with its corners on even integers and its centre on odd ones. The centre makes four triangles of
+/// A pixel is 2 × 2, with its corners on even integers and its center on odd ones. The center makes four triangles of
 /// circumradius 1; three corners without it have √2.
 Points points_of(const Picture& picture);
 inline constexpr double picture_alpha = 1;

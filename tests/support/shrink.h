@@ -14,7 +14,7 @@ namespace rbpa_test {
 /// Cost: a few n log n calls where few points matter, n² at worst.
 Points shrink(Points points, const std::function<bool(const Points&)>& fails);
 
-/// The points as a C++ initialiser whose literals read back to the same doubles.
+/// The points as a C++ initializer whose literals read back to the same doubles.
 std::string literal(std::span<const rbpa::Point> points);
 
 /// A double as a C++ expression that reads back to it.

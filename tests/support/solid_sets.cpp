@@ -49,7 +49,7 @@ Points3 body_centred(std::size_t count) {
   return points;
 }
 
-/// Integer points of several spheres about one centre.
+/// Integer points of several spheres about one center.
 Points3 shells(std::size_t count) {
   Points3 points;
   for (int square = 9; points.size() < count; square += 20)

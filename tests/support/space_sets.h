@@ -17,7 +17,7 @@ using Points3 = std::vector<rbpa::Point3>;
 enum class SpaceKind {
   cube,          ///< anywhere in a cube
   grid,          ///< on a small integer grid, with repetitions: ties of every kind
-  cospherical,   ///< integer points of one sphere, and its centre
+  cospherical,   ///< integer points of one sphere, and its center
   near_sphere,   ///< of the unit sphere, rounded
   plane,         ///< on a plane through no axis, exactly
   plane_grid,    ///< on an integer grid in an axis plane

@@ -1,5 +1,5 @@
 // What: union–find over numbers from 0, with the parity of each number to the least of its set.
-// Cost: amortised logarithmic, in practice constant; four bytes a number.
+// Cost: amortized logarithmic, in practice constant; four bytes a number.
 #pragma once
 
 #include <algorithm>

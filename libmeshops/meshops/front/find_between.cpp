@@ -34,7 +34,7 @@ class Leaving {
 }  // namespace
 
 Halfedge Fitting::edge_between(Site from, Site to) const {
-  // Around both in turns: a site with many edges must not make its neighbours slow.
+  // Around both in turns: a site with many edges must not make its neighbors slow.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
     const Halfedge out = out_of.next();

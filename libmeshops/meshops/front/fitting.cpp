@@ -27,7 +27,7 @@ void Fitting::find_sides(Fit& fit) const {
 void Fitting::find_other_sides(Fit& fit) const {
   const Site apex = fit.corners[2];
   if (is_new(apex) || vertices_.is_free(apex)) return;
-  // The neighbours on the curve are the common case and need no search.
+  // The neighbors on the curve are the common case and need no search.
   const Halfedge h = fit.sides.side[0], next = mesh_.next_halfedge_handle(h), previous = mesh_.prev_halfedge_handle(h);
   if (end(next) == apex)
     fit.sides.side[1] = next;

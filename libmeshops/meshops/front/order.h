@@ -91,7 +91,7 @@ class LeastKeyFirst {
   Front& front_;
   Policy& policy_;
   std::conditional_t<rekeys, RekeyedEdges<Key>, KeyedEdges<Key>> keyed_;
-  std::vector<Halfedge> changed_;  // whose neighbours on the curve changed
+  std::vector<Halfedge> changed_;  // whose neighbors on the curve changed
   Aged moving_;                    // on its way into keyed_, or within it
   std::size_t age_ = 0;
 };

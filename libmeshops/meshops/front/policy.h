@@ -94,7 +94,7 @@ concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& f
   { policy.key(front, h) } -> std::totally_ordered;
 };
 
-/// Keys may depend on the neighbours on the curve, as angles between edges do. A policy that declares it,
+/// Keys may depend on the neighbors on the curve, as angles between edges do. A policy that declares it,
 ///   static constexpr bool rekeys_neighbours = true;
 /// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached, if
 /// they are active. Their age stays: where no triangle is detached, keys that stay the same make the same run.

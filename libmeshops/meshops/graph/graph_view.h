@@ -24,7 +24,7 @@ namespace meshops {
 /// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
 ///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
-/// Throws:      ContractViolation for the neighbours of a vertex that vertices() does not list, and for the ends of an
+/// Throws:      ContractViolation for the neighbors of a vertex that vertices() does not list, and for the ends of an
 ///              edge that is out of range.
 /// Invalidated: by whatever changes the elements of the mesh. Elements marked deleted are passed over.
 template <typename Kind, typename Direction>

@@ -43,7 +43,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };
   constexpr auto previous = [](unsigned i) { return (i + 2) % 3; };
   InsertedTriangle result;
-  std::array<Halfedge, 3> before;  // of each given side, its neighbours on the boundary before the change
+  std::array<Halfedge, 3> before;  // of each given side, its neighbors on the boundary before the change
   std::array<Halfedge, 3> after;
   std::array<Vertex, 3> corner;
   const auto for_each = [](auto visit) {
@@ -86,7 +86,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   for_each([&](auto i) { mesh.set_face_handle(result.side[i], result.face); });
   mesh.set_halfedge_handle(result.face, result.side[0]);
 
-  // The boundary passes by each corner, unless its two sides were neighbours on it: then the corner closes.
+  // The boundary passes by each corner, unless its two sides were neighbors on it: then the corner closes.
   for_each([&](auto i) {
     constexpr unsigned p = previous(i);  // side p comes into corner i, side i leaves it
     Halfedge in, out;

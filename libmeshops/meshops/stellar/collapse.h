@@ -1,5 +1,5 @@
 // What:   the operator that merges one vertex of an edge into the other.
-// Law:    collapse(h) is: flip at the vertex until h and its two neighbours are its only edges, then weld the face.
+// Law:    collapse(h) is: flip at the vertex until h and its two neighbors are its only edges, then weld the face.
 // Source: Lewiner et al., section on stellar operators; Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving edge
 //         contraction (1999) for the link condition.
 #pragma once
@@ -16,7 +16,7 @@ namespace meshops {
 
 /// Why h cannot be collapsed, or nothing when it can: a face beside it is not a triangle; it is an inner edge between
 /// boundary vertices (they would become a pinch); another edge joins its vertices (it would become a loop); nothing but
-/// an edge would be left; Keep::simplicial: the link condition, i.e. the ends have a common neighbour other than the
+/// an edge would be left; Keep::simplicial: the link condition, i.e. the ends have a common neighbor other than the
 /// apexes, or both have three edges on a tetrahedron. Of this and of all operators that delete: the mesh has no status.
 MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
                                                         Keep keep = Keep::simplicial);

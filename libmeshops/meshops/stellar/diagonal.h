@@ -28,7 +28,7 @@ struct RemoveDiagonalEffect {
 };
 
 /// Why no diagonal can join the starts of these halfedges, or nothing when one can: they are not sides of one face; the
-/// corners are neighbours (a face of two sides would be left), or one vertex (a loop); Keep::simplicial: an edge joins
+/// corners are neighbors (a face of two sides would be left), or one vertex (a loop); Keep::simplicial: an edge joins
 /// them already, or both faces would be triangles on the same corners, in a face that touches itself.
 MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
                                                                Keep keep = Keep::simplicial);

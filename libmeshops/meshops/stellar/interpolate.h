@@ -90,7 +90,7 @@ bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
 
 }  // namespace detail
 
-/// Numbers, and vectors of numbers as OpenMesh has them: weights, texture coordinates, colours.
+/// Numbers, and vectors of numbers as OpenMesh has them: weights, texture coordinates, colors.
 template <typename T>
 concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 

@@ -9,7 +9,7 @@
 namespace meshops::detail {
 namespace {
 
-/// `heir` replaces h in its loop, and in the record of its face. `before` and `after` are the neighbours
+/// `heir` replaces h in its loop, and in the record of its face. `before` and `after` are the neighbors
 /// there.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);
@@ -214,7 +214,7 @@ bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
     from_a = cw(mesh, from_a);
     if (from_a == first_of_a) return false;
   }
-  // Around both at once then: a vertex of many edges must not make its neighbours slow.
+  // Around both at once then: a vertex of many edges must not make its neighbors slow.
   do {
     if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
     from_a = cw(mesh, from_a);
@@ -283,7 +283,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   if (!effect.removed.at_boundary) effect.removed.face[1] = mesh.face_handle(s.o);
   if (s.v_has_degree_two()) return close_inner_path(mesh, s, effect);
 
-  // Nothing may be written to the records of what goes: undo() reads them. So the neighbours are found before.
+  // Nothing may be written to the records of what goes: undo() reads them. So the neighbors are found before.
   const Halfedge wd = mesh.opposite_halfedge_handle(s.dw);
   const Halfedge named_by_v = mesh.halfedge_handle(v);
   effect.removed.edge[0] = mesh.edge_handle(s.h);

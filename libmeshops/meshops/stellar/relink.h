@@ -35,7 +35,7 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
   mesh.set_halfedge_handle(face, a);
 }
 
-/// Cuts a face between the starts of two of its sides, which are no neighbours. `diagonal` runs from the first to the
+/// Cuts a face between the starts of two of its sides, which are no neighbors. `diagonal` runs from the first to the
 /// second; the part without the halfedge of the face goes to `added`. Returns that halfedge of the diagonal which has
 /// the new face on its left.
 Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);

@@ -13,7 +13,7 @@
 
 namespace meshops {
 
-/// Why the vertex cannot be removed, or nothing when it can: it is isolated, or no neighbour can take over its fan;
+/// Why the vertex cannot be removed, or nothing when it can: it is isolated, or no neighbor can take over its fan;
 /// then the reason is that of the first halfedge.
 MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
                                                              Keep keep = Keep::simplicial);

@@ -32,7 +32,7 @@ struct TriangulateFaceEffect {
 
 /// A weight of triangles: weight(a, b, c) for three corners, in the order in which they lie around the face, is any
 /// type with a sum and an order. A sum that is a maximum makes the worst triangle as good as can be. The weight of a
-/// triangle must not depend on its neighbours, as the angles between them do (Liepa 2003): then parts of least weight do
+/// triangle must not depend on its neighbors, as the angles between them do (Liepa 2003): then parts of least weight do
 /// not combine to a whole of least weight, and dynamic programming does not find it.
 template <typename Weight>
 concept TriangleWeight = requires(Weight& weight, Vertex v) {
@@ -52,7 +52,7 @@ class MESHOPS_API Polygon {
   /// Why there is no triangulation.
   const char* reason() const { return reason_; }
   Vertex corner(std::size_t i) const { return corners_[i]; }
-  /// Corners i < j are neighbours, or a diagonal may join them.
+  /// Corners i < j are neighbors, or a diagonal may join them.
   bool may_join(std::size_t i, std::size_t j) const {
     return j == i + 1 || (i == 0 && j + 1 == size()) || allowed_[i * size() + j];
   }

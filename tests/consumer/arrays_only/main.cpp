@@ -64,7 +64,7 @@ int main() {
 
   sphere.push_back({0, 0, 0});
   const rbpa::Solid solid = rbpa::solid(sphere, 0.6);
-  const bool is_full = solid.simplices.size() == 396;  // each triangle with the centre
+  const bool is_full = solid.simplices.size() == 396;  // each triangle with the center
   std::puts(is_full ? "a ball" : "not the solid that is expected");
   return has_triangles && has_shape && is_closed && is_full ? 0 : 1;
 }

@@ -94,7 +94,7 @@ TEST_SUITE("defer") {
     check_sound(mesh);
   }
 
-  TEST_CASE("an edge to which a neighbour's triangle is attached is not proposed for again") {
+  TEST_CASE("an edge to which a neighbor's triangle is attached is not proposed for again") {
     // The edge 0→2 waits; 2→1 gets the site 0... by way of a new triangle around it.
     struct Around {
       std::map<std::pair<Site, Site>, Site> apex = {{{1, 0}, 3}, {{3, 0}, 2}};

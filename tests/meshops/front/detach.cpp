@@ -25,7 +25,7 @@ std::size_t fans_at(const Front& front, Site s) {
 
 TEST_SUITE("front") {
   TEST_CASE("what was attached last goes again, and the mesh is as before, up to handles") {
-    // Each triangle of a closed ring around site 0: new vertex, neighbour on the curve, and the last that closes it.
+    // Each triangle of a closed ring around site 0: new vertex, neighbor on the curve, and the last that closes it.
     TestMesh mesh;
     Front front(mesh, 6);
     front.create(0, 1, 2);

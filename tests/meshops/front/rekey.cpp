@@ -1,4 +1,4 @@
-// Keys that depend on the neighbours on the curve.
+// Keys that depend on the neighbors on the curve.
 #include <doctest/doctest.h>
 
 #include <set>
@@ -16,7 +16,7 @@ namespace {
 
 unsigned mixed(unsigned a, unsigned b) { return (a * 7919U + b * 104'729U + 17U) % 1009U; }
 
-/// As wild as a function of an edge and its neighbours can be: attaches, places, closes, detaches, defers.
+/// As wild as a function of an edge and its neighbors can be: attaches, places, closes, detaches, defers.
 struct Wild {
   unsigned salt = 0;
   std::size_t asked = 0, detached = 0, deferred = 0;
@@ -154,7 +154,7 @@ TEST_SUITE("rekey") {
     CHECK(deferred > 100);
   }
 
-  TEST_CASE("without it, keys of neighbours are of yesterday") {
+  TEST_CASE("without it, keys of neighbors are of yesterday") {
     std::size_t late = 0;
     for (unsigned salt = 0; salt < 40; ++salt) {
       TestMesh mesh;

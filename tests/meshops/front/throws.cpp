@@ -89,7 +89,7 @@ struct Gluing : ByKey {
   }
 };
 
-/// Some edges wait until the front has so many triangles. Keys are of the neighbours.
+/// Some edges wait until the front has so many triangles. Keys are of the neighbors.
 struct Waiting : OfTheEdge {
   Proposal propose(const Front& front, Halfedge h) {
     const unsigned m = mixed(front.from_site(h), front.to_site(h), 3);

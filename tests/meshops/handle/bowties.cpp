@@ -81,7 +81,7 @@ TEST_SUITE("bowties") {
     }
   }
 
-  TEST_CASE("edges that OpenMesh's ring makes neighbours at a bowtie are not zipped") {
+  TEST_CASE("edges that OpenMesh's ring makes neighbors at a bowtie are not zipped") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     tie(mesh, mesh.from_vertex_handle(b[0]), mesh.from_vertex_handle(b[3]));

@@ -119,7 +119,7 @@ TEST_SUITE("glue") {
         for (const auto& curve : boundary_curves(mesh)) open.insert(open.end(), curve.begin(), curve.end());
         if (open.size() < 2) break;
         const Halfedge first = open[random() % open.size()];
-        // Neighbours are rare among random pairs: choose them half of the time.
+        // Neighbors are rare among random pairs: choose them half of the time.
         const Halfedge second = random() % 2 ? mesh.next_halfedge_handle(first) : open[random() % open.size()];
         if (glue_blocker(mesh, first, second)) continue;
         ++seen[static_cast<int>(checked_glue(mesh, first, second))];

@@ -103,7 +103,7 @@ TEST_SUITE("insert_triangle") {
   TEST_CASE("adjacent sides: a corner of the front is filled, and three of them close a curve") {
     Twins t;
     t.insert(no_sides);
-    // A fan around vertex `centre`, until the corner at it is the only thing open.
+    // A fan around vertex `center`, until the corner at it is the only thing open.
     const Halfedge start = boundary_curves(t.fast)[0].front();
     const Vertex centre = t.fast.to_vertex_handle(start);
     for (int i = 0; i < 3; ++i) {

@@ -24,7 +24,7 @@ void one_triangle(TestMesh& mesh) { create_triangle(mesh); }
 
 void square(TestMesh& mesh) { add_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}}); }
 
-/// A wheel: a centre and a rim.
+/// A wheel: a center and a rim.
 void wheel(TestMesh& mesh) {
   std::vector<Corners> t;
   for (int i = 0; i < 6; ++i) t.push_back({0, 1 + i, 1 + (i + 1) % 6});
@@ -93,7 +93,7 @@ void two_components(TestMesh& mesh) {
 void random_gluings(TestMesh& mesh) {
   std::mt19937 random(20040917);
   std::vector<Halfedge> open = separate_triangles(mesh, 1000);
-  // Join to one component, then glue on: neighbours often, any others seldom.
+  // Join to one component, then glue on: neighbors often, any others seldom.
   for (std::size_t t = 1; t < 1000; ++t)
     for (;;) {
       const Halfedge h = open[random() % (3 * t)];

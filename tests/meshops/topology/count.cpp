@@ -39,7 +39,7 @@ TEST_SUITE("count") {
     REQUIRE(curves.size() == 2);
     std::vector<Halfedge> one(curves[0].begin(), curves[0].end()), other(curves[1].begin(), curves[1].end());
     REQUIRE(one.size() == other.size());
-    // Curves run opposite ways along the seam; turned by two, no merged vertices are neighbours.
+    // Curves run opposite ways along the seam; turned by two, no merged vertices are neighbors.
     std::size_t glued = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {
       const std::size_t j = (2 * one.size() + 2 - i) % other.size();

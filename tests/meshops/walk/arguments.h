@@ -38,7 +38,7 @@ class Arguments {
   Halfedge boundary() {
     return any<Halfedge>(mesh_.n_halfedges(), [&](Halfedge h) { return is_live(mesh_, h) && mesh_.is_boundary(h); });
   }
-  /// Another one, near by half of the time: where neighbours matter, two at random seldom are.
+  /// Another one, near by half of the time: where neighbors matter, two at random seldom are.
   Halfedge boundary_near(Halfedge h) {
     if (!is_live(mesh_, h) || choices_.one_in(2)) return boundary();
     switch (choices_.below(4)) {

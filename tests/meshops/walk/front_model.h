@@ -63,8 +63,8 @@ class FrontModel {
 
  private:
   struct Star {
-    std::map<Site, std::pair<Site, const Cycle*>> after;  // around the site, from neighbour to neighbour across a face
-    std::set<Site> first;                                 // neighbours before which there is no face
+    std::map<Site, std::pair<Site, const Cycle*>> after;  // around the site, from neighbor to neighbor across a face
+    std::set<Site> first;                                 // neighbors before which there is no face
   };
   Star star(Site s) const;
 
