@@ -1,5 +1,5 @@
 #!/bin/bash
-# Draws the pictures of docs/which_alpha.md: shapes of real sets at the alphas that the page speaks of.
+# Draws the pictures of docs/how_to/choose_alpha.md: shapes of real sets at the alphas that the page speaks of.
 # usage: bash docs/drawings/which_alpha.sh PROGRAM FOLDER...
 #   PROGRAM  rbpa
 #   FOLDER   where point sets are: tests/data, and any that has the two that are not there

@@ -1,6 +1,7 @@
-// What README.md and docs/which_alpha.md, tasks.md, fill.md, surface.md, cavities.md, persistence_in_space.md and lidar_footprint.md show under a command is what the command prints.
+// What README.md and the pages of docs show under a command is what the command prints.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -12,12 +13,15 @@ using namespace apps_test;
 
 namespace {
 
+const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
+
 struct Shown {
   std::string program, arguments;
   std::string output;
 };
 
-/// The commands of the blocks ```console, which begin with "$ "; lines with "# " and empty ones before them are not output.
+/// The commands of the blocks ```console, which begin with "$ "; lines with "# " and empty ones before them are not
+/// output.
 std::vector<Shown> commands_in(const std::string& page) {
   std::vector<Shown> commands;
   std::istringstream lines(page);
@@ -41,76 +45,52 @@ std::vector<Shown> commands_in(const std::string& page) {
   return commands;
 }
 
+/// README.md and the pages in all folders of docs, sorted.
+std::vector<std::filesystem::path> pages() {
+  std::vector<std::filesystem::path> found = {RBPA_README};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs"))
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 }  // namespace
 
 TEST_SUITE("readme") {
-  TEST_CASE("the output of each command is that of a run") {
-    const Folder folder;
-    std::filesystem::create_directory(folder.path("tests"));
-    std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
-    const std::vector<Shown> of_readme = commands_in(read_file(RBPA_README));
-    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
-    std::vector<Shown> commands;
-    const std::pair<const char*, std::size_t> pages[] = {
-        {"docs/which_alpha.md", 2},   {"docs/fill.md", 5},           {"docs/surface.md", 11},
-        {"docs/scan_to_print.md", 4}, {"docs/cavities.md", 5},       {"docs/persistence_in_space.md", 1},
-        {"docs/meshtopo.md", 1},      {"docs/lidar_footprint.md", 4}};
-    for (const auto& page : pages) {
-      CAPTURE(page.first);
-      const std::vector<Shown> of_page = commands_in(read_file((root / page.first).string()));
-      CHECK(of_page.size() == page.second);
-      commands.insert(commands.end(), of_page.begin(), of_page.end());
+  TEST_CASE("the output of each command is that of a run, page by page in a folder of its own") {
+    std::size_t count = 0;
+    for (const std::filesystem::path& page : pages()) {
+      CAPTURE(page.string());
+      const Folder folder;
+      std::filesystem::create_directory(folder.path("tests"));
+      std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
+      for (const Shown& command : commands_in(read_file(page.string()))) {
+        ++count;
+        CAPTURE(command.program);
+        CAPTURE(command.arguments);
+        const Outcome outcome = command.program == "rbpa"       ? folder.rbpa(command.arguments)
+                                : command.program == "meshtopo" ? folder.meshtopo(command.arguments)
+                                                                : folder.run(command.program, command.arguments);
+        CHECK(outcome.code == 0);
+        std::string output = outcome.out + outcome.err;
+        for (std::size_t at; (at = output.find(folder.path(""))) != std::string::npos;)
+          output.replace(at, folder.path("").size(), "/data/");
+        CHECK(output == command.output);
+      }
     }
-    CHECK(of_readme.size() >= 8);
-    commands.insert(commands.end(), of_readme.begin(), of_readme.end());
-    for (const Shown& command : commands) {
-      CAPTURE(command.arguments);
-      const Outcome outcome =
-          command.program == "rbpa" ? folder.rbpa(command.arguments) : folder.meshtopo(command.arguments);
-      CHECK((command.program == "rbpa" || command.program == "meshtopo"));
-      CHECK(outcome.code == 0);
-      CHECK(outcome.out + outcome.err == command.output);
-      CHECK(!command.output.empty());
-    }
+    CHECK(count >= 40);
   }
 
-  TEST_CASE("which alpha to choose is said before the examples, plateau first; --cover comes later, with its warning") {
-    const std::string readme = read_file(RBPA_README);
+  TEST_CASE("README begins with plateau; the page about alpha has plateau first, then auto") {
     const auto at = [](const std::string& page, const std::string& words) {
       const std::size_t place = page.find(words);
       CHECK_MESSAGE(place != std::string::npos, words);
       return place;
     };
-    const std::string choose = "**Which alpha to choose:** `plateau` first.";
-    CHECK(at(readme, choose) < at(readme, "```console"));
+    const std::string readme = read_file(RBPA_README);
     CHECK(at(readme, "$ rbpa shape") == at(readme, "$ rbpa shape tests/data/mol_2xhe_xy.xy --alpha plateau"));
-    // What the comment says of the example with --cover is what both examples print.
-    const std::size_t cover = at(readme, "$ rbpa shape tests/data/mol_2xhe_xy.xy --alpha auto --cover 0.99");
-    CHECK(at(readme, "12 parts and 29\n# pinholes, where plateau has 1 part and none.") < cover);
-    CHECK(readme.find("12 polygons with 29 holes", cover) != std::string::npos);
-    CHECK(at(readme, "1 polygon with 0 holes, area 3819.51, alpha plateau") < cover);
-    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
-    const std::string page = read_file((root / "docs/which_alpha.md").string());
+    const std::string page = read_file((root / "docs/how_to/choose_alpha.md").string());
     CHECK(at(page, "**Which alpha to choose.** `plateau` first.") < at(page, "| you want | type |"));
     CHECK(at(page, "| `--alpha plateau`; ") < at(page, "| `--alpha auto`"));
-  }
-
-  TEST_CASE("so it is with tasks, which make runs") {
-    const Folder folder;
-    std::filesystem::create_directory(folder.path("tests"));
-    std::filesystem::create_directory_symlink(RBPA_TEST_DATA, folder.path("tests/data"));
-    const std::filesystem::path root = std::filesystem::path(RBPA_README).parent_path();
-    const std::vector<Shown> commands = commands_in(read_file((root / "docs/tasks.md").string()));
-    REQUIRE(commands.size() == 2);
-    for (const Shown& command : commands) {
-      CAPTURE(command.arguments);
-      const Outcome outcome =
-          command.program == "rbpa" ? folder.rbpa(command.arguments) : folder.run(command.program, command.arguments);
-      CHECK(outcome.code == 0);
-      std::string output = outcome.out + outcome.err;
-      for (std::size_t at; (at = output.find(folder.path(""))) != std::string::npos;)
-        output.replace(at, folder.path("").size(), "/data/");
-      CHECK(output == command.output);
-    }
   }
 }

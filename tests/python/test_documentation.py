@@ -16,16 +16,22 @@ ROOT = pathlib.Path(__file__).parents[2]
 PUBLIC = [name for name in rbpa.__all__ if not name.startswith("__")]
 
 
-def blocks(page: str) -> list:
-    return re.findall(r"^```python\n(.*?)^```", (ROOT / page).read_text(), re.DOTALL | re.MULTILINE)
+def blocks(page: pathlib.Path) -> list:
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md", "docs/dask.md", "docs/cavities.md", "docs/lidar_footprint.md", "docs/coming_from.md", "docs/persistence_in_space.md"])
+PAGES = [str(page.relative_to(ROOT)) for page in (ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))) if blocks(page)]
+
+
+def test_pages_are_found():
+    assert len(PAGES) >= 7
+
+
+@pytest.mark.parametrize("page", PAGES)
 def test_lines_of_pages_run(page, tmp_path, monkeypatch):
-    if page == "docs/dask.md":
+    found = blocks(ROOT / page)
+    if any("rbpa.dask" in block for block in found):
         pytest.importorskip("dask")
-    found = blocks(page)
-    assert found
     (tmp_path / "tests").symlink_to(ROOT / "tests")
     monkeypatch.chdir(tmp_path)
     pytest.importorskip("matplotlib")

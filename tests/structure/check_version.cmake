@@ -7,7 +7,7 @@ if(NOT CMAKE_MATCH_1 STREQUAL VERSION OR NOT CMAKE_MATCH_2 MATCHES "^20[0-9][0-9
   message(FATAL_ERROR "CHANGELOG.md: found '${newest}', expected the version ${VERSION} with a date")
 endif()
 set(checked 0)
-foreach(file README.md docs/install.md debian/tests/library tests/consumer/find_package/CMakeLists.txt tests/consumer/own_mesh_type/CMakeLists.txt)
+foreach(file README.md docs/how_to/cpp_project.md debian/tests/library tests/consumer/find_package/CMakeLists.txt tests/consumer/own_mesh_type/CMakeLists.txt)
   file(READ ${ROOT}/${file} text)
   string(REGEX MATCHALL "find_package\\((rbpa|meshops) [0-9.]+" asked "${text}")
   foreach(one ${asked})
