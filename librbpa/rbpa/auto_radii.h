@@ -1,7 +1,7 @@
-// What:   radii for points in space where the user gives none, from the gaps between neighbours along the surface.
+// What:   radii for points in space where the user gives none, from the gaps between neighbors along the surface.
 // Law:    a function of the set of points, and of no order or thread; points scaled by a power of two have scaled radii. That
 //         the radii are good ones is experience, not proof. docs/surface.md, section 4.
-// Cost:   some microseconds a point, for its nearest neighbours.
+// Cost:   some microseconds a point, for its nearest neighbors.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace rbpa {
 
-/// At most four radii, ascending. The last one spans the gaps between neighbours everywhere, except gaps much larger than
-/// nearly all others and gaps beyond the neighbours, which may be holes. Where less than half of a radius is enough around one
+/// At most four radii, ascending. The last one spans the gaps between neighbors everywhere, except gaps much larger than
+/// nearly all others and gaps beyond the neighbors, which may be holes. Where less than half of a radius is enough around one
 /// point in twenty, a smaller one precedes it; where densities differ much, the steps are larger. Empty for points on a line,
 /// and for fewer than three distinct ones.
 /// Requires: finite points, fewer than 2^32 − 1.

@@ -28,7 +28,7 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      std::span<const Point> points,
                                                                      const std::function<bool()>& go_on = {});
 
-/// The same of a solid complex in arrays, with neighbours, and the points that repeat others.
+/// The same of a solid complex in arrays, with neighbors, and the points that repeat others.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
     std::span<const Polygon> polygons, const PolygonFilter& filter, const std::function<bool()>& go_on = {});

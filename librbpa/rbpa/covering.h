@@ -41,7 +41,7 @@ RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const
 /// The same where the filtration is wanted for nothing else: only its radii are computed, in about half the time.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const std::function<bool()>& go_on = {});
-/// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbours matter checked by require_linked().
+/// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbors matter checked by require_linked().
 RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
 

@@ -64,7 +64,7 @@ struct EstimatedNormals {
 inline constexpr double least_certainty = 0.5;
 
 /// The same with how sure each normal is: the lesser of
-/// - how well its neighbours determine a plane: 1 less the ratio of the two least variances of their covariance; 1 in a plane, 0 in a
+/// - how well its neighbors determine a plane: 1 less the ratio of the two least variances of their covariance; 1 in a plane, 0 in a
 ///   ball of points or on a line;
 /// - how sure its side is. An edge of the spanning tree cuts the graph of nearest points in two; the other edges across this cut agree with
 ///   it or not, each weighted by how certain it is: 1 where all agree, 0 where half or more do not. The least such number on the way

@@ -63,9 +63,9 @@ struct Filling {
   /// Counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
   std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
-  /// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbours along
+  /// Of each triangle, neighbor k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbors along
   /// the edges that they share; but where two triangles have the same edge on their left, their groups overlap, and have
-  /// no neighbours but in themselves.
+  /// no neighbors but in themselves.
   std::vector<Triangle> neighbors;
   /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;

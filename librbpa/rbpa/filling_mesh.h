@@ -19,7 +19,7 @@ struct FillingMesh {
   std::vector<std::uint32_t> point_of_vertex;  ///< of the filling
 };
 
-/// Requires: points, triangles and neighbours as fill() returns them.
+/// Requires: points, triangles and neighbors as fill() returns them.
 /// Throws:   ContractViolation as require_linked().
 RBPA_API FillingMesh filling_mesh(const Filling& filling);
 

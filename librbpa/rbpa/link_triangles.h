@@ -1,5 +1,5 @@
-// What: the neighbours of each triangle, computed from triangles in canonical order alone.
-// Law:  the neighbours that triangulate() finds.
+// What: the neighbors of each triangle, computed from triangles in canonical order alone.
+// Law:  the neighbors that triangulate() finds.
 // Why:  less memory than finding them in the run: the result and four bytes a point, after the run has freed its own.
 // Cost: linear where few triangles are at a point, n log n where many are.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace rbpa {
 
-/// Of each triangle, neighbour k is the triangle across from corner k, or TriangleArrays::none.
+/// Of each triangle, neighbor k is the triangle across from corner k, or TriangleArrays::none.
 /// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,

@@ -44,7 +44,7 @@ class RBPA_API Locator {
  public:
   /// Keeps the spans.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as triangulate() gives them for an infinite
-  ///           alpha with neighbours.
+  ///           alpha with neighbors.
   /// Throws:   ContractViolation as require_linked(), or when they are visibly not; Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});
   Locator(Locator&&) noexcept;
@@ -59,14 +59,14 @@ class RBPA_API Locator {
   /// Values at queries: of each as many as a point has, row by row. NaN where find() finds no triangle. Of equal points the first
   /// counts.
   ///
-  /// By natural neighbours the value is a mean over the points whose Voronoi cells the query would take area from, were it a
+  /// By natural neighbors the value is a mean over the points whose Voronoi cells the query would take area from, were it a
   /// point: by these areas. On the convex hull it is linear.
   ///
-  /// Error:  a convex combination of the values at the corners or neighbours, but for a few roundings; at a point it is the point's
-  ///         own value, to the last bit. Natural neighbours are exact, and their areas right to about
+  /// Error:  a convex combination of the values at the corners or neighbors, but for a few roundings; at a point it is the point's
+  ///         own value, to the last bit. Natural neighbors are exact, and their areas right to about
   ///         1e-9 of their sum.
-  /// Cost:   of a query that of find(); by natural neighbours also of some ten comparisons with circles and as many
-  ///         centres; milliseconds where coordinates are a hundred decades apart.
+  /// Cost:   of a query that of find(); by natural neighbors also of some ten comparisons with circles and as many
+  ///         centers; milliseconds where coordinates are a hundred decades apart.
   /// Throws: InvalidInput when `values` does not have `columns` > 0 numbers for each point; as find().
   std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
                                   const InterpolateOptions& options = {}) const;

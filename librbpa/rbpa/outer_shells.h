@@ -1,6 +1,6 @@
 // What: which shells the ball touches from outside everything.
-// Law:  a shell is outer if no shell winds around the centre of a ball that rests on it, which is at least the radius away from
-//       all points. Exact but for the rounding of that centre: where the radius is above 10⁻⁹ of the coordinates, only what is
+// Law:  a shell is outer if no shell winds around the center of a ball that rests on it, which is at least the radius away from
+//       all points. Exact but for the rounding of that center: where the radius is above 10⁻⁹ of the coordinates, only what is
 //       nearly a ball's great circle is in doubt. docs/surface_derivation.md, section 13.
 // Cost: a sort of the shells, and for each triangle a search among them.
 #pragma once

@@ -85,7 +85,7 @@ struct PartialOptions {
 /// Throws: InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending order, when
 ///         a point is not finite or there are too many (triangulate.h), when indices are not as many as points or one is
 ///         given twice; Cancelled.
-/// Cost:   that of triangulate() with neighbours, on all points given.
+/// Cost:   that of triangulate() with neighbors, on all points given.
 RBPA_API Partial partial(const Region& region, const RegionPoints& points, double alpha,
                          const PartialOptions& options = {});
 
@@ -109,7 +109,7 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 /// Two sets of regions as one.
 /// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when they contradict each other about a
 ///         common triangle: a halo was not complete, or points differed. Then neither can be used any further.
-/// Cost:   n log n in the rims; an amortised constant for polygons.
+/// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them in order; counts stay. A polygon that touches an

@@ -52,7 +52,7 @@ struct PeriodicSolid {
 RBPA_API PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, double alpha,
                                       const SolidOptions& options = {});
 
-/// The same tetrahedra by their points alone, offsets left out. What needs neighbours and radii, but no positions, can be computed of it:
+/// The same tetrahedra by their points alone, offsets left out. What needs neighbors and radii, but no positions, can be computed of it:
 /// min_alpha(), auto_alpha().
 RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 

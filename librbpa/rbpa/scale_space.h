@@ -19,7 +19,7 @@
 namespace rbpa {
 
 struct ScaleSpaceOptions {
-  /// 0: until a step moves the median point otherwise than its neighbours by less than a tenth of the distance between them, at
+  /// 0: until a step moves the median point otherwise than its neighbors by less than a tenth of the distance between them, at
   /// most 8. A curved surface moves as well, but together: it shrinks a little in each step.
   std::size_t steps = 0;
   /// The plane is fitted to a point and this many nearest others. More smooth more in each step.

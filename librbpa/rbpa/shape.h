@@ -54,7 +54,7 @@ struct PolygonFilter {
 RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
                                        const std::function<bool()>& go_on = {});
 
-/// The same of a solid complex in arrays, with neighbours, on these points.
+/// The same of a solid complex in arrays, with neighbors, on these points.
 /// Throws: moreover ContractViolation as require_linked(), or when the points are visibly others.
 RBPA_API std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex,
                                        const PolygonFilter& filter = {}, const std::function<bool()>& go_on = {});

@@ -36,13 +36,13 @@ struct SolidOptions {
 
 /// Tetrahedra, and those across their faces. Corners are input indices, of equal points the lowest.
 struct Solid {
-  /// In `neighbors`, stands for no neighbour.
+  /// In `neighbors`, stands for no neighbor.
   static constexpr std::uint32_t none = 0xffffffff;
 
   /// Positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d. a is the least, b the next, and the rows are in
   /// lexicographic order.
   std::vector<std::array<std::uint32_t, 4>> simplices;
-  /// Neighbour k of a tetrahedron is the one across from corner k, or none. Empty unless requested.
+  /// Neighbor k of a tetrahedron is the one across from corner k, or none. Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
   std::vector<Duplicate> duplicates;    ///< ascending by index
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending

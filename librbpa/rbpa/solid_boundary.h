@@ -1,8 +1,8 @@
 // What: the boundary of a solid: the triangles that have a tetrahedron on one side only, as a closed surface; its volume and area.
-// Law:  a function of the set of tetrahedra. Where four, six, … triangles meet at an edge, neighbours are those that bound the same
+// Law:  a function of the set of tetrahedra. Where four, six, … triangles meet at an edge, neighbors are those that bound the same
 //       wedge of tetrahedra, so that each fan of triangles around a point has a vertex of its own in split_fans() and
 //       surface_mesh(). docs/solid.md, section 7.
-// Cost: one look at the neighbours of every tetrahedron; the rest is linear in the tetrahedra around edges of the boundary.
+// Cost: one look at the neighbors of every tetrahedron; the rest is linear in the tetrahedra around edges of the boundary.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@
 namespace rbpa {
 
 struct SolidBoundary {
-  /// Triangles as in every Surface, seen from outside; neighbours are across their sides, through the solid. None is missing.
+  /// Triangles as in every Surface, seen from outside; neighbors are across their sides, through the solid. None is missing.
   Surface surface;
   std::vector<std::uint32_t> tetrahedra;  ///< of each triangle, the tetrahedron behind it
 };
 
-/// Requires: a solid with neighbours.
-/// Throws:   ContractViolation when neighbours are missing, or those around an edge of the boundary do not share a face.
+/// Requires: a solid with neighbors.
+/// Throws:   ContractViolation when neighbors are missing, or those around an edge of the boundary do not share a face.
 RBPA_API SolidBoundary solid_boundary(const Solid& solid);
 
-/// The same triangles glued through what is outside: where several wedges of tetrahedra meet at an edge, a triangle is the neighbour
+/// The same triangles glued through what is outside: where several wedges of tetrahedra meet at an edge, a triangle is the neighbor
 /// of the next one around it that is not behind it. So voids are closed surfaces, and bodies that touch along an edge are one.
 /// Requires: the boundary of a solid of these points. Throws: ContractViolation on others. Cost: linear, and a sort at such edges.
 RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& boundary);

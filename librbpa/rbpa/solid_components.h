@@ -34,7 +34,7 @@ struct SolidComponents {
   std::vector<std::uint32_t> number;  ///< of each tetrahedron: its component in `all`
 };
 
-/// Requires: a solid of these points with neighbours, and its boundary.
+/// Requires: a solid of these points with neighbors, and its boundary.
 /// Throws:   ContractViolation where they visibly are not.
 RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,
                                           const SolidBoundary& boundary, Connection through = Connection::triangles);

@@ -30,8 +30,8 @@ struct SolidLocateOptions {
 class RBPA_API SolidLocator {
  public:
   /// Keeps the spans.
-  /// Requires: finite points, and all tetrahedra of their Delaunay triangulation with neighbours, as solid() gives them at infinity.
-  /// Throws:   ContractViolation where a corner or a neighbour does not exist.
+  /// Requires: finite points, and all tetrahedra of their Delaunay triangulation with neighbors, as solid() gives them at infinity.
+  /// Throws:   ContractViolation where a corner or a neighbor does not exist.
   SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                std::span<const std::array<std::uint32_t, 4>> neighbors);
 

@@ -28,7 +28,7 @@ struct SolidCounts {
   friend bool operator==(const SolidCounts&, const SolidCounts&) = default;
 };
 
-/// Requires: a solid of these points with neighbours, and its boundary.
+/// Requires: a solid of these points with neighbors, and its boundary.
 /// Throws:   ContractViolation where they visibly are not.
 RBPA_API SolidCounts count(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 

@@ -20,12 +20,12 @@ struct SplitFans {
 
 /// Triangles have a vertex in common at a point if one gets from one to the other around it through sides that are glued.
 /// Requires: less than 2^32 corners.
-/// Throws:   ContractViolation when a triangle is not a neighbour of its neighbour; Cancelled when `go_on`, which is called every
+/// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled when `go_on`, which is called every
 ///           few milliseconds, returns false. Empty: never called.
 RBPA_API SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on = {});
 
 /// The same triangles, glued so that their indices determine how: of split_fans() of the result every pair of vertices is the
-/// edge of one triangle, or of two that are neighbours. Where one fan comes twice to an edge, as of bodies that touch along it
+/// edge of one triangle, or of two that are neighbors. Where one fan comes twice to an edge, as of bodies that touch along it
 /// and of both sides of a sheet, the fan is cut there: each part is closed where its ends meet at both vertices, and
 /// otherwise the edge becomes boundary.
 /// Requires and throws as split_fans(). Cost: that, and a sort of the sides.

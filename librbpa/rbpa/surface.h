@@ -32,13 +32,13 @@ struct SurfaceOptions {
 /// Oriented triangles, and the triangle on which the ball comes to rest when it rolls over each side. Corners are input
 /// indices, of equal points the lowest.
 struct Surface {
-  /// In `neighbors`, stands for no neighbour.
+  /// In `neighbors`, stands for no neighbor.
   static constexpr std::uint32_t none = 0xffffffff;
 
   /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points may form two
   /// triangles, one for each side.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Neighbour k of a triangle is the one to which the ball rolls over the side across from corner k, or none. Rolling back
+  /// Neighbor k of a triangle is the one to which the ball rolls over the side across from corner k, or none. Rolling back
   /// returns.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
   /// For each triangle, the number of the radius that made it (surface_levels.h). Empty after one radius.
@@ -48,7 +48,7 @@ struct Surface {
 };
 
 /// The exposed triangles E_r: those on whose positive side an open ball of the radius rests that holds no point. They are a
-/// closed surface: no neighbour is none.
+/// closed surface: no neighbor is none.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});

@@ -33,7 +33,7 @@ struct SurfaceComponents {
 };
 
 /// Requires: a surface of these points.
-/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbour of its neighbour; Cancelled
+/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor; Cancelled
 ///           when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
                                               const std::function<bool()>& go_on = {});

@@ -26,7 +26,7 @@ struct SurfaceMesh {
 
 /// Requires: a surface of these points.
 /// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number; ContractViolation
-///           when a corner is none of these points, or a triangle is not a neighbour of its neighbour.
+///           when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
 /// The same for a surface that is no longer needed: its memory is freed on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);

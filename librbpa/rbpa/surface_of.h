@@ -32,7 +32,7 @@ RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
                                        std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// The same, glued as `neighbors` says: number k of a triangle is the one across from its corner k, or Surface::none.
-/// Requires: also that each is a neighbour of its neighbours, across the side between the same corners. Throws
+/// Requires: also that each is a neighbor of its neighbors, across the side between the same corners. Throws
 ///           ContractViolation.
 RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
                                        std::span<const std::array<std::uint32_t, 3>> triangles,

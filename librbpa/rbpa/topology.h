@@ -30,14 +30,14 @@ struct ComplexCounts {
 /// Cost: about linear.
 RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 
-/// The same of arrays: by their boundary where it is there, else by the neighbours. Nothing else is looked at, since in the plane
+/// The same of arrays: by their boundary where it is there, else by the neighbors. Nothing else is looked at, since in the plane
 /// curves around components run left and curves around holes right. So `.boundary` alone costs least.
 /// Of a full complex, edges in no triangle are counted as well; the points covered are those in a triangle or an edge, every
 /// other distinct point is a component, and components − holes = distinct points − edges + triangles.
 /// Requires: triangles that lie side by side, on these points.
 /// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
-/// Cost:     that of sorting the boundary; by neighbours, linear in the triangles.
+/// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const Triangulation& complex, Complex kind = Complex::solid,
                              const std::function<bool()>& go_on = {});
 

@@ -39,12 +39,12 @@ struct TriangulationOptions {
 
 /// Indices are those of the input points, of equal points the lowest.
 struct Triangulation {
-  /// In `neighbors`, stands for no neighbour.
+  /// In `neighbors`, stands for no neighbor.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// Counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
-  /// Of each triangle, neighbour k is the triangle across from corner k, or none.
+  /// Of each triangle, neighbor k is the triangle across from corner k, or none.
   std::vector<Triangle> neighbors;
   /// The sides at which no other triangle lies, each as it runs around its triangle, in lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
@@ -54,17 +54,17 @@ struct Triangulation {
 
   // Of the full complex only.
   /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha whose
-  /// diametral circle is empty. Of points on one line, those between neighbours.
+  /// diametral circle is empty. Of points on one line, those between neighbors.
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
 
-  /// Requires that neighbours were computed, where the function called uses them.
+  /// Requires that neighbors were computed, where the function called uses them.
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Requires and throws: as rbpa().
-/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbours or
-///           boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with neighbours.
+/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors or
+///           boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with neighbors.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});
 

@@ -47,7 +47,7 @@ struct Voids {
   SolidCounts counts;                 ///< of the solid: what count() returns
 };
 
-/// Requires: a solid of these points with neighbours, and its boundary.
+/// Requires: a solid of these points with neighbors, and its boundary.
 /// Throws:   ContractViolation where they visibly are not.
 RBPA_API Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 

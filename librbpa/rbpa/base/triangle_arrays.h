@@ -1,4 +1,4 @@
-// What: a view of triangles and their neighbours.
+// What: a view of triangles and their neighbors.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace rbpa {
 
-/// The triangles and neighbours of a Triangulation, which converts to this. Owns nothing.
+/// The triangles and neighbors of a Triangulation, which converts to this. Owns nothing.
 struct TriangleArrays {
-  /// In `neighbors`, stands for no neighbour.
+  /// In `neighbors`, stands for no neighbor.
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
@@ -28,8 +28,8 @@ struct OwnedTriangles {
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Requires: corners are three different numbers below `points`; neighbours are triangles, and each is the other's
-///           neighbour across the side that they share.
+/// Requires: corners are three different numbers below `points`; neighbors are triangles, and each is the other's
+///           neighbor across the side that they share.
 /// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is called
 ///           every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.

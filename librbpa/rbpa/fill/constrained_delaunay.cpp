@@ -79,7 +79,7 @@ class Constrained {
     const Site apex_before = corners_[side.triangle][after(side.k)];  // this corner comes before the apex over there
     for (std::uint32_t k = 0; k < 3; ++k)
       if (corners_[other][before(k)] == apex_before && across_[other][k] == side.triangle) return {other, k};
-    meshops::require(false, "constrained_delaunay: neighbours do not agree");
+    meshops::require(false, "constrained_delaunay: neighbors do not agree");
     return {};
   }
 

@@ -68,7 +68,7 @@ void flip_all(Mesh& mesh, const std::function<void()>& ask) {
   }
 }
 
-/// The neighbours of an inner vertex, counter-clockwise.
+/// The neighbors of an inner vertex, counter-clockwise.
 void ring_of(const Mesh& mesh, meshops::Vertex v, std::vector<Point>& ring) {
   ring.clear();
   for (const auto neighbor : mesh.vv_ccw_range(v)) ring.push_back(at(mesh, neighbor));

@@ -45,7 +45,7 @@ void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   }
 }
 
-/// Of each group, whether it is a neighbour of no other: it has an edge on its left that another has there too.
+/// Of each group, whether it is a neighbor of no other: it has an edge on its left that another has there too.
 std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
   std::size_t groups = 0;
   for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);

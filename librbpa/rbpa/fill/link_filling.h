@@ -1,4 +1,4 @@
-// What: neighbours of triangles that fill groups of polygons.
+// What: neighbors of triangles that fill groups of polygons.
 #pragma once
 
 #include "rbpa/fill.h"

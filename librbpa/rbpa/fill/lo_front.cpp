@@ -164,7 +164,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   return best->apex;
 }
 
-/// A triangle that can go, behind the edge or behind its neighbours on the front.
+/// A triangle that can go, behind the edge or behind its neighbors on the front.
 std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) const {
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {

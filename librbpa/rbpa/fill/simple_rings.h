@@ -1,6 +1,6 @@
 // What:   rings that meet in single points at most, and do not cross there: whether they are so, and which lies in which.
 // How:    a sweep from left to right, exactly decided (Shamos and Hoey): the first place at which two edges meet is one at
-//         which they are neighbours on the line that sweeps. Where rings share a point, the order of their edges around it.
+//         which they are neighbors on the line that sweeps. Where rings share a point, the order of their edges around it.
 // Cost:   n log n in the edges.
 // Source: Shamos, Hoey, Geometric intersection problems (1976).
 #pragma once

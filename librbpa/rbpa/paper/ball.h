@@ -29,7 +29,7 @@ class Ball {
 
   /// Rolls counter-clockwise around v off the point `from`, and comes to rest on the next: `from` when it is back there.
   /// Of points that it comes to at once, the first counter-clockwise around v.
-  /// Requires: a finite radius; at the start, resting on v and `from` with its centre left of v→from, the ball is empty and
+  /// Requires: a finite radius; at the start, resting on v and `from` with its center left of v→from, the ball is empty and
   ///           touches no other point.
   Site roll(Site v, Site from) const;
 

@@ -1,5 +1,5 @@
-// The ball turns counter-clockwise around v. It arrives at a point p with its centre right of v→p, and leaves it with its
-// centre left. Which of two points it arrives at first is a question of signs, without any angle or root (docs/paper.md,
+// The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with its
+// center left. Which of two points it arrives at first is a question of signs, without any angle or root (docs/paper.md,
 // section 3); the next point is the first of all within 2α of v.
 #include "rbpa/paper/ball.h"
 

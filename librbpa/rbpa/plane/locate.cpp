@@ -143,7 +143,7 @@ class Locator::Impl {
 
   NaturalNeighbors natural_neighbors() const { return {points_, of_}; }
 
-  /// Interpolates at a query in triangle t: writes a value for each column. By natural neighbours, if any are given.
+  /// Interpolates at a query in triangle t: writes a value for each column. By natural neighbors, if any are given.
   void interpolate(std::uint32_t t, std::span<const double> values, const Point& query, NaturalNeighbors* neighbors,
                    std::span<double> result) const {
     if (t == no_index) {

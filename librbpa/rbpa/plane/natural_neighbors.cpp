@@ -52,7 +52,7 @@ Vector<Number> from(const Point& a, const Point& b, int exponent) {
   return {difference<Number>(b.x, a.x, exponent), difference<Number>(b.y, a.y, exponent)};
 }
 
-/// From a corner of a triangle to its circumcentre, by the ways to the two others.
+/// From a corner of a triangle to its circumcenter, by the ways to the two others.
 template <typename Number>
 Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v) {
   const Number uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y, area = cross(u, v);
@@ -60,7 +60,7 @@ Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v)
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// By which the mean of the neighbours may miss the point, in parts of the distance to the nearest.
+/// By which the mean of the neighbors may miss the point, in parts of the distance to the nearest.
 constexpr double tolerance = 1e-9;
 
 /// Whether products of such numbers, of degree six, stay within the exponents of double.

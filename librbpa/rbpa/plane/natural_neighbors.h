@@ -1,9 +1,9 @@
 // What:   Sibson's coordinates of a point in a Delaunay triangulation: if the point became a site, its Voronoi cell would be cut out of
-//         the cells of its natural neighbours, and the share of each is its area in the new cell.
-// Law:    which points are neighbours is exact. Shares are not negative, their sum is 1, and the mean of the neighbours by their
+//         the cells of its natural neighbors, and the share of each is its area in the new cell.
+// Law:    which points are neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors by their
 //         shares is the point (Sibson's identity).
 // How:    the triangles whose circles contain the point are a polygon without points inside. A walk around it passes, between one
-//         side and the next, the triangles at the corner between them: their circumcentres, and those of the point with the two
+//         side and the next, the triangles at the corner between them: their circumcenters, and those of the point with the two
 //         sides, are the corners of that corner's part of the new cell. Areas are doubles where these satisfy Sibson's
 //         identity to 1e-9, else numbers of twice the precision likewise, and else rational.
 // Cost:   linear in the triangles whose circles contain the point: four on average.
@@ -30,7 +30,7 @@ class NaturalNeighbors {
   /// Keeps the span and the arrays.
   NaturalNeighbors(std::span<const Point> points, const TriangleArrays& delaunay) : points_(points), of_(delaunay) {}
 
-  /// The neighbours and their shares; valid until the next call.
+  /// The neighbors and their shares; valid until the next call.
   /// Requires: triangle t contains the query, which is not one of its corners and not on the convex hull.
   std::span<const PointShare> find(const Point& query, std::uint32_t t);
 

@@ -114,7 +114,7 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
 
 template <int N, int M>
 Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
-  // Adds up one scaled copy per component of f. The copies are few: differences of neighbours are mostly one component.
+  // Adds up one scaled copy per component of f. The copies are few: differences of neighbors are mostly one component.
   Expansion<2 * N * M> result;
   for (int j = 0; j < f.size; ++j) {
     const auto sum = result + e * f.component[static_cast<unsigned>(j)];

@@ -1,4 +1,4 @@
-// What: the sides of triangles at which no other lies, by neighbours.
+// What: the sides of triangles at which no other lies, by neighbors.
 #pragma once
 
 #include <algorithm>

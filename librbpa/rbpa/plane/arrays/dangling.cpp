@@ -11,7 +11,7 @@ namespace {
 using Real = long double;  // whatever the coordinates
 using Edge = std::array<std::uint32_t, 2>;
 
-/// Neighbours on the line, where a ball of radius alpha reaches both.
+/// Neighbors on the line, where a ball of radius alpha reaches both.
 std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const Triangulation& of) {
   std::vector<std::uint32_t> order = of.isolated;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });

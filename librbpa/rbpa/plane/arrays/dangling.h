@@ -13,12 +13,12 @@
 namespace rbpa {
 
 /// The edges of the alpha complex in no triangle of it, in lexicographic order.
-/// Requires: the Delaunay triangulation with neighbours; of points on one line, without a triangle. Cost: linear; of points
+/// Requires: the Delaunay triangulation with neighbors; of points on one line, without a triangle. Cost: linear; of points
 ///           on one line, that of a sort.
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
                                                          const Triangulation& delaunay);
 
-/// Removes the triangles of circumradius > alpha, also from the neighbours.
+/// Removes the triangles of circumradius > alpha, also from the neighbors.
 void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay);
 
 }  // namespace rbpa

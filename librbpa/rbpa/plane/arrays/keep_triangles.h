@@ -10,7 +10,7 @@
 
 namespace rbpa {
 
-/// Removes the triangles t for which is_kept(t) is false, also from the neighbours; the others keep their order. Requires: neighbours.
+/// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order. Requires: neighbors.
 template <typename IsKept>
 void keep_triangles(Triangulation& of, const IsKept& is_kept) {
   std::vector<std::uint32_t> number(of.triangles.size(), Triangulation::none);

@@ -1,4 +1,4 @@
-// What: the triangles of patches in canonical order, with their neighbours.
+// What: the triangles of patches in canonical order, with their neighbors.
 // Law:  the result depends on the triangles, and on nothing else.
 // Why:  only the rim of a patch depends on others: it is placed by one thread at a time, and the rest, nearly all, is
 //       filled in by any.
@@ -51,7 +51,7 @@ class LinkedTriangles {
     meshops::Site to;
     std::uint32_t triangle, corner;
   };
-  /// The place in the list of neighbours of the one across a side of a triangle.
+  /// The place in the list of neighbors of the one across a side of a triangle.
   static std::size_t across_from(std::size_t side, std::size_t turn) { return (side + 5 - turn) % 3; }
 
   std::span<const std::uint32_t> names_;

@@ -1,5 +1,5 @@
 // What: patches on their way into a list, and the sides at which nothing lies.
-// Why:  a fifth of what all neighbours cost: most sides lie inside a patch, and are only looked at.
+// Why:  a fifth of what all neighbors cost: most sides lie inside a patch, and are only looked at.
 #pragma once
 
 #include <algorithm>

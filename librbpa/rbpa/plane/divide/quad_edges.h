@@ -1,4 +1,4 @@
-// What: a plane graph as the quad-edge structure without its dual: directed edges, each with its neighbours around its
+// What: a plane graph as the quad-edge structure without its dual: directed edges, each with its neighbors around its
 //       origin (Onext, Oprev), 32 bits a number.
 // Law:  e and sym(e) are one edge in both directions; following onext() goes around a point counter-clockwise and comes
 //       back.

@@ -41,7 +41,7 @@ bool is_crowded(const Triangulation& delaunay, std::span<const Point> points, co
   return side.beyond != Triangulation::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
 }
 
-/// Points on a line: neighbours on it are joined at half their distance.
+/// Points on a line: neighbors on it are joined at half their distance.
 FilteredCells cells_on_line(const Triangulation& delaunay, std::span<const Point> points,
                             const std::vector<std::uint32_t>& number, Steps& pulse) {
   std::vector<std::uint32_t> line = delaunay.isolated;

@@ -1,4 +1,4 @@
-// What: triangles with their neighbours in another order than that of their arrays.
+// What: triangles with their neighbors in another order than that of their arrays.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// Triangle i is number order[i] of the arrays; neighbours are numbers in this order. A pass in it reads memory from end to end, and of two neighbours the
+/// Triangle i is number order[i] of the arrays; neighbors are numbers in this order. A pass in it reads memory from end to end, and of two neighbors the
 /// one with the smaller number comes first.
 OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order);
 

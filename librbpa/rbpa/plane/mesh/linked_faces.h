@@ -1,4 +1,4 @@
-// What: the faces of a mesh as triangles in arrays, with their neighbours: without the detour over halfedges, each of which is a
+// What: the faces of a mesh as triangles in arrays, with their neighbors: without the detour over halfedges, each of which is a
 //       cache miss.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What: the triangles of a region and its halo, and which of them belong to the region.
-// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbours across the
+// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbors across the
 //       sides at such a corner; others need not be (docs/partial.md, section 3).
 #pragma once
 
@@ -20,7 +20,7 @@ class RegionComplex {
   RegionComplex(const RegionComplex&) = delete;
   RegionComplex& operator=(const RegionComplex&) = delete;
 
-  /// With neighbours; indices are places among the points, and ascend as those into the whole input do.
+  /// With neighbors; indices are places among the points, and ascend as those into the whole input do.
   const Triangulation& triangulation() const { return triangulation_; }
   std::size_t points() const { return points_.size(); }
   const Point& at(std::uint32_t i) const { return points_[i]; }

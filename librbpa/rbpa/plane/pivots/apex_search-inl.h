@@ -1,7 +1,7 @@
 // What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
 //       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
 // Law:  the result is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
-// How:  the circle through a, b and p has its centre k half-chords left of the chord's middle, and
+// How:  the circle through a, b and p has its center k half-chords left of the chord's middle, and
 //       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
 #if defined(RBPA_PIVOTS_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_APEX_SEARCH_INL_H_
@@ -242,7 +242,7 @@ class ApexSearch {
     }
   }
 
-  /// The winner among the points of some cells, and how far left of the middle its circle's centre is, at most.
+  /// The winner among the points of some cells, and how far left of the middle its circle's center is, at most.
   struct Winner {
     Index point;
     float high;  // infinity when there is none

@@ -27,7 +27,7 @@ struct EdgeBatch {
   alignas(64) std::int32_t fits[size];
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 
-  /// How far left of the chord's middle, in half-chords, centres of circles are of interest; how far the winner's is at
+  /// How far left of the chord's middle, in half-chords, centers of circles are of interest; how far the winner's is at
   /// most, infinite without one; and whether no other point can win.
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];

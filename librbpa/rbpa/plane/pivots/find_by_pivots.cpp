@@ -110,7 +110,7 @@ class TileFront {
     while (queued_ != 0 && !has_given_up()) {
       wave_.swap(queue_);
       const std::size_t length = std::exchange(queued_, 0);
-      // With a stride: neighbours on the front often lead to the same triangle.
+      // With a stride: neighbors on the front often lead to the same triangle.
       const std::size_t stride = (length + EdgeBatch::size - 1) / EdgeBatch::size;
       std::size_t size = 0;
       EdgeBatch& edges = apexes_.edges();
@@ -171,14 +171,14 @@ namespace {
 
 HWY_EXPORT(advance_on);
 
-/// The points fill a few cells, about as many points in each, most of which have few neighbours that are not empty.
+/// The points fill a few cells, about as many points in each, most of which have few neighbors that are not empty.
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;      // scattered evenly, 2.3 of those that have any
   constexpr double min_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
   constexpr double max_occupancy = 2.5;   // of a point, as a multiple of the mean of cells; more in spots
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbours = 0, squares = 0;
-  // Without a branch, as all would be unpredictable. What follows a row's last cell is not its neighbour, but not far either.
+  // Without a branch, as all would be unpredictable. What follows a row's last cell is not its neighbor, but not far either.
   const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
   for (std::size_t c = 0; c + columns < cells; ++c) {
     const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);

@@ -116,7 +116,7 @@ class SearchWindow {
   bool is_known(const Cells& cells) const {
     return cells.inside && at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
   }
-  /// The cells of the part left of the chord of the disc whose centre is k half-chords left of the chord's middle.
+  /// The cells of the part left of the chord of the disc whose center is k half-chords left of the chord's middle.
   Cells cells_for(std::size_t edge, float k) const {
     const D d;
     const Box box = box_of(hn::Set(d, edges_.ax[edge]), hn::Set(d, edges_.ay[edge]), hn::Set(d, edges_.bx[edge]),
@@ -144,7 +144,7 @@ class SearchWindow {
     V radius;
     hn::Mask<D> inside;  // the tile has all points there, but for those of unknown cells
   };
-  /// The cells of the part left of the chord of the disc whose centre is k half-chords left of the chord's middle.
+  /// The cells of the part left of the chord of the disc whose center is k half-chords left of the chord's middle.
   HWY_INLINE Box box_of(V ax, V ay, V bx, V by, V k) const {
     const D d;
     const I di;

@@ -1,8 +1,8 @@
 // What:   the triangles that the patches of all tiles lack: found in one triangulation, of the sites that are not settled
-//         and their neighbours.
+//         and their neighbors.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
 // How:    a star is settled when every triangle of the complex around its site is in some patch. What is missing has no
-//         settled corner, and is in the Delaunay triangulation of those sites and their neighbours.
+//         settled corner, and is in the Delaunay triangulation of those sites and their neighbors.
 // Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/remainder.md.
 #pragma once
@@ -32,7 +32,7 @@ class Remainder {
   /// After all tiles: every triangle of the complex at the site is in a patch.
   bool is_settled(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// After all tiles: the sites that are not settled or have a neighbour that may not be, ascending.
+  /// After all tiles: the sites that are not settled or have a neighbor that may not be, ascending.
   std::vector<std::uint32_t> not_done() const;
 
   /// After all tiles: the triangles of the complex that are in no patch, on the sites, and their outline if wanted; nothing
@@ -48,7 +48,7 @@ class Remainder {
   const Sites& sites_;
   Radius alpha_;
   std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while no tile has seen the whole star
-  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, with a neighbour each
+  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, with a neighbor each
   std::vector<Corners> loose_triangles_;                   // of patches, those that may have no settled corner
 };
 

@@ -25,7 +25,7 @@ std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::s
   Steps step(go_on);
   // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a lowest
   // corner are together. The third side is across from that corner: a list of triangles for its lower end is linked where
-  // its neighbour will be.
+  // its neighbor will be.
   std::vector<Triangle> neighbors(triangles.size());
   std::vector<std::uint32_t> first(points, no_index);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

@@ -12,7 +12,7 @@ using Level = PointGrid::Level;
 constexpr double points_per_cell = 2;
 constexpr double max_contrast = 3;         // of density between the halves of a block
 constexpr std::uint32_t min_points = 256;  // a block of so few is not divided for it
-constexpr double margin = 2;               // cells around a block: about three times the distance of neighbours
+constexpr double margin = 2;               // cells around a block: about three times the distance of neighbors
 
 /// Calls visit(first, last) for the cells of a block in each row.
 template <typename Visit>
