@@ -1,7 +1,8 @@
-// What:   radii for points in space where the user gives none, from the gaps between neighbors along the surface.
-// Law:    a function of the set of points, and of no order or thread; points scaled by a power of two have scaled radii. That
-//         the radii are good ones is experience, not proof. docs/surface.md, section 4.
-// Cost:   some microseconds a point, for its nearest neighbors.
+// What: chooses ball radii for points in space from the gaps between neighbors along the surface.
+// Law:  the radii depend on the set of points only, not on its order or on threads; points scaled by a power of two
+//       have scaled radii. The radii are a heuristic: experience shows that they are good, no proof does.
+//       docs/surface.md, section 4.
+// Cost: some microseconds a point, for its nearest neighbors.
 #pragma once
 
 #include <optional>
@@ -14,16 +15,18 @@
 
 namespace rbpa {
 
-/// At most four radii, ascending. The last one spans the gaps between neighbors everywhere, except gaps much larger than
-/// nearly all others and gaps beyond the neighbors, which may be holes. Where less than half of a radius is enough around one
-/// point in twenty, a smaller one precedes it; where densities differ much, the steps are larger. Empty for points on a line,
-/// and for fewer than three distinct ones.
+/// Returns at most four radii, ascending, in units of the points. The last radius spans the gaps between neighbors
+/// everywhere, except gaps much larger than nearly all others and gaps beyond the nearest neighbors, which may be
+/// holes. A smaller radius precedes it if less than half of the radius is enough around one point in twenty; the steps
+/// are larger where densities differ much. The result is empty for points on a line and for fewer than three distinct
+/// points.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});
 
-/// The first of auto_radii() with which surface() has triangles, if there is one; without normals, exposed_triangles().
-/// Throws:   as surface().
+/// Returns the first radius of auto_radii() at which surface() has triangles, if there is one. Without normals,
+/// exposed_triangles() stands for surface().
+/// Throws: as surface().
 RBPA_API std::optional<double> radius_with_triangles(std::span<const Point3> points, std::span<const Point3> normals,
                                                      const SurfaceOptions& options = {});
 

@@ -1,6 +1,6 @@
 // What: the boundary curves of triangles in arrays.
-// Law:  they are those of the mesh of the same triangles: a curve that comes to a point where the complex touches itself
-//       (a pinch) goes on at the same fan of triangles.
+// Law:  the curves are those of the mesh of the same triangles: at a point where the complex touches itself (a pinch),
+//       a curve continues along the same fan of triangles.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace rbpa {
 
-/// The points along each curve, with the triangles to the right. Where a curve begins, and the order of the curves, is
-/// left open.
+/// Returns the points along each boundary curve, with the triangles to the right. The first point of a curve and the
+/// order of the curves are unspecified.
 /// Requires: as require_linked(), which is not checked.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.

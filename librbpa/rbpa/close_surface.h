@@ -1,8 +1,8 @@
-// What: a surface of points in space closed: every boundary curve filled, as a printer or a volume wants it.
-// How:  fill_holes() on all curves. Where some stay open, the triangles around these are given up, then those around what still
-//       stays open, and so on, four times at most, and what is then open is filled; likewise the triangles around points at which
-//       parts of the surface touch.
-// Law:  a function of the points and the triangles, and of no order. No point is added.
+// What: closes a surface of points in space by filling every boundary curve, as 3D printing and volumes require.
+// How:  fill_holes() fills all curves. Where some stay open, it removes the triangles around them, then those around
+//       what still stays open, and so on, at most four times, and fills the holes that result. Triangles around points
+//       at which parts of the surface touch are treated likewise.
+// Law:  the result depends on the points and the triangles only, not on any order. No point is added.
 // Cost: up to five times that of fill_holes().
 #pragma once
 
@@ -20,20 +20,23 @@ namespace rbpa {
 
 struct ClosedSurface {
   Surface surface;           ///< without levels; closed where every hole is filled
-  std::vector<bool> is_new;  ///< of each triangle; the others are those that are kept, in the order in which they were
-  std::vector<bool> kept;    ///< of each triangle of the surface that was given
-  std::vector<HoleFill> holes;  ///< of each curve that there was to fill
-  std::size_t given_up = 0;     ///< triangles; more than 0 only where the surface is closed
+  std::vector<bool> is_new;  ///< for each triangle: whether it is new; the others are the kept ones in their old order
+  std::vector<bool> kept;    ///< for each triangle of the given surface: whether it is kept
+  std::vector<HoleFill> holes;  ///< for each curve that was to be filled
+  std::size_t given_up = 0;     ///< number of triangles removed; more than 0 only if the surface is closed
 };
 
-/// Triangles are given up only where the surface is closed then, or touches itself in fewer points; at most a twentieth of them;
-/// not where the surface would fall into more components, nor around a curve of more than 256 edges. Islands, components of
-/// less than a hundredth of the area, that are open after that are left out.
-/// Requires: an indexable_surface(). Throws: as fill_holes().
+/// Fills all boundary curves. Triangles are removed only if the surface is then closed, or touches itself at fewer
+/// points; at most a twentieth of them are. None are removed where the surface would split into more components, nor
+/// around a curve of more than 256 edges. Islands that are still open then, which are components of less than a
+/// hundredth of the area, are left out.
+/// Requires: an indexable_surface().
+/// Throws:   as fill_holes().
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
                                      const SurfaceOptions& options = {});
 
-/// Of each point, whether several fans of triangles meet there: the surface touches itself. Throws: as split_fans().
+/// Returns for each point whether several fans of triangles meet there, so that the surface touches itself.
+/// Throws: as split_fans().
 RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
                                            const std::function<bool()>& go_on = {});
 

@@ -1,4 +1,4 @@
-// What: do points lie on one line? Then their complex is empty for every alpha.
+// What: tests whether points lie on one line; the complex of such points is empty for every alpha.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// All points lie on one line; also when there are fewer than three distinct ones. Exact.
+/// Returns whether all points lie on one line, exactly; true for fewer than three distinct points.
 /// Requires: finite points.
 /// Cost:     linear; stops at the first point off the line.
 RBPA_API bool are_collinear(std::span<const Point> points);

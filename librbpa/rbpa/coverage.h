@@ -1,7 +1,7 @@
-// What: which polygon each input point is in.
-// Law:  a function of the set of points, alpha and the filter. A vertex of the solid is in the polygon of its component;
-//       which points lie in filled holes is decided exactly, by a plane sweep.
-// Cost: linear in the complex; n log n in the boundary and the points outside the solid, where holes were filled.
+// What: assigns each input point to the polygon that contains it.
+// Law:  the result depends on the set of points, alpha and the filter only. A vertex of the solid is in the polygon of
+//       its component; an exact plane sweep decides which other points lie in filled holes.
+// Cost: linear in the complex; if holes were filled, n log n in the boundary and the points outside the solid.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,18 @@
 
 namespace rbpa {
 
-/// For each input point, the index of the polygon that contains it, inside or on a ring; the least index where several
-/// polygons touch in the point; absent where none contains it. A duplicate has the index of the point that it repeats.
-/// Requires: `points` are those of the complex, and `polygons` what polygons(complex, filter) returns.
-/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Returns for each input point the index of the polygon that contains it, inside or on a ring: the least index if
+/// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the index of the point that
+/// it repeats.
+/// Requires: `points` are those of the complex, and `polygons` is the result of polygons(complex, filter).
+/// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
                                                                      std::span<const Polygon> polygons,
                                                                      const PolygonFilter& filter,
                                                                      std::span<const Point> points,
                                                                      const std::function<bool()>& go_on = {});
 
-/// The same of a solid complex in arrays, with neighbors, and the points that repeat others.
+/// Computes the same for a solid complex in arrays, with neighbors, and its list of duplicates.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
     std::span<const Polygon> polygons, const PolygonFilter& filter, const std::function<bool()>& go_on = {});

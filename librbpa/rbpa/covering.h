@@ -1,9 +1,9 @@
-// What:   the least alpha at which a given number of components contain a given share of the points, so that outliers do
-//         not decide it.
-// Law:    with share 1 that of smallest_covering(filtration, max_components); the greater the share, and the fewer the
-//         components, the greater the alpha. Exact; a function of the set of points alone.
-// Cost:   linear in the steps without a bound on components, or without points left over; else it sorts the triangles,
-//         and each then takes the logarithm of their number.
+// What:   finds the least alpha at which at most K components contain a given share of the points; outliers do not
+//         decide it.
+// Law:    with share 1 the result equals smallest_covering(filtration, max_components). It grows with the share, and as
+//         fewer components are allowed. Exact; depends on the set of points only.
+// Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
+//         sorts the triangles and spends the logarithm of their number on each.
 // Source: docs/which_alpha.md.
 #pragma once
 
@@ -19,29 +19,33 @@
 namespace rbpa {
 
 struct Covering {
-  double share = 1;                                          ///< of the distinct points: 0 < share ≤ 1
-  std::optional<std::size_t> max_components = std::nullopt;  ///< solid components that hold them; absent: any number
+  double share = 1;  ///< share of the distinct points, 0 < share ≤ 1
+  /// Number of solid components that may hold them; absent: any
+  std::optional<std::size_t> max_components = std::nullopt;
 };
 
-/// `count` of `all` is at least this share: the quotient, rounded to double, is not below it. So a share written in
-/// decimals is met exactly: 7 of 100 are the share 0.07.
+/// Returns whether `count` of `all` is at least this share: the quotient, rounded to double, is not below it. A share
+/// written in decimals is therefore met exactly: 7 of 100 is the share 0.07.
 constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }
 
-/// The least alpha at which the share of the distinct points is in triangles. With `max_components` K, the least at which
-/// moreover that share is left when all solid components but the K largest are removed with all their points. The size of a
-/// component is its number of vertices in rbpa()'s mesh, where a point in which several fans meet counts once for each.
-/// Returns:  nothing when there is no such alpha: the points are fewer than three or on a line, or K is 0.
+/// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
+/// share must also remain when all solid components but the K largest are removed with all their points. The size of a
+/// component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for each
+/// fan. The result is empty if there is no such alpha: there are fewer than three points, the points are on a line, or
+/// K is 0.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation, or the share is out of its bounds; Cancelled when
-///           `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when the filtration is visibly of another triangulation, or the share is out of its
+///           bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
+///           called.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
-/// The same where the filtration is wanted for nothing else: only its radii are computed, in about half the time.
+/// Computes the same without a filtration: only its radii are computed, in about half the time.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const std::function<bool()>& go_on = {});
-/// The same of triangulate(points, infinity, {.neighbors = true}), where its neighbors matter checked by require_linked().
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
+/// where they are used.
 RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
 

@@ -1,6 +1,6 @@
-// What: a Delaunay triangulation and its points, known to belong together: it is computed from them here, or checked once.
-// Why:  whatever follows from it (filtration.h, persistence.h, plateaus.h, covering.h, filtration_arrays.h) takes it as it is,
-//       so that a run pays for one check at most, and for none of what it triangulated itself.
+// What: a Delaunay triangulation together with its points; it is computed from them here, or checked once.
+// Why:  the functions that use it (filtration.h, persistence.h, plateaus.h, covering.h, filtration_arrays.h) do not
+//       check it again. A run checks a given triangulation at most once, and one that it computes itself never.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,20 @@
 
 namespace rbpa {
 
-/// Keeps the span of points. Copies share the triangulation.
+/// A Delaunay triangulation and a span of its points. Copies share the triangulation.
 class RBPA_API Delaunay {
  public:
-  /// Triangulates the points. Of the options, `complex`, `neighbors` and `boundary` are not used.
-  /// Throws: as triangulate(points, infinity, options). Cost: that of triangulate().
+  /// Triangulates the points. The options `complex`, `neighbors` and `boundary` are ignored.
+  /// Throws: as triangulate(points, infinity, options).
+  /// Cost:   that of triangulate().
   explicit Delaunay(std::span<const Point> points, const TriangulationOptions& options = {});
 
-  /// Takes triangulate(points, infinity, {.neighbors = true}), which is checked. What is no temporary is not copied: it must
-  /// stay as it is.
-  /// Throws: ContractViolation, which begins with `function`, when it is visibly of other points, leaves some out, or has
-  ///         triangles that turn right; as require_linked(); Cancelled when `go_on`, which is called every few milliseconds,
-  ///         returns false. Empty: never called.
-  /// Cost:   linear: about a tenth of what the triangulation cost.
+  /// Takes the result of triangulate(points, infinity, {.neighbors = true}), which is checked. An lvalue is not copied:
+  /// it must outlive this object and stay unchanged.
+  /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
+  ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled when `go_on`, which is
+  ///         called every few milliseconds, returns false. Empty: never called.
+  /// Cost:   linear: about a tenth of the cost of the triangulation.
   Delaunay(const Triangulation& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
            const char* function = "Delaunay");
   Delaunay(Triangulation&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},

@@ -1,8 +1,9 @@
-// What: which sides of triangles face each other around an edge that several triangles share, so that they can be glued.
-// Law:  exact, on any finite input. Sort the triangles at an edge around it, counter-clockwise: a side whose triangle has its
-//       positive side after it faces the next one, if that has its positive side before it. Each side faces at most one other,
-//       and that one faces it. A function of the set of sides.
-// Cost: a sort; an exact orientation for each comparison at edges of more than two sides.
+// What: pairs the sides of triangles that face each other around an edge of several triangles, so that they can be
+//       glued.
+// Law:  exact, on any finite input. Sort the triangles at an edge around it, counter-clockwise: a side whose triangle
+//       has its positive side after it faces the next one, if that has its positive side before it. Each side faces at
+//       most one other, and that one faces it. The result is a function of the set of sides.
+// Cost: a sort; an exact orientation test for each comparison at edges of more than two sides.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +24,10 @@ struct EdgeSide {
   std::uint32_t across;    ///< the position of apex among the corners of that triangle
 };
 
-/// Sorts the sides. Returns: pairs of positions among the sorted sides. Requires: the corners of a triangle are distinct
-/// points, and no two triangles are in the same direction from an edge; those of a Delaunay triangulation never are.
+/// Sorts the sides and pairs those that face each other.
+/// Returns:  pairs of positions among the sorted sides.
+/// Requires: the corners of a triangle are distinct points, and no two triangles lie in the same direction from an
+///           edge; triangles of a Delaunay triangulation never do.
 RBPA_API std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Point3> points,
                                                                        std::vector<EdgeSide>& sides);
 

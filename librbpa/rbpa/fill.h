@@ -1,11 +1,11 @@
 // What:   triangulates polygons with holes by an advancing front, with triangles of a given size.
-// Law:    the triangles cover the polygons, meet in whole edges, and their boundary is that of the polygons. All decisions
-//         are exact, so that this holds for every valid multipolygon (validity.h), and for groups of such. The triangles do
-//         not depend on the direction of the rings, where they begin, or their order.
+// Law:    the triangles cover the polygons, meet in whole edges, and have the same boundary as the polygons. All
+//         decisions are exact, so this holds for every valid multipolygon (validity.h), and for groups of them. The
+//         triangles do not depend on the direction of the rings, their first points, or their order.
 // Cost:   about linear in the triangles, n log n in the boundary.
-// Note:   knows nothing of OpenMesh; filling_mesh.h makes a halfedge mesh of it.
-// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
-//         generation method revisited (1994); docs/fill.md.
+// Note:   independent of OpenMesh; filling_mesh.h makes a halfedge mesh of the result.
+// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front
+//         mesh generation method revisited (1994); docs/fill.md.
 #pragma once
 
 #include <cstddef>
@@ -23,29 +23,31 @@
 
 namespace rbpa {
 
-/// Edges near `at` are to be no longer than about `size`.
+/// A target size at a point: edges near `at` are to be no longer than about `size`.
 struct SizeAt {
   Point at;
   double size;
 };
 
 struct FillOptions {
-  /// The length that edges are to have, in units of the points; an upper bound where the members below require less.
-  /// Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
-  /// (fill/constrained_delaunay.h), which is unique; grade and sizes are to be absent then.
+  /// Target length of edges, in units of the points; an upper bound where the members below require less. Infinity: no
+  /// point is added, and the triangles are the constrained Delaunay triangulation of the polygons
+  /// (fill/constrained_delaunay.h), which is unique; `grade` and `sizes` must then be absent.
   double size = 0;
-  /// At an edge of the boundary that is shorter than `size`, triangles have its length, and grow by this much for each unit
-  /// of distance. Absent: short edges do not change the size.
+  /// Growth of the target per unit of distance from a boundary edge shorter than `size`, at which triangles have the
+  /// edge's length. Absent: short edges do not change the size.
   std::optional<double> grade = std::nullopt;
-  /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is `grade`, or
-  /// default_grade. It is the greatest function of slope g that exceeds no given value.
+  /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is
+  /// `grade`, or default_grade. This is the greatest function of slope g that exceeds no given value.
   std::span<const SizeAt> sizes = {};
-  /// Leaves the boundary as it is. Otherwise edges that are longer than the target are cut.
+  /// Whether the boundary stays as it is. Otherwise edges that are longer than the target are cut.
   bool keep_boundary = false;
-  /// Where each group of polygons begins, ascending from 0: features of a map, say. Empty: all are one group. Groups may share
-  /// edges, along which their triangles meet in whole edges, and overlap: then each has triangles of its own.
+  /// The first polygon of each group, ascending from 0; a group is a feature of a map, for example. Empty: all polygons
+  /// are one group. Groups may share edges, along which their triangles meet in whole edges. Groups may overlap: then
+  /// each has triangles of its own.
   std::span<const std::size_t> groups = {};
-  /// Called every few milliseconds with the triangles so far; returning false cancels the run. Empty: never called.
+  /// Called every few milliseconds with the number of triangles so far; returning false cancels the run. Empty: never
+  /// called.
   std::function<bool(const Progress&)> progress = {};
   /// Called once, before the first triangle, with an estimate of their number (fill/size_estimate.h states its accuracy),
   /// so that a caller can compare it with the available memory. An exception that it throws ends the run. Empty: never
@@ -56,32 +58,33 @@ struct FillOptions {
 };
 
 struct Filling {
-  /// The points of the input, each under its index, whether used or not; then those inserted on edges of the boundary; then
+  /// The input points under their indices, whether used or not; then the points inserted on edges of the boundary; then
   /// those inside.
   std::vector<Point> points;
-  std::size_t boundary_points = 0;  ///< the points before this number are of the input, or on edges that were cut
+  /// number of points that are of the input or on edges that were cut; they come first
+  std::size_t boundary_points = 0;
   /// Counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
   std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
-  /// Of each triangle, neighbor k is the triangle across from corner k, or TriangleArrays::none. Groups are neighbors along
-  /// the edges that they share; but where two triangles have the same edge on their left, their groups overlap, and have
-  /// no neighbors but in themselves.
+  /// The triangle across from each corner, or TriangleArrays::none. Groups are neighbors along the edges that they
+  /// share. If two triangles have the same edge on their left, their groups overlap, and each group has neighbors in
+  /// itself only.
   std::vector<Triangle> neighbors;
-  /// The polygons with the points that were put on their edges; areas are exact sums, rounded once.
+  /// The polygons with the points inserted on their edges; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
-  /// How often the front had to retreat.
+  /// Number of times the front had to retreat.
   std::size_t retreats = 0;
-  /// The number of triangles of the unfilled region that were crossed in locating points, or created: a measure of the
+  /// Number of triangles of the unfilled region that were created or crossed in locating points: a measure of the
   /// front's work.
   std::size_t passed = 0;
 
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Rings of `polygons` are indices into `points`; they may begin anywhere and go either way round, touch in single points and
-/// repeat a point in a row, and polygons may lie in holes of others. Each group is a valid multipolygon. Of equal points
-/// the first is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point on an edge that
-/// is cut is the double nearest to where it should be.
+/// Fills polygons. The rings of `polygons` are indices into `points`; they may begin anywhere, have either orientation,
+/// touch at single points and repeat a point in a row, and polygons may lie in holes of others. Each group is a valid
+/// multipolygon. Of equal points the first is used. A point at which a ring touches an edge becomes a vertex of that
+/// edge's ring. A point on an edge that is cut is rounded to the nearest double.
 /// Throws: InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
 ///         (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; sizes at which
 ///         more than 500 million triangles would be made, by the estimate. Cancelled.

@@ -1,7 +1,8 @@
 // What: a filling of polygons as a halfedge mesh.
-// Law:  an oriented 2-manifold with boundary, glued as the filling is. Vertex v stands on point v as far as there are points, and
-//       face f is triangle f; points that were not used are isolated vertices. Where rings touch or groups overlap, several
-//       fans of triangles stand on a point: those after the first have the vertices behind the last point.
+// Law:  an oriented 2-manifold with boundary, glued as the filling is. Vertex v stands on point v of the filling, and
+//       face f is triangle f; unused points are isolated vertices. If several fans of triangles meet at a point,
+//       because rings touch or groups overlap, the fans after the first have additional vertices, numbered behind the
+//       last point.
 // Cost: linear.
 #pragma once
 
@@ -16,9 +17,10 @@ namespace rbpa {
 
 struct FillingMesh {
   Mesh mesh;                                   ///< z = 0
-  std::vector<std::uint32_t> point_of_vertex;  ///< of the filling
+  std::vector<std::uint32_t> point_of_vertex;  ///< for each vertex, its point in the filling
 };
 
+/// Builds the halfedge mesh of a filling.
 /// Requires: points, triangles and neighbors as fill() returns them.
 /// Throws:   ContractViolation as require_linked().
 RBPA_API FillingMesh filling_mesh(const Filling& filling);

@@ -1,8 +1,9 @@
-// What:   values at all points of a filling, such as heights, from those at the points that were given to fill().
-// Law:    a given point keeps its value, to the last bit. A point that was put on an edge is between the ends of the edge by its
-//         distance from them. A point inside has the value that is linear in the triangle that contains it, of the constrained
-//         Delaunay triangulation of the boundary of its group; which triangle that is is decided exactly.
-// Cost:   n log n in all points.
+// What: interpolates values such as heights at all points of a filling from the values at the points given to fill().
+// Law:  a given point keeps its value, to the last bit. A point inserted on an edge gets the value between those at the
+//       ends of the edge, linear in the distance. A point inside gets the value that is linear in the triangle that
+//       contains it, in the constrained Delaunay triangulation of its group's boundary; an exact test chooses that
+//       triangle.
+// Cost: n log n in all points.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +16,11 @@
 
 namespace rbpa {
 
-/// Requires: a filling of fill() with these groups (FillOptions::groups), and the value of each point that it was given.
-/// Throws:   InvalidInput when there are more values than points; Cancelled when `go_on`, which is called every few milliseconds,
-///           returns false. Empty: never called.
+/// Returns a value for each point of the filling.
+/// Requires: a filling of fill() with these groups (FillOptions::groups), and a value for each point that was given to
+///           fill().
+/// Throws:   InvalidInput when there are more values than points; Cancelled when `go_on`, which is called every few
+///           milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
                                                std::span<const std::size_t> groups = {},
                                                const std::function<bool()>& go_on = {});

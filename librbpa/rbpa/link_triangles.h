@@ -1,7 +1,8 @@
-// What: the neighbors of each triangle, computed from triangles in canonical order alone.
-// Law:  the neighbors that triangulate() finds.
-// Why:  less memory than finding them in the run: the result and four bytes a point, after the run has freed its own.
-// Cost: linear where few triangles are at a point, n log n where many are.
+// What: computes the neighbors of each triangle from the triangles in canonical order alone.
+// Law:  the neighbors equal those that triangulate() finds.
+// Why:  less memory than finding them in triangulate(): the result and four bytes a point, after triangulate() has
+//       freed its own memory.
+// Cost: linear if few triangles meet at each point, n log n if many do.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 
 namespace rbpa {
 
-/// Of each triangle, neighbor k is the triangle across from corner k, or TriangleArrays::none.
+/// Returns for each triangle its neighbors: number k is the triangle across from corner k, or TriangleArrays::none.
 /// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
