@@ -13,15 +13,16 @@ done
 rm -rf build/site "$pages"
 mkdir -p "$pages/extra/rbpa"
 
-# Pages. README is the first one; what is not on the site keeps its name, without a link.
-cp -r docs/*.md docs/figures "$pages"
-cp -r docs/figures "$pages/extra"  # for images in HTML
+# Pages, in their folders, so that links lead to the same places. README is the first one; what is not on the site keeps its name, without a link.
+mkdir -p "$pages/docs" "$pages/extra/docs"
+cp -r docs/README.md docs/{tutorials,how_to,reference,explanation,contributing,figures} "$pages/docs"
+cp -r docs/figures "$pages/extra/docs"  # for images in HTML
 cp README.md "$pages/index.md"
-cp CONTRIBUTING.md "$pages/contributing.md"
-cp CHANGELOG.md "$pages/changelog.md"
-sed -i -E 's#\]\(docs/([^)]*)\)#](\1)#g; s#"docs/figures/#"figures/#g' "$pages"/{index,contributing,changelog}.md
-sed -i -E 's#\]\((\.\./)?CONTRIBUTING\.md#](contributing.md#g; s#\]\((\.\./)?CHANGELOG\.md#](changelog.md#g; s#\]\((\.\./)?README\.md#](index.md#g
-  s#\[([^]]*)\]\((\.\./|apps/|tests/|libmeshops/|librbpa/|packaging/|drawings|CITATION|LICENSE)[^)]*\)#\1#g' "$pages"/*.md
+cp CONTRIBUTING.md CHANGELOG.md "$pages"
+sed -i -E 's#\[([^]]*)\]\((\.\./)*(apps|tests|libmeshops|librbpa|packaging|debian|docs/drawings|drawings|CITATION|LICENSE)[^)]*\)#\1#g' "$pages"/*.md "$pages"/docs/{,*/}*.md
+sed -i 's#](\.\./\.\./README\.md#](../../index.md#g' "$pages"/docs/*/*.md
+sed -i 's#](\.\./README\.md#](../index.md#g' "$pages/docs/README.md"
+sed -i 's#](README\.md#](index.md#g' "$pages"/*.md
 
 # References.
 {
@@ -48,16 +49,18 @@ cp docs/site/try.html "$pages/extra/"
 cp build/javascript/javascript/index.js "$pages/extra/rbpa/"
 cp tests/data/mol_2xhe_xy.xy "$pages/extra/molecule.xy"
 
-cat >> "$pages/index.md" <<'MARKDOWN'
-
-```{toctree}
-:hidden:
-:glob:
-:caption: Pages
-
-*
-```
-MARKDOWN
+# Navigation: folder by folder, the pages of each in the order in which questions come up.
+navigation() {  # CAPTION PAGE...
+  printf '\n```{toctree}\n:hidden:\n:caption: %s\n\n' "$1"
+  printf '%s\n' "${@:2}" '```'
+}
+{
+  navigation Tutorials docs/tutorials/{first_shape,lidar_footprint,scan_to_print,cavities}
+  navigation "How to" docs/how_to/{choose_alpha,polygons,more_points_than_memory,cpp_project,javascript,repair_a_mesh,coming_from,write_a_front,add_a_file_format}
+  navigation Reference docs/reference/{command_line,file_formats,cpp_headers,python,operators,guarantees_and_limits,performance} python_reference
+  navigation Explanation docs/explanation/{architecture,exact_decisions,plane,space,surfaces,filtration_and_persistence,paper}
+  navigation Contributing CONTRIBUTING docs/contributing/{testing,style} CHANGELOG docs/README
+} >> "$pages/index.md"
 sed -i '0,/^```sh/s//<a href="try.html">Try it in the browser<\/a> · [Python reference](python_reference.md) · <a href="cpp\/index.html">C++ reference<\/a>\n\n```sh/' "$pages/index.md"
 cp docs/site/conf.py "$pages"
 PYTHONPATH=build/release/python /usr/bin/python3 -m sphinx -q -W --keep-going -j auto -b html "$pages" build/site

@@ -78,7 +78,7 @@ TEST_SUITE("readme") {
         CHECK(output == command.output);
       }
     }
-    CHECK(count >= 40);
+    CHECK(count >= 25);
   }
 
   TEST_CASE("README begins with plateau; the page about alpha has plateau first, then auto") {

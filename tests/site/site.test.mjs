@@ -31,7 +31,7 @@ test("every link of a page leads to a page and a place that there is", () => {
       if (!files.has(target) || (anchor && target.endsWith(".html") && !anchors(target).has(anchor))) broken.push(`${page}: ${link}`);
     }
   assert.deepEqual(broken, []);
-  assert.ok(pages.length > 45 && checked > 3000, `only ${checked} links of ${pages.length} pages`);
+  assert.ok(pages.length > 32 && checked > 1000, `only ${checked} links of ${pages.length} pages`);
 });
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".png": "image/png" };
@@ -47,7 +47,7 @@ test("pages look right at a desk and on a telephone, and one computes", async ()
   const browser = new Chromium(process.env.RBPA_CHROMIUM ?? "chromium");
   try {
     for (const screen of [{}, { width: 390, height: 844, ratio: 2, dark: true }]) {
-      for (const page of ["index", "solid", "python_reference", "try"]) {
+      for (const page of ["index", "docs/explanation/space", "python_reference", "try"]) {
         const tab = await browser.open(`${at}/${page}.html`, screen);
         if (page === "try") await tab.until("'ready' in document.documentElement.dataset");
         assert.ok(await tab.value("document.documentElement.scrollWidth <= innerWidth"), `${page} is wider than the screen`);
