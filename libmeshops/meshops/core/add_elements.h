@@ -1,5 +1,5 @@
-// What: new elements of several kinds at once.
-// Why:  OpenMesh goes through all properties of a kind for every single element, which is most of what a split costs.
+// What: adds vertices, edges and faces to a mesh in one step.
+// Why:  for every single new element, OpenMesh visits all properties of its kind, which is most of the cost of a split.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace meshops::detail {
 
-/// Adds elements and returns their handles, in ascending order of each kind.
+/// Adds the elements at once, and then returns their handles one by one, in ascending order within each kind.
 class AddedElements {
  public:
   AddedElements(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)
@@ -20,7 +20,7 @@ class AddedElements {
   }
 
   Vertex vertex() { return Vertex(vertex_++); }
-  /// The halfedge from one vertex to the other, of the next edge.
+  /// Returns the halfedge `from` → `to` of the next new edge.
   Halfedge edge(Vertex from, Vertex to) {
     const Halfedge h(2 * edge_++);
     mesh_.set_vertex_handle(h, to);

@@ -1,4 +1,5 @@
-// What: what a caller's bug raises. An expected refusal is a value instead: see the …_blocker() functions.
+// What: the exception for a broken requirement, and the check that throws it. An expected refusal is a value instead:
+//       see the …_blocker() functions.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +9,7 @@
 
 namespace meshops {
 
-/// A requirement of a function was not met. Thrown before anything is changed.
+/// Exception for a requirement of a function that the caller did not meet. It is thrown before anything is changed.
 class MESHOPS_API ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -16,12 +17,12 @@ class MESHOPS_API ContractViolation : public std::logic_error {
 
 namespace detail {
 
-/// Out of line, so that a check costs no more than a comparison.
+/// Throws ContractViolation. Out of line, so that a check costs no more than a comparison.
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
 
 }  // namespace detail
 
-/// Throws ContractViolation with `what` unless `holds`.
+/// Throws ContractViolation with the message `what`, unless `holds`.
 inline void require(bool holds, const char* what) {
   if (!holds) [[unlikely]]
     detail::violate(what);

@@ -1,4 +1,4 @@
-// What:   how an operator changes the counts of a mesh.
+// What:   the change of the counts of a mesh by an operator.
 // Law:    an operator's delta is exact for every application of it, on every mesh.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
@@ -15,7 +15,7 @@ struct Delta {
   int genus = 0;
 
   constexpr int euler() const { return vertices - edges + faces; }
-  /// What the inverse operator does.
+  /// Returns the delta of the inverse operator.
   constexpr Delta operator-() const { return {-vertices, -edges, -faces, -curves, -components, -genus}; }
   friend constexpr Delta operator+(const Delta& a, const Delta& b) {
     return {a.vertices + b.vertices, a.edges + b.edges,           a.faces + b.faces,

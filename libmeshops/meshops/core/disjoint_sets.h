@@ -1,4 +1,4 @@
-// What: union–find over numbers from 0, with the parity of each number to the least of its set.
+// What: union–find over the numbers from 0, with the parity of each number relative to the least of its set.
 // Cost: amortized logarithmic, in practice constant; four bytes a number.
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace meshops {
 
-/// Of at most 2³¹ numbers.
+/// Disjoint sets of at most 2³¹ numbers. In a set, each number is on one of two sides; the least number is on the even
+/// one.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size = 0) : link_(size) {
@@ -18,30 +19,30 @@ class DisjointSets {
   }
 
   std::size_t size() const { return link_.size(); }
-  /// One more number, in a set of its own. Returns: it.
+  /// Adds one number, in a set of its own. Returns: the number.
   std::uint32_t add() {
     const auto i = static_cast<std::uint32_t>(link_.size());
     link_.push_back(2 * i);
     return i;
   }
-  /// The least number of the set.
+  /// Returns the least number of the set of `i`.
   std::uint32_t find(std::uint32_t i) {
     const std::uint32_t parent = link_[i] >> 1U;
     return is_least(parent) ? parent : compress(i);  // nearly always the former
   }
-  /// Whether `i` is the least number of its set. Cost: constant.
+  /// Returns whether `i` is the least number of its set. Cost: constant.
   bool is_least(std::uint32_t i) const { return link_[i] >> 1U == i; }
-  /// Whether `i` is on the other side than the least number of its set.
+  /// Returns whether `i` and the least number of its set are on different sides.
   /// Requires: find(i) was called after the last change.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Makes one set of two, given by their least numbers. Returns: the least of both.
+  /// Merges two sets, given by their least numbers. Returns: the least of both.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;
     return low;
   }
-  /// Makes one set of two. Returns: false when they were one already.
+  /// Merges the sets of `a` and `b`. Returns: false when they were in one set already.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -49,7 +50,7 @@ class DisjointSets {
     link(a, b);
     return true;
   }
-  /// Makes one set of two, in which `a` and `b` are on different sides when `differ`.
+  /// Merges the sets of `a` and `b`, so that the two are on different sides exactly when `differ`.
   /// Returns: false when they were in one set already with the opposite parity.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
     const std::uint32_t root_a = find(a), root_b = find(b);
@@ -61,7 +62,8 @@ class DisjointSets {
   }
 
  private:
-  /// To the root, with the parity of the whole way; then every element on it becomes a child of the root.
+  /// Follows links to the root, adding up parities, and then makes every element on the way a child of the root.
+  /// Returns: the root.
   [[gnu::noinline]] std::uint32_t compress(std::uint32_t i) {
     std::uint32_t root = i, parity = 0;
     for (std::uint32_t link = link_[root]; link >> 1U != root; link = link_[root]) {
@@ -76,7 +78,7 @@ class DisjointSets {
     return root;
   }
 
-  // Twice the parent, and 1 more when on the other side than the parent: a step to the parent is one read.
+  // Twice the parent, plus 1 when the number is on the other side than its parent: a step to the parent is one read.
   FreshVector<std::uint32_t> link_;
 };
 

@@ -1,5 +1,5 @@
-// What: how many elements a mesh has, those marked deleted included.
-// Why:  code that keeps handles of a mesh detects with three comparisons that others added elements or removed some.
+// What: the numbers of elements of a mesh, including those marked deleted.
+// Why:  code that keeps handles of a mesh detects with three comparisons that other code added or removed elements.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace meshops {
 struct ElementCounts {
   std::size_t vertices = 0, edges = 0, faces = 0;
 
-  // Named in full because they are virtual functions, which nobody overrides.
+  // Named in full because they are virtual functions, which no mesh type overrides.
   static ElementCounts of(const Connectivity& mesh) {
     return {mesh.Connectivity::n_vertices(), mesh.Connectivity::n_edges(), mesh.Connectivity::n_faces()};
   }
   friend bool operator==(const ElementCounts&, const ElementCounts&) = default;
 };
 
-/// For people: "3 vertices, 3 edges, 1 faces".
+/// Returns a text for people: "3 vertices, 3 edges, 1 faces".
 inline std::string describe(const ElementCounts& counts) {
   return std::to_string(counts.vertices) + " vertices, " + std::to_string(counts.edges) + " edges, " +
          std::to_string(counts.faces) + " faces";

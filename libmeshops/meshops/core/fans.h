@@ -1,6 +1,6 @@
-// What: whether the faces at a vertex are one fan, as everywhere on a manifold, or several.
-// Why:  OpenMesh links fans that meet in a vertex in one ring (a bowtie), and add_face() and its readers make them. No
-//       operator of libmeshops does; those that rely on one fan refuse the others.
+// What: tells whether the faces at a vertex form one fan, as everywhere on a manifold, or several.
+// Why:  OpenMesh links fans that meet in a vertex into one ring (a bowtie); its add_face() and its readers make such
+//       rings. No operator of libmeshops does; operators that rely on one fan refuse vertices with several.
 #pragma once
 
 #include "meshops/core/connectivity.h"
@@ -11,8 +11,8 @@ namespace detail {
 
 inline constexpr const char* several_fans = "a vertex has several fans";
 
-/// The vertex that the boundary halfedge `out` leaves has other fans: the fan that begins with `out` is not the one that
-/// ends before it. Both ends are read at once, so that their cache misses overlap.
+/// Returns whether the vertex that the boundary halfedge `out` leaves has several fans: the fan that begins with `out`
+/// is not the one that ends before it. The walk advances from both ends at once, so that their cache misses overlap.
 inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
   Halfedge first = out, last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
   while (first != last) {
@@ -28,7 +28,7 @@ inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
 
 }  // namespace detail
 
-/// Several fans are linked in the ring of the vertex: more than one boundary halfedge leaves it.
+/// Returns whether the vertex has several fans: more than one boundary halfedge leaves it.
 /// Requires: the vertex is live.
 /// Cost:     the degree; constant for a vertex that is inner or isolated.
 inline bool has_several_fans(const Connectivity& mesh, Vertex v) {

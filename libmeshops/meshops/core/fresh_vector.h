@@ -1,6 +1,6 @@
-// What: a vector for large arrays that are written before they are read.
-// Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can share
-//       the first touch of the memory. Large ones request large pages.
+// What: a vector for large arrays whose elements are written before they are read.
+// Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can
+//       share the first touch of the memory. Large arrays request large pages.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct FreshAllocator {
   friend bool operator==(const FreshAllocator&, const FreshAllocator&) { return true; }
 
  private:
-  /// Bytes for so many elements, rounded up to whole large pages.
+  /// Returns the bytes for `count` elements, rounded up to whole large pages.
   static std::size_t whole_pages(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_array_new_length();
     return (count * sizeof(T) + large_page - 1) / large_page * large_page;

@@ -15,7 +15,7 @@ void prefer_large_pages([[maybe_unused]] const void* begin, [[maybe_unused]] std
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (address + page - 1) / page * page, last = (address + bytes) / page * page;
   if (first >= last) return;
-  // Refusal is no failure: the memory is as good, and slower.
+  // A refusal is no error: the memory works as well, only slower.
   static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
 #endif
 }

@@ -1,4 +1,5 @@
-// What: large pages for large arrays: the first touch of fresh memory costs as much as the work on it.
+// What: requests large memory pages for large arrays.
+// Why:  the first touch of fresh memory costs as much as the work on it.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +8,10 @@
 
 namespace meshops {
 
-inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< bytes, where the system has them
+inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< in bytes, on systems that have large pages
 
-/// Advises the system to put large pages behind memory that has not been touched yet. A hint: without effect where the
-/// system has none to give, and on memory in which none fits.
+/// Advises the system to put large pages behind memory that has not been touched yet. A hint only: it has no effect
+/// where the system has no large pages to give, or where none fits into the memory.
 MESHOPS_API void prefer_large_pages(const void* begin, std::size_t bytes);
 
 }  // namespace meshops

@@ -1,4 +1,5 @@
-// What: which handles name elements of a mesh, and what an operator needs to delete elements.
+// What: tells which handles name live elements of a mesh, visits all of them, and tells whether elements can be
+//       deleted.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +9,8 @@
 
 namespace meshops {
 
-/// The handle is in range and its element is not marked deleted. (The counts are named in full because they are virtual
-/// functions, which nobody overrides.)
+/// Returns whether the handle is in range and its element is not marked deleted. (The counts are named in full because
+/// they are virtual functions, which no mesh type overrides.)
 inline bool is_live(const Connectivity& mesh, Vertex v) {
   return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.Connectivity::n_vertices() &&
          !(mesh.has_vertex_status() && mesh.status(v).deleted());
@@ -27,14 +28,14 @@ inline bool is_live(const Connectivity& mesh, Face f) {
          !(mesh.has_face_status() && mesh.status(f).deleted());
 }
 
-/// The mesh can mark elements of every kind as deleted.
+/// Returns whether the mesh can mark elements of every kind as deleted.
 inline bool has_status(const Connectivity& mesh) {
   return mesh.has_vertex_status() && mesh.has_halfedge_status() && mesh.has_edge_status() && mesh.has_face_status();
 }
 
 namespace detail {
 
-/// Why elements of the mesh cannot be deleted, or nullptr.
+/// Returns why elements of the mesh cannot be deleted, or nullptr when they can.
 inline const char* status_refusal(const Connectivity& mesh) {
   return has_status(mesh) ? nullptr : "the mesh needs status of every kind to mark what is deleted";
 }

@@ -1,6 +1,6 @@
 // What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
-// Law:  the elements that for_each_vertex() and its like visit, in the same order. A loop may mark elements as deleted,
-//       also the current one, and may add some: those that are added are not visited.
+// Law:  a range has the elements that for_each_vertex() and its siblings visit, in the same order. A loop may mark
+//       elements as deleted, also the current one, and may add elements, which are not visited.
 // Cost: constant for each element, live or not.
 #pragma once
 
@@ -57,7 +57,7 @@ class LiveRange {
   int count_;
 };
 
-/// Keeps a reference to the mesh.
+/// Returns the live elements in ascending order. The range keeps a reference to the mesh.
 inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh, mesh.n_vertices()}; }
 inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
 inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }

@@ -9,23 +9,24 @@
 
 namespace meshops {
 
-/// Called again and again, every few milliseconds; returning false ends the computation with Cancelled. Empty: never
-/// called.
+/// Function that long computations call every few milliseconds. When it returns false, the computation ends by throwing
+/// Cancelled. An empty function is never called.
 using GoOn = std::function<bool()>;
 
-/// The caller's progress function returned false.
+/// Exception that ends a computation after the caller's progress function returned false.
 class MESHOPS_API Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and now and then calls the progress function.
+/// Counts the steps of loops, of tens to hundreds of nanoseconds each, and calls the progress function once every 16384
+/// steps.
 class Steps {
  public:
-  /// Keeps a reference. Empty: nothing is called.
+  /// Keeps a reference to the function. An empty function is not called.
   explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
 
-  /// So many more steps. Throws Cancelled.
+  /// Counts `steps` more steps. Throws Cancelled.
   void operator()(std::size_t steps = 1) {
     if (left_ <= steps) return ask();
     left_ -= steps;

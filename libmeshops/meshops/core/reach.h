@@ -1,6 +1,6 @@
-// What: whether two halfedges lie on one boundary curve, or two faces in one component.
+// What: decides whether two halfedges lie on one boundary curve, or two faces in one component.
 // Cost: that of the smaller of the two, because both are searched in turns: a sequence of operators that only splits or
-//       only joins pays O(n log n) for it in all.
+//       only joins pays O(n log n) for it in total.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,21 @@
 
 namespace meshops {
 
+/// Returns whether two boundary halfedges lie on one curve.
 /// Requires: boundary halfedges. Throws ContractViolation.
-/// Cost:     the shorter of the two ways from one to the other; the shorter curve when they are on two.
+/// Cost:     the shorter of the two ways from one to the other; the shorter curve when they lie on two curves.
 MESHOPS_API bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b);
 
-/// Whether a path across edges other than `without` leads from one face to the other.
+/// Returns whether a path across edges other than `without` leads from one face to the other.
 /// Requires: live faces. Throws ContractViolation.
-/// Cost:     linear in the smaller component when there are two; otherwise in what is searched before both searches
-///           meet. Memory likewise.
+/// Cost:     time and memory linear in the smaller component when there are two, otherwise in the faces visited before
+///           the two searches meet.
 MESHOPS_API bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without = Edge());
 
-/// The faces of the smaller of two parts: those that can be reached from `a` or those that can be from `b`, whichever
-/// search ends first; nothing when a path leads from one to the other. In the order in which they are reached.
+/// Returns the faces reachable from `a` or those reachable from `b`, whichever search ends first, in the order in which
+/// they are reached; nothing when a path across edges other than `without` leads from `a` to `b`.
 /// Requires: live faces. Throws ContractViolation.
-/// Cost:     as above.
+/// Cost:     that of in_same_component().
 MESHOPS_API std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b,
                                                           Edge without = Edge());
 

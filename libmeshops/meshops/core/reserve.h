@@ -1,4 +1,4 @@
-// What: memory for a mesh that is about to be built.
+// What: reserves memory for a mesh before it is built.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,8 @@
 
 namespace meshops {
 
-/// Reserves memory for so many elements; if the mesh is empty, in large pages where the system has them (large_pages.h).
+/// Reserves memory for the given numbers of elements; if the mesh is empty, in large pages where the system has them
+/// (large_pages.h).
 MESHOPS_API void reserve(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops

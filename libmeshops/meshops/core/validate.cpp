@@ -86,7 +86,7 @@ class Validator {
         h = mesh_.next_halfedge_handle(h);
       } while (++steps <= sides && h != first && mesh_.face_handle(h) == f);
       if (h != first) {
-        // Where the face changes along the loop, that has been reported for the halfedge.
+        // A change of face along the loop has been reported for the halfedge already.
         if (steps > sides) add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
         return;
       }
@@ -122,7 +122,7 @@ class Validator {
       do {
         h = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h));
       } while (++reached <= degree && h != first);
-      // Several rings, or one that passes several gaps: between two gaps there is a fan.
+      // There are several rings, or one ring that passes several gaps: between two gaps there is a fan.
       if (reached != degree || h != first || gaps_here > 1)
         add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
     });

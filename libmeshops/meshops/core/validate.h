@@ -1,8 +1,8 @@
-// What: checks whether a mesh is an oriented 2-manifold with boundary whose records agree with each other, and lists every
-//       defect.
-// Law:  empty exactly if the records agree, every edge has a face on one or both of its sides and two ends, every face
-//       is one loop of three sides or more, and the faces around every vertex form one path or one circle. Every
-//       operator of libmeshops keeps a mesh without defects free of them, whatever its arguments are.
+// What: checks whether a mesh is an oriented 2-manifold with boundary whose records agree with each other, and lists
+//       every defect.
+// Law:  the list is empty exactly if the records agree, every edge has two different ends and a face on one or both of
+//       its sides, every face is one loop of three sides or more, and the faces around every vertex form one path or
+//       one circle. Every operator of libmeshops keeps a mesh without defects free of them, whatever its arguments are.
 #pragma once
 
 #include <string>
@@ -27,8 +27,8 @@ enum class DefectKind {
   dangling_edge,              ///< an edge has no face on either side
   vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts at another vertex
   vertex_halfedge_inner,      ///< a vertex lies on the boundary but its halfedge does not (OpenMesh's convention)
-  /// The faces at a vertex do not form one fan: not a manifold there, whether they are in several rings, or in one that
-  /// passes several gaps, as OpenMesh's add_face() links them (a bowtie).
+  /// The faces at a vertex do not form one fan, so that the mesh is no manifold there. They are in several rings, or in
+  /// one ring that passes several gaps, as OpenMesh's add_face() links them (a bowtie).
   vertex_has_several_fans
 };
 
@@ -37,18 +37,18 @@ enum class ElementKind { vertex, halfedge, face };
 struct Defect {
   DefectKind kind;
   ElementKind element;
-  int index;  ///< of the vertex, halfedge or face at which the defect shows
+  int index;  ///< index of the vertex, halfedge or face at which the defect shows
   friend bool operator==(const Defect&, const Defect&) = default;
 };
 
 MESHOPS_API std::string_view name(DefectKind kind);
 MESHOPS_API std::string_view name(ElementKind kind);
 
-/// For people: "vertex 17: vertex has several fans".
+/// Returns a text for people: "vertex 17: vertex has several fans".
 MESHOPS_API std::string describe(const Defect& defect);
 
-/// Every defect of the mesh, vertices first, then halfedges, then faces; empty when it is sound.
-/// Isolated vertices are no defects; elements marked deleted are passed over.
+/// Returns every defect of the mesh, vertices first, then halfedges, then faces; an empty list when the mesh is sound.
+/// Isolated vertices are no defects. Elements marked deleted are skipped.
 /// Cost: linear in the size of the mesh.
 MESHOPS_API std::vector<Defect> validate(const Connectivity& mesh);
 

@@ -20,7 +20,7 @@ const char* reason_against_closing(const Connectivity& mesh, Halfedge h) {
   return nullptr;
 }
 
-/// Another side of the face of h starts where h does.
+/// Returns whether another side of the face of `h` starts at the same vertex as `h`.
 bool is_passed_again(const Connectivity& mesh, Halfedge h) {
   const Face f = mesh.face_handle(h);
   for (Halfedge out = h;;) {
@@ -43,7 +43,7 @@ const char* reason_against_opening(const Connectivity& mesh, Face f) {
     ++sides;
     h = mesh.next_halfedge_handle(h);
   } while (h != first);
-  if (sides == 3) return nullptr;  // its corners are three vertices, as no edge is a loop
+  if (sides == 3) return nullptr;  // its corners are three distinct vertices, because no edge is a loop
   do {
     if (is_passed_again(mesh, h)) return "the face passes a vertex twice";
     h = mesh.next_halfedge_handle(h);

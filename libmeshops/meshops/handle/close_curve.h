@@ -1,4 +1,5 @@
-// What:   the handle operators that fill a boundary curve with a face, and that remove a face to leave a curve.
+// What:   the handle operators that fill a boundary curve with a face, and that remove a face so that its sides become
+//         a curve.
 // Law:    each undoes the other; the counts change exactly as effect.h specifies.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators (attaching a disc).
 #pragma once
@@ -18,29 +19,31 @@ struct CloseCurveEffect {
 };
 
 struct OpenCurveEffect {
-  Halfedge curve{};  ///< on the curve: what was the halfedge of the face
+  Halfedge curve{};  ///< on the new curve: the former halfedge of the face
   Delta delta() const { return delta_of_open_curve(); }
 };
 
-/// Why the curve through `h` cannot be closed, or nothing when it can: no such halfedge, not on the boundary, a curve of
-/// two edges, which glue() closes, or a vertex on it with several fans (core/fans.h).
+/// Returns why the curve through `h` cannot be closed, or nothing when it can. The reasons: there is no such halfedge,
+/// it is not on the boundary, the curve has two edges (use glue()), or a vertex on the curve has several fans
+/// (core/fans.h).
 /// Cost:     the degrees of the vertices on the curve.
 MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h);
 
-/// Fills the boundary curve through `h` with one face, which `h` is the halfedge of.
+/// Fills the boundary curve through `h` with one face. `h` becomes the halfedge of the face.
 /// Δ:        F +1, χ +1, curves −1, others 0.
 /// Requires: close_curve_blocker() is empty. Throws ContractViolation, mesh untouched.
 /// Inverse:  open_curve().
 /// Cost:     that of the blocker.
 MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 
-/// Why the face cannot be removed, or nothing when it can: no such face; a side of it on the boundary, or the face on
-/// both sides of an edge, which would have no face left; a corner on the boundary, or a vertex that the face passes
-/// twice, at which the rest would have two fans. remove_triangle() removes the triangles among these.
+/// Returns why the face cannot be removed, or nothing when it can. The reasons: there is no such face; a side of it is
+/// on the boundary, or the face is on both sides of an edge, so that the edge would have no face left; a corner is on
+/// the boundary, or the face passes a vertex twice, so that the remaining faces at it would form two fans.
+/// remove_triangle() also removes triangles for which these reasons hold.
 /// Cost:     the number of sides; with more than three also the degrees of the corners.
 MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f);
 
-/// Marks a face as deleted, so that its sides are a boundary curve.
+/// Marks a face as deleted, so that its sides become a boundary curve.
 /// Δ:        F −1, χ −1, curves +1, others 0.
 /// Requires: open_curve_blocker() is empty; the mesh has face status.
 /// Throws:   ContractViolation, mesh untouched.

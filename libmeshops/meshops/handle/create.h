@@ -1,4 +1,4 @@
-// What:   the handle operator that begins a component.
+// What:   the handle operator that begins a component: it adds a triangle.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 

@@ -28,7 +28,7 @@ const char* reason_against_destroying(const Connectivity& mesh, Face f) {
   const auto beyond = [&](Halfedge side) { return mesh.opposite_halfedge_handle(side); };
   for (const Halfedge side : sides_of(mesh, f))
     if (!mesh.is_boundary(beyond(side))) return "a side is glued to another face";
-  // The boundary turns around the triangle, unless it goes on to another fan in a corner.
+  // The boundary runs around the triangle alone, unless it continues to another fan at a corner.
   for (const Halfedge side : sides_of(mesh, f))
     if (mesh.prev_halfedge_handle(beyond(side)) != beyond(mesh.next_halfedge_handle(side))) return detail::several_fans;
   return nullptr;
@@ -79,7 +79,7 @@ std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Fac
 Delta remove_triangle(Connectivity& mesh, Face f) {
   require_none("remove_triangle", reason_against_removing(mesh, f));
   Delta delta;
-  // Given the halfedge on this side, unglue() lets what is beyond keep the edge and the vertices.
+  // unglue() of the halfedge on this side leaves the edge and the vertices to the faces beyond it.
   for (const Halfedge side : sides_of(mesh, f)) {
     const Halfedge beyond = mesh.opposite_halfedge_handle(side);
     if (!mesh.is_boundary(beyond)) delta = delta + detail::unglue_links(mesh, side).delta();

@@ -1,4 +1,4 @@
-// What:   the handle operator that ends a component; and the one that removes a triangle from any.
+// What:   the handle operator that removes a component of one triangle, and the operator that removes any triangle.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace meshops {
 
-/// Why `f` cannot be destroyed, or nothing when it can: no such face, other than three sides, a side that is glued to
-/// another face, or a corner with several fans (core/fans.h).
+/// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: there is no such face, it is no
+/// triangle, a side of it is glued to another face, or a corner has several fans (core/fans.h).
 MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a triangle that is a component of its own as deleted, with its edges and vertices.
@@ -24,15 +24,15 @@ MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivi
 /// Cost:     constant.
 MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 
-/// Why `f` cannot be removed, or nothing when it can: no such face, other than three sides, or a corner with several
-/// fans (core/fans.h).
+/// Returns why `f` cannot be removed, or nothing when it can. The reasons: there is no such face, it is no
+/// triangle, or a corner has several fans (core/fans.h).
 /// Cost:     the degrees of the corners that are on the boundary.
 MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f);
 
-/// Unglues the sides of a triangle that are glued, and destroys it. Where the rest would touch itself in a corner, the
-/// corner becomes a vertex for each of its fans, with the same properties.
-/// Effect:   the vertices and edges of the rest keep their handles, but for further fans, which get new vertices.
-/// Returns:  what it did to the counts: ΔF is −1.
+/// Unglues the glued sides of a triangle and destroys the triangle. Where the remaining faces would touch each other
+/// only in a corner, the corner becomes several vertices with the same properties, one for each fan.
+/// Effect:   the remaining vertices and edges keep their handles; each further fan gets a new vertex.
+/// Returns:  the change of the counts: ΔF is −1.
 /// Requires: remove_triangle_blocker() is empty; the mesh has status of every kind.
 /// Throws:   ContractViolation, mesh untouched.
 /// Inverse:  insert_triangle(), up to handles.

@@ -1,4 +1,4 @@
-// What:   what a handle operator did to the topology of a mesh.
+// What:   the cases of gluing, and the change of the counts of a mesh by each handle operator.
 // Law:    delta(case) is exact for every application of the operator, on every mesh.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
@@ -9,11 +9,11 @@
 
 namespace meshops {
 
-/// The five things that gluing two boundary edges can be.
+/// The five cases of gluing two boundary edges.
 enum class GlueCase {
-  join,         ///< edges on two components: they become one
-  split_curve,  ///< same curve, edges not adjacent: the curve becomes two
-  handle,       ///< two curves of one component: a handle is made
+  join,         ///< edges on two components, which become one
+  split_curve,  ///< edges on one curve, not adjacent: the curve becomes two
+  handle,       ///< edges on two curves of one component: a handle is made
   zip,          ///< adjacent edges of one curve: the vertex between them turns inner
   close         ///< the last two edges of a curve: the curve vanishes
 };

@@ -1,5 +1,5 @@
 // What:   removes a triangle from a mesh as one step: the inverse of insert_triangle().
-// Law:    leaves the mesh that remove_triangle() leaves, without making and deleting the elements that unglue() would.
+// Law:    leaves the same mesh as remove_triangle(), without making and deleting the elements that unglue() would.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once
 
@@ -10,22 +10,24 @@
 
 namespace meshops {
 
-/// What a triangle is to the mesh around it. Side i runs from corner i to corner i + 1.
+/// The sides and corners of a triangle, and how the mesh around it depends on it. Side i runs from corner i to corner i
+/// + 1.
 struct TriangleRim {
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
-  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};        ///< the vertices that they start at
+  std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};        ///< the vertices at which the sides start
   std::array<bool, 3> is_glued;                                         ///< a face lies beyond the side
-  std::array<bool, 3> is_passage;  ///< without the triangle the fan at the corner falls in two
+  std::array<bool, 3> is_passage;  ///< without the triangle, the fan at the corner would be two
 };
 
-/// Requires: a triangle of a sound mesh. Throws ContractViolation. Cost: constant.
+/// Returns the rim of a triangle. Requires: a triangle of a sound mesh. Throws ContractViolation. Cost: constant.
 MESHOPS_API TriangleRim rim_of(const Connectivity& mesh, Face f);
 
-/// Marks the triangle as deleted, and its sides beyond which there is no face. Its other sides are boundary halfedges
-/// then. A corner without other faces is isolated then; where a fan falls in two, the one that the boundary enters the
-/// corner by, before, gets the vertex `second[i]`.
-/// Requires: rim_of() the triangle; isolated vertices for the passages; status of every kind. Not checked.
-/// Cost:     constant, plus the degree of each corner that becomes two.
+/// Marks the triangle as deleted, together with its edges that have no other face. Its other sides become boundary
+/// halfedges, and a corner without other faces becomes isolated. At a corner whose fan becomes two, the fan through
+/// which the boundary entered the corner gets the vertex `second[i]`.
+/// Requires: `rim` is rim_of() the triangle; `second[i]` is an isolated vertex at each passage; the mesh has status of
+///           every kind. Not checked.
+/// Cost:     constant, plus the degree of each corner that becomes two vertices.
 MESHOPS_API void extract_triangle(Connectivity& mesh, const TriangleRim& rim, const std::array<Vertex, 3>& second);
 
 }  // namespace meshops

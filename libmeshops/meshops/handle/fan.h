@@ -1,12 +1,12 @@
-// What: how the handle operators merge and part the fans of faces around vertices.
-// Law:  a fan of a boundary vertex is reached through its boundary halfedge, the one by which the boundary leaves it.
+// What: moves the fan of faces at a vertex to another vertex, as handle operators do to merge and to split vertices.
+// Law:  a fan of a boundary vertex is given by its boundary halfedge, the one by which the boundary leaves the vertex.
 #pragma once
 
 #include "meshops/core/connectivity.h"
 
 namespace meshops::detail {
 
-/// Makes every edge of the fan that `first` leaves start at `to` instead.
+/// Lets every edge of the fan that `first` leaves start at `to`.
 /// Cost: the degree.
 inline void move_fan(Connectivity& mesh, Halfedge first, Vertex to) {
   Halfedge out = first;

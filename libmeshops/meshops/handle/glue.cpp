@@ -10,8 +10,8 @@
 namespace meshops {
 namespace {
 
-/// Why the vertex that the boundary halfedge `out` leaves cannot become one with `other`. Seen on the way through its
-/// fan.
+/// Returns why the vertex that the boundary halfedge `out` leaves cannot become one with `other`, or nullptr when it
+/// can. Walks once through the fan of the vertex.
 const char* reason_at(const Connectivity& mesh, Halfedge out, Vertex other) {
   for (Halfedge h = out;;) {
     if (mesh.to_vertex_handle(h) == other) return "an edge joins two vertices that would become one";

@@ -1,4 +1,4 @@
-// What:   the handle operator that makes two boundary edges one.
+// What:   the handle operator that makes one inner edge of two boundary edges.
 // Law:    the counts change exactly by delta_of(case) (effect.h); a sound mesh stays sound; unglue() is the exact
 //         inverse.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
@@ -20,19 +20,21 @@ struct GlueEffect {
   GlueCase what;
   Halfedge survivor{};  ///< `first`, now inner: its edge is the glued one
   Halfedge removed{};   ///< `second`: its edge is marked deleted
-  Ends first_ends;      ///< of `first` before; of two vertices that became one the lower handle stays
-  Ends second_ends;     ///< of `second` before
+  Ends first_ends;      ///< ends of `first` before; of two vertices that became one, the lower handle stays
+  Ends second_ends;     ///< ends of `second` before
   Delta delta() const { return delta_of(what); }
 };
 
-/// Why `first` and `second` cannot be glued, or nothing when they can: not boundary halfedges, one edge, an edge between
-/// vertices that would become one (it would turn into a loop), or an end with several fans (core/fans.h).
+/// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: one is not a boundary
+/// halfedge, both are of one edge, an edge joins two vertices that would become one (it would become a loop), or an end
+/// has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// The case of glue() for these boundary halfedges.
+/// Returns the case of glue() for these boundary halfedges.
 /// Requires: glue_blocker() is empty. Throws ContractViolation.
-/// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the edges are on two curves.
+/// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the
+///           edges are on two curves.
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
@@ -44,8 +46,8 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Cost:        that of glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// The same for a caller that has determined the case already, as a tracker does (topology/tracker.h).
-/// Requires: also that `what` is glue_case(), which is not checked.
+/// Glues as above, for a caller that has determined the case already, for example a tracker (topology/tracker.h).
+/// Requires: as above; `what` is glue_case(), which is not checked.
 /// Cost:     the degrees of the ends.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
 

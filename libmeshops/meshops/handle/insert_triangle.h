@@ -1,6 +1,6 @@
-// What:   create a triangle and glue up to three of its sides to boundary edges, as one step.
-// Law:    leaves the same mesh as create_triangle() followed by a glue() per given side (tested), without making and
-//         deleting the elements that the glues would merge. All the ways to attach a triangle to a front are this.
+// What:   adds a triangle and glues up to three of its sides to boundary edges, in one step.
+// Law:    leaves the same mesh as create_triangle() followed by a glue() for each given side (tested), without making
+//         and deleting the elements that the glues would merge. A front attaches every triangle in this way.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003), attach cases.
 #pragma once
 
@@ -12,23 +12,24 @@
 
 namespace meshops {
 
-/// Where a triangle goes. Side i runs from corner i to corner i + 1.
+/// Place of a triangle in a mesh. Side i runs from corner i to corner i + 1.
 struct TriangleSides {
-  /// A boundary halfedge that becomes this side, or an invalid handle for a new edge.
+  /// The boundary halfedge that becomes this side, or an invalid handle for a new edge.
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
-  /// The vertex of a corner between two new sides: an isolated one. Not read for other corners.
+  /// The isolated vertex for a corner between two new sides. Not read for other corners.
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
 };
 
 struct InsertedTriangle {
   Face face{};
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
-  int merged = 0;                                                       ///< how many vertices were merged into others
-  /// The vertices that lost: isolated now, and of no use to the mesh. The lower handle of a pair survives.
+  int merged = 0;  ///< number of vertices that were merged into others
+  /// The vertices that were merged into others: isolated now. Of two merged vertices, the lower handle stays.
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
-/// Where insert_triangle() gets its edge and face elements: one by one from the mesh, or from a supply of the caller's.
+/// Source of edges and faces for insert_triangle(): one by one from the mesh. A caller may pass its own source of the
+/// same form.
 struct NewElements {
   Connectivity& mesh;
   Halfedge edge(Vertex from, Vertex to) { return mesh.new_edge(from, to); }
@@ -37,13 +38,13 @@ struct NewElements {
 
 namespace detail {
 
-/// insert_triangle() for a constant set of given sides, bit i for side i: every branch is decided at compile time.
+/// Inserts a triangle for a constant set of given sides, bit i for side i: every branch is decided at compile time.
 template <unsigned given, typename Elements>
 InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sides, Elements& elements) {
   constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };
   constexpr auto previous = [](unsigned i) { return (i + 2) % 3; };
   InsertedTriangle result;
-  std::array<Halfedge, 3> before;  // of each given side, its neighbors on the boundary before the change
+  std::array<Halfedge, 3> before;  // the neighbors of each given side on the boundary before the change
   std::array<Halfedge, 3> after;
   std::array<Vertex, 3> corner;
   const auto for_each = [](auto visit) {
@@ -86,7 +87,8 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   for_each([&](auto i) { mesh.set_face_handle(result.side[i], result.face); });
   mesh.set_halfedge_handle(result.face, result.side[0]);
 
-  // The boundary passes by each corner, unless its two sides were neighbors on it: then the corner closes.
+  // The boundary passes by each corner, unless the two sides at it were neighbors on the boundary: then the corner
+  // closes.
   for_each([&](auto i) {
     constexpr unsigned p = previous(i);  // side p comes into corner i, side i leaves it
     Halfedge in, out;
@@ -111,6 +113,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
 
 }  // namespace detail
 
+/// Inserts a triangle at `sides`. `elements` supplies the new edges and the face, as NewElements does.
 /// Requires: given sides are distinct boundary halfedges; corners between two new sides are isolated vertices; no two
 ///           corners become the same vertex. Not checked: this is the inner loop of every advancing front.
 /// Cost:     constant, plus the degree of each vertex that is merged into another.

@@ -5,7 +5,7 @@
 namespace meshops {
 namespace {
 
-/// All halfedges of a fan that leave its vertex, clockwise; an open one begins on the boundary.
+/// Collects all halfedges of a fan that leave its vertex, clockwise. An open fan begins on the boundary.
 void collect_fan(const Connectivity& mesh, Halfedge any, std::vector<Halfedge>& fan) {
   Halfedge first = any;
   while (!mesh.is_boundary(first)) {

@@ -9,10 +9,10 @@
 
 namespace meshops {
 
-/// Gives each fan at a vertex a vertex of its own: the fan with the least halfedge keeps the old one, further fans get
-/// new ones with copies of its properties, the point among them.
-/// Returns:  of each new vertex, in order, the one of which it is a copy.
-/// Requires: validate() finds nothing but vertices with several fans.
+/// Gives each fan at a vertex a vertex of its own. The fan with the least halfedge keeps the old vertex; each further
+/// fan gets a new vertex with copies of all properties, including the point.
+/// Returns:  for each new vertex, in order, the vertex of which it is a copy.
+/// Requires: the only defects that validate() finds are vertices with several fans.
 /// Δ:        V +1 and χ +1 for each further fan. E and F stay.
 /// Cost:     linear.
 MESHOPS_API std::vector<Vertex> separate_fans(Connectivity& mesh);

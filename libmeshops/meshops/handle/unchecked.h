@@ -1,4 +1,5 @@
-// What: glue() and unglue() split into their checks and their changes, for operators that check many at once.
+// What: the checks and the changes of glue() and unglue() as separate functions, for operators that check many glues
+//       before the first change.
 // Law:  nothing is checked twice: functions that refuse change nothing, and functions that change check nothing.
 #pragma once
 
@@ -8,19 +9,21 @@
 
 namespace meshops::detail {
 
-/// Why not, or nullptr: a reason costs no memory.
+/// Returns why the operator is refused, or nullptr when it is not. (A reason is a literal, so that it allocates no
+/// memory.)
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);
-/// Of two vertices that become one, by the boundary halfedges that leave them; of one that stays, where both are equal.
+/// Returns why two vertices cannot become one, or nullptr when they can. They are given by the boundary halfedges that
+/// leave them; equal halfedges stand for one vertex, which stays.
 /// Cost: the degrees.
 const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out);
 
-/// Requires that the refusal is null.
+/// Returns the case of glue(). Requires: glue_refusal() is null.
 GlueCase case_of_glue(const Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// Requires also that the mesh has status of every kind.
+/// Glues. Requires: glue_refusal() is null; the mesh has status of every kind; `what` is case_of_glue().
 GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
-/// Requires that the refusal is null.
+/// Unglues. Requires: unglue_refusal() is null.
 UnglueEffect unglue_links(Connectivity& mesh, Halfedge h);
 
 }  // namespace meshops::detail

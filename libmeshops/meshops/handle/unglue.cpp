@@ -12,13 +12,13 @@
 namespace meshops {
 namespace {
 
-/// One end of the edge that is parted: how the boundary passes by it, when it does.
+/// One end of the edge to be unglued, and the boundary halfedges through it, if there are any.
 struct End {
   Vertex vertex;
-  Halfedge before, after;  // the boundary into the vertex and out of it
+  Halfedge before, after;  // boundary halfedges into the vertex and out of it
   bool on_boundary;
 
-  /// Requires that the vertex has one fan.
+  /// Requires: the vertex has one fan.
   End(const Connectivity& mesh, Vertex v) : vertex(v), on_boundary(mesh.is_boundary(v)) {
     if (!on_boundary) return;
     after = mesh.halfedge_handle(v);
@@ -26,14 +26,15 @@ struct End {
   }
 };
 
-/// The elements that replace those that are parted: the second edge, and for each end the vertices of its two fans.
+/// The elements after the split: the second edge, and for each end the vertices of its two fans.
 struct Parts {
   Halfedge second;
   GlueEffect::Ends first_ends;
   GlueEffect::Ends second_ends;
 };
 
-/// Changes records only: every element is there and live. The edge of `parts.second` is of no use to anybody.
+/// Splits the edge. Changes records only: every element exists and is live; no record refers to the edge of
+/// `parts.second` yet.
 void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, const Parts& parts) {
   const Halfedge second = parts.second, inner = mesh.opposite_halfedge_handle(second);
   const Halfedge before = mesh.prev_halfedge_handle(first), after = mesh.next_halfedge_handle(first);
@@ -49,7 +50,7 @@ void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, 
   mesh.set_boundary(first);
   mesh.set_boundary(second);
 
-  // The boundary no longer passes by at an end, but through the gap; at an inner end the gap begins.
+  // At a boundary end, the boundary passes through the gap instead of past the edge; at an inner end, the gap begins.
   if (start.on_boundary) {
     mesh.set_next_halfedge_handle(start.before, first);
     mesh.set_next_halfedge_handle(second, start.after);
@@ -69,7 +70,7 @@ void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, 
     mesh.set_halfedge_handle(end.vertex, second);
   }
 
-  // One fan of each end that was on the boundary goes to its other vertex.
+  // One of the two fans at each boundary end moves to the other vertex.
   for (const Vertex v : {parts.first_ends.from, parts.second_ends.to})
     if (v != start.vertex) detail::move_fan(mesh, mesh.halfedge_handle(v), v);
   for (const Vertex v : {parts.first_ends.to, parts.second_ends.from})
@@ -155,7 +156,7 @@ UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
   const auto is_dead = [&](auto element, std::size_t count) {
     return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);
   };
-  /// The vertex that glue() marked deleted at an end; an invalid handle when it merged none there.
+  /// Returns the vertex that glue() marked deleted at an end; an invalid handle when it merged none there.
   const auto deleted_at = [](Vertex a, Vertex b) { return a == b ? Vertex() : std::max(a, b); };
   const auto fits = [&](const End& at, Vertex a, Vertex b) {
     const Vertex gone = deleted_at(a, b);

@@ -27,7 +27,7 @@ std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge
   if (on_same_curve(mesh, first, second)) return "both halfedges are on one curve";
   if (const std::size_t a = length_of_curve(mesh, first), b = length_of_curve(mesh, second); a != b)
     return "the curves have " + std::to_string(a) + " and " + std::to_string(b) + " edges";
-  // Each vertex of one curve merges with one of the other, so that looking at every pair beforehand looks at all.
+  // Each vertex of one curve merges with one vertex of the other, so that checking every pair beforehand covers all.
   Halfedge h = first, g = second;
   do {
     if (const char* reason = detail::merge_refusal(mesh, h, mesh.next_halfedge_handle(g))) return reason;

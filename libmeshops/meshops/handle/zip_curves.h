@@ -1,6 +1,6 @@
 // What:   sews two boundary curves of equal length together, edge by edge.
-// Law:    one glue() that joins two components or makes a handle, then one that zips for each further edge but the
-//         last, then one that closes: the counts change by the sum.
+// Law:    equals one glue() that joins two components or makes a handle, then one that zips for each further edge but
+//         the last, then one that closes; the counts change by the sum of their deltas.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace meshops {
 
 struct ZipCurvesEffect {
   GlueCase begins_with;  ///< join or handle
-  std::size_t edges;     ///< of the seam, which runs from `first` along its curve
+  std::size_t edges;     ///< number of edges of the seam, which runs from `first` along its curve
 
   Delta delta() const {
     Delta sum = delta_of(begins_with) + delta_of(GlueCase::close);
@@ -27,15 +27,16 @@ struct ZipCurvesEffect {
   }
 };
 
-/// Why the curves through `first` and `second` cannot be sewn, or nothing when they can: not boundary halfedges, one
-/// curve, different lengths, an edge between vertices that would become one, or a vertex with several fans (core/fans.h).
+/// Returns why the curves through `first` and `second` cannot be sewn, or nothing when they can. The reasons: one is
+/// not a boundary halfedge, both are on one curve, the lengths differ, an edge joins two vertices that would become
+/// one, or a vertex has several fans (core/fans.h).
 /// Cost:     the degrees of the vertices on both curves.
 MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around: two curves
-/// become one closed seam of inner edges. For pieces that were built separately.
-/// Effect:      the edges of the curve of `first` stay; those of the other are marked deleted, with one vertex of each
-///              pair: the lower handle stays.
+/// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around. The two curves
+/// become one closed seam of inner edges. Use it for pieces that were built separately.
+/// Effect:      the edges of the curve of `first` stay; those of the other curve are marked deleted, and so is one
+///              vertex of each merged pair: the lower handle stays.
 /// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: the curve through `second`.

@@ -1,4 +1,5 @@
-// What:   the operators that cut a face in two along a diagonal, and that make one face of two.
+// What:   the operators that cut a face in two along a diagonal, and that merge two faces by removing an edge between
+//         them.
 // Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores every live record of the mesh. The topology stays.
 // Source: Mäntylä, An introduction to solid modeling (1988): make edge and face, kill edge and face.
 #pragma once
@@ -22,20 +23,21 @@ struct InsertDiagonalEffect {
 struct RemoveDiagonalEffect {
   Edge edge{};            ///< marked deleted
   Face face{};            ///< marked deleted
-  Face survivor{};        ///< has the sides of both
+  Face survivor{};        ///< has the sides of both faces
   Halfedge from{}, to{};  ///< insert_diagonal(from, to) is the inverse
   constexpr Delta delta() const { return {.edges = -1, .faces = -1}; }
 };
 
-/// Why no diagonal can join the starts of these halfedges, or nothing when one can: they are not sides of one face; the
-/// corners are neighbors (a face of two sides would be left), or one vertex (a loop); Keep::simplicial: an edge joins
-/// them already, or both faces would be triangles on the same corners, in a face that touches itself.
+/// Returns why no diagonal can join the starts of these halfedges, or nothing when one can. The reasons: they are not
+/// sides of one face; the corners are neighbors (a face of two sides would be left) or one vertex (a loop); with
+/// Keep::simplicial, an edge joins them already, or both faces would be triangles on the same corners, in a face that
+/// touches itself.
 MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
                                                                Keep keep = Keep::simplicial);
 
-/// Cuts the face that `from` and `to` are sides of along a new edge between the corners where they start.
-/// Effect:      the face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements have
-///              default values of all properties.
+/// Cuts the face of which `from` and `to` are sides, along a new edge between the corners at which they start.
+/// Effect:      the old face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements
+///              have default values of all properties.
 /// Requires:    insert_diagonal_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
@@ -45,15 +47,16 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
-/// Why the edge of h cannot be removed, or nothing when it can: it is on the boundary, or one face lies on both sides
-/// of it. What is left is a mesh of polygons; two faces with several common edges become one that touches itself.
+/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: it is on the boundary, or one face
+/// lies on both sides of it. The result is a mesh of polygons; two faces with several common edges become one face that
+/// touches itself.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
-/// Removes an edge. The face of h is marked deleted with it, and the face beyond gets its sides.
+/// Removes the edge of h. The edge and the face of h are marked deleted, and the face beyond gets the sides of both.
 /// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation, mesh untouched.
-/// Invalidates: what is marked deleted.
-/// Inverse:     insert_diagonal(from, to) with what is returned, up to handles.
+/// Invalidates: the elements marked deleted.
+/// Inverse:     insert_diagonal(from, to) of the returned effect, up to handles.
 /// Δ:           E −1, F −1; the topology stays.
 /// Cost:        the number of sides of the face of h.
 MESHOPS_API RemoveDiagonalEffect remove_diagonal(Connectivity& mesh, Halfedge h);

@@ -17,8 +17,8 @@ struct Quadrangle {
   Halfedge h, bc, ca, o, ad, db;
 };
 
-/// The apexes have an edge in common. Around the first, from one side of its triangle to the other: what lies next to
-/// the quadrangle is read anyway, and most vertices have few edges.
+/// Returns whether an edge joins the apexes. Walks around the first apex, from one side of its triangle to the other:
+/// the records next to the quadrangle are read anyway, and most vertices have few edges.
 bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, Vertex d) {
   constexpr int usual_degree = 12;
   const Halfedge end = mesh.opposite_halfedge_handle(q.bc);
@@ -84,7 +84,7 @@ void undo(Connectivity& mesh, const FlipEffect& effect) {
   const Face left = mesh.face_handle(h), right = mesh.face_handle(o);
   const Vertex a = mesh.to_vertex_handle(ca), b = mesh.to_vertex_handle(db);
   const Vertex c = mesh.to_vertex_handle(h), d = mesh.to_vertex_handle(o);
-  if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);  // not after flip(), which leaves others there
+  if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);  // not so after flip(), which sets others
   if (mesh.halfedge_handle(d) == h) mesh.set_halfedge_handle(d, db);
   if (mesh.halfedge_handle(left) == ad) mesh.set_halfedge_handle(left, bc);
   if (mesh.halfedge_handle(right) == bc) mesh.set_halfedge_handle(right, ad);

@@ -17,17 +17,18 @@ namespace meshops {
 struct FlipEffect {
   Edge edge{};
   std::array<Halfedge, 2> named = {
-      Halfedge(), Halfedge()};  ///< for undo(): the halfedges of the ends before, of halfedge 0 first start, then end
+      Halfedge(), Halfedge()};  ///< for undo(): the old halfedges of the start and of the end of halfedge 0
   constexpr Delta delta() const { return {}; }
 };
 
-/// Why the edge cannot be flipped, or nothing when it can: it is on the boundary, a face beside it is not a triangle,
-/// both triangles have the same apex (the edge would become a loop); Keep::simplicial: an edge joins the two apexes.
+/// Returns why the edge cannot be flipped, or nothing when it can. The reasons: it is on the boundary, a face beside it
+/// is not a triangle, both triangles have the same apex (the edge would become a loop), or, with Keep::simplicial, an
+/// edge joins the two apexes.
 MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
-/// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on the left is
-///              still on the left of it and keeps its side c→a; the other keeps d→b.
+/// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on its left stays
+///              on its left and keeps the side c→a; the other face keeps d→b.
 /// Requires:    flip_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
@@ -36,8 +37,8 @@ MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Ed
 /// Cost:        constant; Keep::simplicial: the degree of c.
 MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Rotates the edge back, clockwise. When the mesh is as flip() left it, what was done since having been undone, that
-/// restores every record.
+/// Rotates the edge back, clockwise. If the mesh is as flip() left it, and later changes have been undone, every record
+/// is restored.
 /// Requires: flip_blocker(mesh, effect.edge, Keep::manifold) is empty.
 /// Throws:   ContractViolation, mesh untouched.
 /// Cost:     constant.

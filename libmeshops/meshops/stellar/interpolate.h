@@ -1,6 +1,6 @@
-// What: a split hook that gives the new vertex the mean of vertex properties, named by their handles.
-// Law:  split_edge(): the mean of both ends; split_face(): of the three corners; split_vertex(): what the old vertex has. A
-//       hook that throws leaves the mesh as it was before the split (split_hooks.h).
+// What: a split hook that gives the new vertex the mean of chosen vertex properties.
+// Law:  split_edge() sets the mean of both ends, split_face() the mean of the three corners, split_vertex() the value
+//       of the old vertex. A hook that throws leaves the mesh as it was before the split (split_hooks.h).
 #pragma once
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -25,7 +25,7 @@ namespace detail {
 template <typename T>
 concept MeanNumber = std::floating_point<T> ||(std::integral<T> && !std::same_as<T, bool>);
 
-/// A vector of OpenMesh: as many numbers as its type has.
+/// Vector type of OpenMesh, which knows its number of coordinates.
 template <typename T>
 concept MeanVector = requires(T v, const T c) {
   requires MeanNumber<typename T::value_type>;
@@ -37,7 +37,7 @@ template <MeanNumber T>
 T mean(std::span<const T> values) {
   const std::size_t n = values.size();
   if constexpr (std::floating_point<T>) {
-    // Divided first and then added, because the sum may overflow.
+    // Divides before adding, because the sum may overflow.
     T sum = 0;
     for (const T value : values) sum += n == 2 ? value * T(0.5) : value * (T(1) / T(n));
     return sum;
@@ -71,7 +71,7 @@ OpenMesh::VPropHandleT<typename Manager::Value> handle_of(const Manager& manager
 }
 { return manager.getRawProperty(); }
 
-/// A vertex property, by its handle or its manager.
+/// Vertex property, given by its handle or its manager.
 template <typename P>
 concept VertexProperty = requires(const P& property) {
   detail::handle_of(property);
@@ -80,7 +80,7 @@ concept VertexProperty = requires(const P& property) {
 template <VertexProperty P>
 using ValueOf = typename decltype(detail::handle_of(std::declval<const P&>()))::Value;
 
-/// Whether the mesh has this property.
+/// Returns whether the mesh has this property.
 template <typename Mesh, typename Value>
 bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
   const auto count = std::distance(mesh.vprops_begin(), mesh.vprops_end());
@@ -90,17 +90,18 @@ bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
 
 }  // namespace detail
 
-/// Numbers, and vectors of numbers as OpenMesh has them: weights, texture coordinates, colors.
+/// Type with a mean: numbers, and OpenMesh's vectors of numbers, for weights, texture coordinates and colors.
 template <typename T>
 concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 
-/// split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(), mesh.vertex_colors_pph())): what CarryOver does, with the
-/// point of the new vertex where the mesh has points, and moreover the mean of each vertex property that is named, by an
-/// OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
-/// Whole numbers are rounded to the nearest, halves away from 0. Vectors are not normalised: normals are to be computed anew.
-/// Vertex properties that are not named have default values after split_edge() and split_face(), as without the hook.
-/// Requires: the properties are of the mesh that is split. A split throws ContractViolation where the mesh has no such
-///           property, mesh untouched. Types without a mean do not compile: text, flags.
+/// Split hook for calls such as split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(),
+/// mesh.vertex_colors_pph())). It does what CarryOver does, which includes the point of the new vertex if the mesh has
+/// points. In addition it sets the mean of each named vertex property; a property is named by an OpenMesh::VPropHandleT
+/// or a vertex PropertyManager, in any mixture.
+/// Integers are rounded to the nearest, halves away from 0. Vectors are not normalized: compute normals anew. Vertex
+/// properties that are not named get default values in split_edge() and split_face(), as without the hook.
+/// Requires: the properties belong to the mesh that is split. Otherwise a split throws ContractViolation, mesh
+///           untouched. Types without a mean, such as text and flags, do not compile.
 template <HasMean... Values>
 class Interpolate {
  public:

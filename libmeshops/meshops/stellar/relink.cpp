@@ -9,7 +9,7 @@
 namespace meshops::detail {
 namespace {
 
-/// `heir` replaces h in its loop, and in the record of its face. `before` and `after` are the neighbors
+/// Puts `heir` in the place of h in its loop and in the record of its face. `before` and `after` are the neighbors
 /// there.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);
@@ -29,8 +29,8 @@ void mark_deleted(Connectivity& mesh, const StarElements& removed) {
   }
 }
 
-/// The halfedges around the edge of h = v→w, as both triangles lie on a plane: c on the left, d on the right. Handles
-/// of a side without a triangle mean nothing.
+/// The halfedges around the edge of h = v→w, drawn as both triangles lie in a plane: c on the left, d on the right. The
+/// handles of a side without a triangle mean nothing.
 struct Star {
   Star(const Connectivity& mesh, Halfedge along)
       : h(along),
@@ -47,11 +47,11 @@ struct Star {
   Halfedge h, o, wc, cv, vc, vd, dw, dv;
   bool has_left, has_right;
 
-  /// The only other edge of v leads to c, which is d.
+  /// Returns whether the only other edge of v leads to c, which is then d.
   bool v_has_degree_two() const { return has_left && has_right && vc == vd; }
 };
 
-/// close_edge() where v has two edges: of those from w to c, which become one, that on the right stays.
+/// Does the work of close_edge() where v has two edges. Two edges from w to c become one; the one on the right stays.
 WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect) {
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wc_right = mesh.opposite_halfedge_handle(s.dw);
   const Vertex w = effect.survivor, c = mesh.to_vertex_handle(s.wc);
@@ -65,12 +65,12 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
   return effect;
 }
 
-/// open_vertex() with elements from anywhere: the vertex; the edge to w, and one to the end of each halfedge that is
-/// given; a face for each of these.
+/// Opens a vertex with given elements: the vertex, its edge to w, an edge to the end of each given halfedge, and a face
+/// for each of these.
 template <typename Elements>
 SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Elements elements) {
   const bool has_left = left.is_valid(), has_right = right.is_valid();
-  const Halfedge named = mesh.halfedge_handle(w);  // on the boundary, what the boundary leaves w by
+  const Halfedge named = mesh.halfedge_handle(w);  // on the boundary: the halfedge by which the boundary leaves w
   const Halfedge end = has_right ? right : ccw(mesh, named);
   const bool left_was_boundary = has_left && mesh.is_boundary(left);
   SplitEffect effect;
@@ -122,7 +122,7 @@ SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge righ
   return effect;
 }
 
-/// What close_inner_path() closed opens again: the edge of `right` becomes two, with v between them.
+/// Reverses close_inner_path(): the edge of `right` becomes two, with v between them.
 void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Halfedge vc, Halfedge wc) {
   const Halfedge h = effect.halfedge, o = mesh.opposite_halfedge_handle(h);
   const Halfedge dw = mesh.opposite_halfedge_handle(*effect.right), cw_left = mesh.opposite_halfedge_handle(wc);
@@ -137,12 +137,12 @@ void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Hal
   if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
 }
 
-/// Of a dead edge the halfedge that left `v`, as far as its records hold it.
+/// Returns the halfedge of a dead edge that left `v`, as far as its records tell.
 Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
   return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
 }
 
-/// The elements of a weld, in the order in which it names them.
+/// The elements of a weld, in the order in which the weld names them.
 class RevivedElements {
  public:
   RevivedElements(Connectivity& mesh, const WeldEffect& effect)
@@ -162,13 +162,13 @@ class RevivedElements {
  private:
   Connectivity& mesh_;
   const StarElements& removed_;
-  std::array<Halfedge, 3> along_;  // of each edge the halfedge from the vertex
+  std::array<Halfedge, 3> along_;  // for each edge, the halfedge from the vertex
   std::size_t edges_ = 0, faces_ = 0;
 };
 
-/// The boundary passes a vertex in a gap between each boundary halfedge that leaves it and the next edge
-/// counter-clockwise. Whether such a gap lies between left and right and is not the only one: on one side of the split, the
-/// boundary halfedge of the vertex would be ambiguous.
+/// Returns whether a gap of the boundary lies between left and right and is not the only gap at the vertex. A gap lies
+/// between each boundary halfedge that leaves the vertex and the next edge counter-clockwise. With several gaps, the
+/// boundary halfedge of the vertex on one side of the split would be ambiguous.
 bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left, std::optional<Halfedge> right) {
   const Halfedge named = mesh.halfedge_handle(w);
   const auto gaps_between = [&](Halfedge first, Halfedge end) {
@@ -176,7 +176,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
     for (Halfedge out = first; out != end; out = ccw(mesh, out)) gaps += mesh.is_boundary(out);
     return gaps;
   };
-  // Left out, a halfedge stands for the gap at the named one.
+  // A halfedge that is left out stands for the gap at the boundary halfedge of w.
   if (!right) return gaps_between(*left, named) > 0;
   if (!left) return gaps_between(ccw(mesh, named), *right) > 0;
   const bool full_turn = *left == *right;
@@ -185,7 +185,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
   return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
 }
 
-/// The new vertex must not be joined to another twice.
+/// Returns why the new vertex cannot be joined to its neighbors: it would be joined to one of them twice. Else nullptr.
 const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
   const char* const reason = "two edges would join the new vertex and the same other";
   const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
@@ -214,7 +214,7 @@ bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
     from_a = cw(mesh, from_a);
     if (from_a == first_of_a) return false;
   }
-  // Around both at once then: a vertex of many edges must not make its neighbors slow.
+  // The walk alternates between both vertices: a vertex of many edges must not make its neighbors slow.
   do {
     if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
     from_a = cw(mesh, from_a);
@@ -231,7 +231,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
   const StarElements& removed = effect.removed;
   const Vertex v = removed.vertex, w = effect.survivor;
-  // The records of what was removed are as they were, and hold what no rule determines.
+  // The records of removed elements are as they were, and hold what no rule determines.
   const Halfedge h = effect.halfedge, named_by_v = mesh.halfedge_handle(v);
   const std::array<Halfedge, 2> named_by_face = {
       mesh.halfedge_handle(removed.face[0]), removed.at_boundary ? Halfedge() : mesh.halfedge_handle(removed.face[1])};
@@ -283,7 +283,8 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   if (!effect.removed.at_boundary) effect.removed.face[1] = mesh.face_handle(s.o);
   if (s.v_has_degree_two()) return close_inner_path(mesh, s, effect);
 
-  // Nothing may be written to the records of what goes: undo() reads them. So the neighbors are found before.
+  // undo() reads the records of removed elements, so that nothing may be written to them: the neighbors are found
+  // before.
   const Halfedge wd = mesh.opposite_halfedge_handle(s.dw);
   const Halfedge named_by_v = mesh.halfedge_handle(v);
   effect.removed.edge[0] = mesh.edge_handle(s.h);
@@ -320,7 +321,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
     if (effect.named[1] == s.cv) mesh.set_halfedge_handle(c, mesh.opposite_halfedge_handle(s.wc));
     take_place(mesh, s.wc, s.vc, before_vc, after_vc);
   } else if (s.dv != s.cv) {
-    mesh.set_next_halfedge_handle(s.cv, s.wc);  // the boundary before and after h
+    mesh.set_next_halfedge_handle(s.cv, s.wc);  // the boundary halfedges before and after h
   }
   if (s.has_right) {
     effect.right = wd;
@@ -328,7 +329,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
     if (effect.named[2] == s.dv) mesh.set_halfedge_handle(d, s.dw);
     take_place(mesh, s.dw, s.dv, before_dv, after_dv);
   } else if (s.vc != s.vd) {
-    mesh.set_next_halfedge_handle(s.dw, s.vd);  // the boundary before and after o
+    mesh.set_next_halfedge_handle(s.dw, s.vd);  // the boundary halfedges before and after o
   }
   return effect;
 }
@@ -348,7 +349,7 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (inner && mesh.is_boundary(v) && mesh.is_boundary(w))
     return "an inner edge between two boundary vertices: they would become a pinch";
 
-  // Can the two edges that become one lose their last face? Only where nothing else is there.
+  // The two edges that become one can lose their last face only where no other face is there.
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wd = mesh.opposite_halfedge_handle(s.dw);
   const auto dangles = [&](Halfedge one, Halfedge other) { return mesh.is_boundary(one) && mesh.is_boundary(other); };
   bool only_edge_left = false;
@@ -372,7 +373,7 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))
     if (are_joined(mesh, w, mesh.to_vertex_handle(out))) return "two edges would join the same vertices";
-  // The face between left and right, when v has no more: it must not come to lie on another one of w.
+  // If v has only one more face, between left and right: it must not come to lie on another face of w.
   if (start == end && inner && is_triangle(mesh, s.vc)) {
     const Vertex c = mesh.to_vertex_handle(s.vc), d = mesh.to_vertex_handle(s.vd);
     Halfedge out = s.o;

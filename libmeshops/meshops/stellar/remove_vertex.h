@@ -1,5 +1,5 @@
 // What:   the operator that removes a vertex and fills its star with triangles again.
-// Law:    it is the collapse of the first halfedge of the vertex that can be collapsed.
+// Law:    equals the collapse of the first halfedge of the vertex that can be collapsed.
 // Source: Lewiner et al., section on stellar operators.
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace meshops {
 
-/// Why the vertex cannot be removed, or nothing when it can: it is isolated, or no neighbor can take over its fan;
-/// then the reason is that of the first halfedge.
+/// Returns why the vertex cannot be removed, or nothing when it can. The reasons: it is isolated, or no neighbor can
+/// take over its fan; in the latter case the reason is that of the first halfedge.
 MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
                                                              Keep keep = Keep::simplicial);
 
-/// Collapses the first halfedge of v that has no blocker: from mesh.halfedge_handle(v) clockwise, the order of
-/// mesh.voh_range(v).
+/// Collapses the first halfedge of v that has no blocker. Halfedges are tried from mesh.halfedge_handle(v) on,
+/// clockwise, in the order of mesh.voh_range(v).
 /// Requires:    remove_vertex_blocker() is empty; the mesh has status.
 /// Throws:      ContractViolation, mesh untouched.
-/// Invalidates: what is marked deleted, as collapse().
-/// Inverse:     split_vertex(left, right) with what is returned, up to handles; undo(), exactly.
+/// Invalidates: the elements marked deleted, as collapse().
+/// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
 /// Δ:           that of collapse().
 /// Cost:        that of collapse() for each halfedge that is tried.
 MESHOPS_API WeldEffect remove_vertex(Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);

@@ -16,7 +16,7 @@ const char* split_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) 
   return apex(h) == apex(o) ? "two edges would join the new vertex and the same other" : nullptr;
 }
 
-/// The face of `side` loses it, and gets `heir` between `before` and `after` instead.
+/// Replaces `side` in its face by `heir`, between `before` and `after`.
 void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(side);
   mesh.set_next_halfedge_handle(before, heir);
@@ -41,7 +41,7 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", split_edge_refusal(mesh, h, keep));
-  // What detail::open_vertex() does at b, without its questions: the only edge that moves is known.
+  // The same change as detail::open_vertex() at b, without its case distinctions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);
@@ -76,7 +76,8 @@ SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
     mesh.set_next_halfedge_handle(bv, o);
   }
   const bool b_named_o = mesh.halfedge_handle(b) == o;
-  mesh.set_halfedge_handle(v, b_named_o || !has_right ? o : vb);  // b may name another, where it has several fans
+  mesh.set_halfedge_handle(v,
+                           b_named_o || !has_right ? o : vb);  // b may refer to another halfedge if it has several fans
   if (b_named_o) mesh.set_halfedge_handle(b, bv);
   return effect;
 }

@@ -14,18 +14,19 @@
 
 namespace meshops {
 
-/// Why the edge cannot be split, or nothing when it can: a face beside it is not a triangle; Keep::simplicial: the two
-/// triangles have the same apex, to which the new vertex would be joined twice.
+/// Returns why the edge cannot be split, or nothing when it can. The reasons: a face beside it is not a triangle, or,
+/// with Keep::simplicial, the two triangles have the same apex, to which the new vertex would be joined twice.
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                           Keep keep = Keep::simplicial);
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e,
                                                           Keep keep = Keep::simplicial);
 
 /// Splits the edge of h = a→b at a new vertex, which is joined to the apex of each triangle beside it.
-/// Effect:      h and its edge stay, from a to the new vertex, and so do the faces, on the side of a; the other half,
-///              to b, is new, as are the faces on the side of b. New elements have default values of all properties;
-///              a default point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
-/// Returns:     what was added, and the halfedge from the new vertex to b.
+/// Effect:      h and its edge keep their handles and become the half from a to the new vertex; the old faces stay on
+///              the side of a. The other half, to b, and the faces on the side of b are new. New elements have default
+///              values of all properties. A default point is unspecified, because OpenMesh's vectors have no default:
+///              see the overloads below.
+/// Returns:     the added elements, and the halfedge from the new vertex to b.
 /// Requires:    split_edge_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
@@ -34,10 +35,10 @@ MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& me
 /// Cost:        constant.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
-/// The same along the first halfedge of the edge.
+/// Splits the edge along its first halfedge.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Splits the edge and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
 /// Throws: also what the hook throws, mesh untouched.
 template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
@@ -48,7 +49,7 @@ SplitEdgeEffect split_edge(Mesh& mesh, Edge e, Hook hook, Keep keep = Keep::simp
   return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), e, keep), hook);
 }
 
-/// The same, on a mesh with points: the new vertex lies in the middle of the edge.
+/// Splits an edge of a mesh with points: the new vertex lies in the middle of the edge.
 template <HasPoints Mesh>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Keep keep = Keep::simplicial) {
   return split_edge(mesh, h, PlaceVertex(), keep);

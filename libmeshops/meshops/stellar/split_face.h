@@ -13,14 +13,15 @@
 
 namespace meshops {
 
-/// Why the face cannot be split, or nothing when it can: it is not a triangle. A simplicial mesh always stays one.
+/// Returns why the face cannot be split, or nothing when it can. The only reason: it is not a triangle. A simplicial
+/// mesh always stays simplicial.
 MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f);
 
 /// Puts a new vertex into a triangle and joins it to the three corners.
-/// Effect:      let mesh.halfedge_handle(f) leave the corner w. The face stays at the side that does not touch w; the
-///              two beside the new edge to w are new. New elements have default values of all properties; a default
-///              point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
-/// Returns:     what was added, and the halfedge from the new vertex to w.
+/// Effect:      let mesh.halfedge_handle(f) leave the corner w. The old face stays at the side that does not touch w;
+///              the two faces beside the new edge to w are new. New elements have default values of all properties. A
+///              default point is unspecified, because OpenMesh's vectors have no default: see the overloads below.
+/// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_face_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
@@ -29,14 +30,14 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 /// Cost:        constant.
 MESHOPS_API SplitFaceEffect split_face(Connectivity& mesh, Face f);
 
-/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Splits the face and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
 /// Throws: also what the hook throws, mesh untouched.
 template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook>
 SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook) {
   return detail::with_hook(mesh, split_face(static_cast<Connectivity&>(mesh), f), hook);
 }
 
-/// The same, on a mesh with points: the new vertex lies at the centroid of the triangle.
+/// Splits a face of a mesh with points: the new vertex lies at the centroid of the triangle.
 template <HasPoints Mesh>
 SplitFaceEffect split_face(Mesh& mesh, Face f) {
   return split_face(mesh, f, PlaceVertex());

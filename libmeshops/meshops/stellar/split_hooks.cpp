@@ -7,7 +7,7 @@
 namespace meshops::detail {
 namespace {
 
-/// closing the edge of a split removes what the split added, and nothing else.
+/// Returns whether closing the edge of a split removes exactly the elements that the split added.
 bool is_as_split(const Connectivity& mesh, const SplitEffect& effect) {
   const StarElements& added = effect.added;
   const Halfedge h = effect.halfedge;
@@ -73,7 +73,7 @@ void take_back(Connectivity& mesh, const SplitEffect& effect) {
   if (is_at_end) {
     close_links(mesh, effect.halfedge);
     mesh.resize(mesh.n_vertices() - 1, mesh.n_edges() - added.edges().size(), mesh.n_faces() - added.faces().size());
-  } else if (has_status(mesh)) {  // others came behind them
+  } else if (has_status(mesh)) {  // other elements were added after them
     close_edge(mesh, effect.halfedge);
   }
 }

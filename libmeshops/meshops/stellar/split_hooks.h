@@ -1,5 +1,5 @@
-// What: what is done to a new vertex, edge or face as soon as a split has linked it: where the vertex lies, and which
-//       properties the elements take over. The links themselves do not depend on it.
+// What: functions that a split calls as soon as the new elements are linked: they place the new vertex and fill in the
+//       properties of new elements. The links do not depend on them.
 // Law:  a hook that throws leaves the mesh as it was before the split, in every record and property.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace meshops {
 
-/// Any mesh type of OpenMesh that keeps a point for each vertex, of two or more floating-point coordinates.
+/// Mesh type of OpenMesh that keeps a point for each vertex, of two or more floating-point coordinates.
 template <typename Mesh>
 concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh, Vertex v, typename Mesh::Point p) {
   p = mesh.point(v);
@@ -21,17 +21,17 @@ concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh
   requires std::floating_point<std::remove_cvref_t<decltype(p[0])>>;
 };
 
-/// Called as hook(mesh, effect) with the effect of split_edge(), split_face() or split_vertex(). It may write points and
-/// properties, of any element; if it throws, only what it wrote to old elements stays. It must not change links.
+/// Callable as hook(mesh, effect) with the effect of split_edge(), split_face() or split_vertex(). It may write points
+/// and properties of any element; if it throws, only what it wrote to old elements stays. It must not change links.
 template <typename Hook, typename Mesh, typename Effect>
 concept SplitHook = std::derived_from<Mesh, Connectivity> && std::invocable<Hook&, Mesh&, const Effect&>;
 
-/// Puts the new vertex in the middle of the edge, at the centroid of the triangle, on the vertex that was split. It is
-/// what splits of a mesh with points do when no hook is given.
+/// Puts the new vertex in the middle of the edge, at the centroid of the triangle, or on the vertex that was split.
+/// Splits of a mesh with points use it when no hook is given.
 struct PlaceVertex {
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitEdgeEffect& effect) const {
-    // Halved first and then added, because the sum may overflow.
+    // Halves before adding, because the sum may overflow.
     const auto half = static_cast<Scalar<Mesh>>(0.5);
     typename Mesh::Point middle = mesh.point(mesh.from_vertex_handle(effect.line)) * half;
     middle += mesh.point(mesh.to_vertex_handle(effect.halfedge)) * half;
@@ -60,13 +60,13 @@ struct PlaceVertex {
 
 namespace detail {
 
-/// Copies all properties, status too, of an edge and its halfedges: from → heir, their opposites likewise.
+/// Copies all properties, including status, of an edge and its halfedges: from → heir, and their opposites likewise.
 MESHOPS_API void copy_edge_properties(Connectivity& mesh, Halfedge from, Halfedge heir);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitEdgeEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitFaceEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitVertexEffect& effect);
 
-/// Undoes a split from whose hook an exception came; the elements that it added are gone.
+/// Undoes a split whose hook threw, and removes the elements that it added.
 MESHOPS_API void take_back(Connectivity& mesh, const SplitEffect& effect);
 
 template <typename Mesh, typename Effect, typename Hook>
@@ -82,13 +82,15 @@ Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {
 
 }  // namespace detail
 
-/// Copies all properties of the mesh, those of OpenMesh and those that were added, to what came out of something:
-/// - split_edge(): the new half of the edge gets those of the edge and its halfedges; each new face those of the face it
-///   was cut from;
+/// Copies all properties of the mesh, OpenMesh's own and added ones, from old elements to the new elements made of
+/// them:
+/// - split_edge(): the new half of the edge gets those of the edge and its halfedges; each new face gets those of the
+///   face from which it was cut;
 /// - split_face(): the new faces get those of the face;
-/// - split_vertex(): the new vertex gets those of the old one; each edge that opened, as two, is twice what it was.
-/// Edges across a face, and the faces of split_vertex(), were nothing before and have default values. A mesh with points
-/// gets the new vertex placed as well (PlaceVertex).
+/// - split_vertex(): the new vertex gets those of the old one; where an edge opens to two, both have the old
+///   properties.
+/// Edges across a face, and the faces of split_vertex(), have no old element and get default values. In a mesh with
+/// points, the new vertex is also placed (PlaceVertex).
 struct CarryOver {
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>

@@ -14,21 +14,23 @@
 
 namespace meshops {
 
-/// Why the vertex cannot be split between these halfedges, or nothing when it can: they do not leave the same vertex,
-/// or one is left out where there is no boundary; the vertex has several fans (core/fans.h), and the boundary passes
-/// between the halfedges; Keep::simplicial: two edges would join the new vertex and the same other.
+/// Returns why the vertex cannot be split between these halfedges, or nothing when it can. The reasons: they do not
+/// leave the same vertex, or one is left out at an inner vertex; the vertex has several fans (core/fans.h) and the
+/// boundary passes between the halfedges; with Keep::simplicial, two edges would join the new vertex to the same other
+/// vertex.
 MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
                                                             std::optional<Halfedge> right,
                                                             Keep keep = Keep::simplicial);
 
 /// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between them, counter-clockwise
-/// from left to right. Both edges open to a triangle with the new edge: `left` lies on the left of the new halfedge.
-/// `right` left out: from `left` to the boundary, `left` left out: from the boundary to `right`; the new edge is on the
-/// boundary. Equal halfedges: the new vertex takes over all edges but this one.
-/// Effect:      `left` and `right` still leave w; a new edge to the same vertex takes the place that they had on the
-///              side of the run. No face loses a side. New elements have default values of all properties; a default
-///              point is unspecified, as OpenMesh's vectors have no default: see the overloads below.
-/// Returns:     what was added, and the halfedge from the new vertex to w.
+/// from left to right. Both edges open to a triangle with the new edge; `left` lies on the left of the new halfedge.
+/// Without `right`, the new vertex takes over the edges from `left` to the boundary; without `left`, those from the
+/// boundary to `right`; in both cases the new edge is on the boundary. With equal halfedges, it takes over all edges
+/// but this one.
+/// Effect:      `left` and `right` still leave w; on the side of the new vertex, a new edge to the same end takes their
+///              place. No face loses a side. New elements have default values of all properties. A default point is
+///              unspecified, because OpenMesh's vectors have no default: see the overloads below.
+/// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_vertex_blocker() is empty.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: nothing.
@@ -38,7 +40,7 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left,
                                            std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 
-/// The same, and then hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Splits the vertex and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
 /// Throws: also what the hook throws, mesh untouched.
 template <typename Mesh, SplitHook<Mesh, SplitVertexEffect> Hook>
 SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right, Hook hook,
@@ -46,7 +48,7 @@ SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::op
   return detail::with_hook(mesh, split_vertex(static_cast<Connectivity&>(mesh), left, right, keep), hook);
 }
 
-/// The same, on a mesh with points: the new vertex lies where the old one does.
+/// Splits a vertex of a mesh with points: the new vertex lies at the point of the old one.
 template <HasPoints Mesh>
 SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                                Keep keep = Keep::simplicial) {

@@ -11,7 +11,8 @@
 
 namespace meshops {
 
-/// The area between three points of a mesh, in the plane or in space, as double. It refers to the mesh.
+/// Weight that returns the area between three points of a mesh, in the plane or in space. Keeps a reference to the
+/// mesh.
 template <HasPoints Mesh>
 class TriangleArea {
  public:

@@ -34,7 +34,7 @@ Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) {
   std::sort(sorted.begin(), sorted.end());
   const auto same_vertex = [](const Corner& a, const Corner& b) { return a.vertex == b.vertex; };
   if (keep == Keep::simplicial && std::adjacent_find(sorted.begin(), sorted.end(), same_vertex) != sorted.end()) {
-    // Two diagonals could join the same vertices, which no table of parts would see.
+    // Two diagonals could join the same vertices, which the table of parts cannot detect.
     reason_ = "the face passes a vertex twice";
     sides_.clear();
     return;

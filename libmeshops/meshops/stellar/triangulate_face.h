@@ -1,7 +1,7 @@
 // What:   triangulates a polygonal face along diagonals with the least total weight.
-// Law:    nothing but insert_diagonal(), k − 3 times for k sides: remove_diagonal() of what it returns, from the last to
-//         the first, restores every live record of the mesh.
-// Cost:   O(k³) calls of nothing but + and <, O(k³) weights, O(k²) memory: for holes of up to some hundred edges.
+// Law:    consists of k − 3 calls of insert_diagonal() for k sides: remove_diagonal() of the returned diagonals, from
+//         the last to the first, restores every live record of the mesh.
+// Cost:   O(k³) weights, each with a few + and <, and O(k²) memory: for holes of up to some hundred edges.
 // Source: Klincsek, Minimal triangulations of polygonal domains (1980); Barequet and Sharir, Filling gaps in the
 //         boundary of a polyhedron (1995).
 #pragma once
@@ -26,14 +26,14 @@ namespace meshops {
 
 struct TriangulateFaceEffect {
   std::vector<Halfedge> diagonals;  ///< new, each with a new face on its left
-  std::vector<Face> faces;          ///< new; the face that was given is the triangle at mesh.halfedge_handle(face)
+  std::vector<Face> faces;          ///< new; the given face is the triangle at mesh.halfedge_handle(face)
   Delta delta() const { return {.edges = static_cast<int>(diagonals.size()), .faces = static_cast<int>(faces.size())}; }
 };
 
-/// A weight of triangles: weight(a, b, c) for three corners, in the order in which they lie around the face, is any
-/// type with a sum and an order. A sum that is a maximum makes the worst triangle as good as can be. The weight of a
-/// triangle must not depend on its neighbors, as the angles between them do (Liepa 2003): then parts of least weight do
-/// not combine to a whole of least weight, and dynamic programming does not find it.
+/// Weight of triangles: weight(a, b, c), for three corners in their order around the face, returns any type with a sum
+/// and an order. If the sum is a maximum, the worst triangle becomes as good as possible. The weight of a triangle must
+/// not depend on its neighbors, as angles between them do (Liepa 2003): otherwise parts of least weight do not combine
+/// to a whole of least weight, and dynamic programming does not find it.
 template <typename Weight>
 concept TriangleWeight = requires(Weight& weight, Vertex v) {
   { weight(v, v, v) + weight(v, v, v) } -> std::convertible_to<std::remove_cvref_t<decltype(weight(v, v, v))>>;
@@ -42,21 +42,21 @@ concept TriangleWeight = requires(Weight& weight, Vertex v) {
 
 namespace detail {
 
-/// The corners of a face, from that on where its halfedge starts, and the diagonals that may be drawn.
+/// The corners of a face, from the start of its halfedge on, and the diagonals that are allowed.
 class MESHOPS_API Polygon {
  public:
   Polygon(const Connectivity& mesh, Face face, Keep keep);
 
-  /// Without corners when there is no such face, or it may not be triangulated.
+  /// Returns the number of corners; 0 when there is no such face, or it cannot be triangulated.
   std::size_t size() const { return sides_.size(); }
-  /// Why there is no triangulation.
+  /// Returns why there is no triangulation.
   const char* reason() const { return reason_; }
   Vertex corner(std::size_t i) const { return corners_[i]; }
-  /// Corners i < j are neighbors, or a diagonal may join them.
+  /// Returns whether corners i < j are neighbors or may be joined by a diagonal.
   bool may_join(std::size_t i, std::size_t j) const {
     return j == i + 1 || (i == 0 && j + 1 == size()) || allowed_[i * size() + j];
   }
-  /// Draws the diagonals: corner apex[i · size() + j] makes a triangle with corners i and j.
+  /// Inserts the diagonals: corner apex[i · size() + j] makes a triangle with corners i and j.
   TriangulateFaceEffect cut(Connectivity& mesh, const std::vector<std::uint32_t>& apex) const;
 
  private:
@@ -66,8 +66,8 @@ class MESHOPS_API Polygon {
   const char* reason_ = "every triangulation has an edge that may not be";
 };
 
-/// For each part of the polygon between corners i < j the apex of the triangle at i and j, in the triangulation of the
-/// part with the least weight; of equal ones the least apex. Nothing when the whole has no triangulation.
+/// Returns for each part of the polygon between corners i < j the apex of the triangle at i and j, in the triangulation
+/// of the part with the least weight; of equal weights, the least apex. Nothing when the whole has no triangulation.
 template <typename Weight>
 std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& polygon, Weight& weight) {
   using Sum = std::remove_cvref_t<decltype(weight(Vertex(), Vertex(), Vertex()))>;
@@ -97,18 +97,17 @@ std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& pol
 
 }  // namespace detail
 
-/// Why the face cannot be triangulated, or nothing when it can: there is no such face; every triangulation has an edge
-/// with one vertex at both ends, or, with Keep::simplicial, one that joins vertices which an edge joins already;
-/// Keep::simplicial: the face passes a vertex twice.
-/// Cost: as above.
+/// Returns why the face cannot be triangulated, or nothing when it can. The reasons: there is no such face; every
+/// triangulation has an edge with one vertex at both ends; with Keep::simplicial, every triangulation has an edge
+/// between vertices that an edge joins already, or the face passes a vertex twice.
+/// Cost: O(k³) time and O(k²) memory for k sides.
 MESHOPS_API std::optional<std::string> triangulate_face_blocker(const Connectivity& mesh, Face face,
                                                                 Keep keep = Keep::simplicial);
 
-/// Triangulates a face with the least total weight. Of triangulations of equal weight always the same is chosen: the one
-/// whose triangle at the last side, and then in each part likewise, has its apex first, counted from
-/// mesh.halfedge_handle(face) on.
-/// Effect:      the face keeps its halfedge and is the triangle there; everything else is new, with default values of
-///              all properties. A triangle stays as it is.
+/// Triangulates a face with the least total weight. Of several triangulations of that weight it chooses the one whose
+/// triangle at the last side has the first apex, counted from mesh.halfedge_handle(face) on, and likewise in each part.
+/// Effect:      the face keeps its halfedge and becomes the triangle there; everything else is new, with default values
+///              of all properties. A face that is a triangle stays as it is.
 /// Requires:    triangulate_face_blocker() is empty.
 /// Throws:      ContractViolation, and what weight() throws, mesh untouched.
 /// Invalidates: nothing.
@@ -121,7 +120,7 @@ TriangulateFaceEffect triangulate_face(Connectivity& mesh, Face face, Weight wei
   return polygon.cut(mesh, *apex);
 }
 
-/// The same with the least total area, on a mesh with points: in the plane, triangles that do not overlap.
+/// Triangulates a face of a mesh with points with the least total area. In the plane, the triangles do not overlap.
 template <HasPoints Mesh>
 TriangulateFaceEffect triangulate_face(Mesh& mesh, Face face, Keep keep = Keep::simplicial) {
   return triangulate_face(mesh, face, TriangleArea(mesh), keep);

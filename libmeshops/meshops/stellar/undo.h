@@ -9,14 +9,15 @@
 
 namespace meshops {
 
-/// Brings back what an operator marked deleted, with its old handles and properties.
-/// Effect:   split_vertex(left, right) with what was removed as its new elements. When the mesh is as the operator left
-///           it, i.e. what was done since has been undone and no garbage was collected, that is the mesh before.
-/// Requires: the elements are still there and marked; left and right leave the survivor, and can be split; the mesh has
+/// Restores the elements that an operator marked deleted, with their old handles and properties.
+/// Effect:   split_vertex(left, right), with the removed elements as its new ones. If the mesh is as the operator left
+///           it (later changes have been undone, and no garbage was collected), the result is the mesh before the
+///           operator.
+/// Requires: the elements still exist and are marked; left and right leave the survivor, and can be split; the mesh has
 ///           status of every kind. All of this is checked.
 /// Throws:   ContractViolation, mesh untouched.
 /// Δ:        the opposite of effect.delta().
-/// Cost:     the degree of the vertex; of the survivor where it is on the boundary.
+/// Cost:     the degree of the restored vertex; where the survivor is on the boundary, that of the survivor.
 MESHOPS_API void undo(Connectivity& mesh, const WeldEffect& effect);
 
 }  // namespace meshops

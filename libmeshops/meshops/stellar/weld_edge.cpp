@@ -5,7 +5,7 @@
 namespace meshops {
 namespace {
 
-/// The edge that goes on where that of h ends: from the vertex of h, two steps around it, with a triangle on either
+/// Returns the continuation of the edge of h beyond its start: two steps around that vertex, with a triangle on either
 /// side.
 Halfedge beyond(const Connectivity& mesh, Halfedge h) {
   return mesh.is_boundary(h) ? detail::cw(mesh, detail::cw(mesh, h)) : detail::ccw(mesh, detail::ccw(mesh, h));

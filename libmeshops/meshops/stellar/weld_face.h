@@ -14,11 +14,12 @@
 namespace meshops {
 
 struct WeldFaceEffect : WeldEffect {
-  Face face{};  ///< that was three
+  Face face{};  ///< the triangle that replaces the three
 };
 
-/// Why the vertex cannot be welded into one face, or nothing when it can: it is isolated or on the boundary, has not
-/// three edges, a face at it is not a triangle; Keep::simplicial: there is a triangle with these corners already.
+/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: it is isolated or on the
+/// boundary, it does not have three edges, a face at it is not a triangle, or, with Keep::simplicial, a triangle with
+/// these corners exists already.
 MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
                                                          Keep keep = Keep::simplicial);
 
@@ -27,7 +28,7 @@ MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mes
 ///              the third face becomes the triangle.
 /// Requires:    weld_face_blocker() is empty; the mesh has status.
 /// Throws:      ContractViolation, mesh untouched.
-/// Invalidates: what is marked deleted.
+/// Invalidates: the elements marked deleted.
 /// Inverse:     split_face() of `face`, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; the topology stays.
 /// Cost:        constant; Keep::simplicial: the degree of a corner.
