@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Behind the values, which are of all points or of none, the mean of three for each that is added.
+/// Appends the mean of three values for each added point. Does nothing if there are no values.
 template <typename Value, typename Mean>
 void add_means(std::vector<Value>& values, const AddedPoints& added, const Mean& mean) {
   if (values.empty()) return;

@@ -1,4 +1,5 @@
-// What: points that are added to a cloud, with all that its points have: means of that of the points between which they are.
+// What: adds points to a cloud; their normals, colors and confidences are means over the three points around each of
+//       them.
 #pragma once
 
 #include "cli/left_out_points.h"
@@ -8,8 +9,8 @@
 
 namespace rbpa::app {
 
-/// Behind the others: to the cloud, the normals that are estimated, if there are any, and what is left out. Normals are unit
-/// vectors.
+/// Appends the points to the cloud, to the estimated normals if there are any, and to `left_out`. Their normals are
+/// unit vectors.
 void add_points(const AddedPoints& added, SpacePoints& cloud, EstimatedNormals& estimated, LeftOutPoints& left_out);
 
 }  // namespace rbpa::app

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A number that is not negative, or infinity; nothing where the text is no such number.
+/// Parses a number >= 0, or infinity; nothing if the text is no such number.
 std::optional<double> parse_size(const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
   if (number.fault == NumberFault::not_finite && number.value > 0) return infinity;
@@ -35,7 +35,7 @@ double parse_radius(const std::string& text) {
   return *radius;
 }
 
-/// The root of a squared radius, rounded to the nearest double.
+/// Returns the root of a squared radius, rounded to the nearest double.
 double parse_squared(const std::string& text) {
   const std::optional<double> squared = parse_size(text);
   if (!squared || *squared == 0)
@@ -43,7 +43,7 @@ double parse_squared(const std::string& text) {
   return std::sqrt(*squared);
 }
 
-/// One over the radius; 0 is that of infinity.
+/// Returns one over the number; 0 gives an infinite radius.
 double parse_inverse(const std::string& text) {
   const std::optional<double> inverse = parse_size(text);
   if (!inverse || *inverse == infinity)

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A loop over many lines that notices Ctrl-C.
+/// Calls write(line) for each line, and stops on Ctrl-C.
 template <typename Lines, typename Write>
 void for_each_line(const Lines& lines, const Write& write) {
   std::size_t count = 0;
@@ -45,7 +45,7 @@ void write_value(OutputFile& out, const std::optional<double>& value) {
   value ? write_value(out, *value) : out.write("null");
 }
 
-/// {"alpha": 1, "to": null}
+/// Writes an object such as {"alpha": 1, "to": null}.
 class JsonLine {
  public:
   explicit JsonLine(OutputFile& out) : out_(out) {}
@@ -112,7 +112,7 @@ void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
 /// Digits of numbers in the table.
 constexpr int digits = 4;
 
-/// A share in percent, rounded down: a hundred are all.
+/// Returns a share in percent, rounded down, so that 100 means all.
 std::string percent(std::size_t count, std::size_t all) {
   const double tenths = std::floor(1000 * static_cast<double>(count) / static_cast<double>(all));
   char text[32];
@@ -120,7 +120,7 @@ std::string percent(std::size_t count, std::size_t all) {
   return text;
 }
 
-/// A line of the table of choices, and what others call the choice.
+/// Returns a line of the table of choices; `others` are the names of the choice in other programs.
 std::string row(const std::string& choice, const std::string& alpha, const std::string& from, const std::string& to,
                 const std::string& parts, const std::string& holes, const std::string& covered, const std::string& area,
                 const std::string& others = "") {
@@ -136,7 +136,7 @@ std::string row(const std::string& choice, double alpha, const std::string& from
              std::to_string(step.holes), percent(step.covered, distinct), rounded(step.area, digits), others);
 }
 
-/// The complex at one of its critical radii.
+/// Returns the complex at one of its critical radii.
 const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
   return *std::find_if(filtration.steps.begin(), filtration.steps.end(),
                        [&](const FiltrationStep& step) { return step.alpha == alpha; });

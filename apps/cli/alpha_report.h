@@ -1,4 +1,4 @@
-// What: what `rbpa alpha` has found, as text, JSON and CSV.
+// What: writes the result of `rbpa alpha` as text, JSON and CSV.
 #pragma once
 
 #include <optional>
@@ -16,20 +16,20 @@ struct AlphaReport {
   std::optional<std::vector<PersistencePair>> pairs = std::nullopt;
 };
 
-/// Nothing where the points have no triangle, or plateaus were not requested.
+/// Returns the recommended choice, or nothing if the points have no triangle or plateaus were not computed.
 std::optional<Recommendation> recommended(const Radii& radii);
 
-/// Of --output. Throws WrongUsage unless the ending is .svg.
+/// Checks the path of --output. Throws WrongUsage unless its ending is .svg.
 void require_plot(const std::string& path);
 
-/// For people: the radii by name, and a table of the choices there are.
+/// Returns the report for people: the radii by name, and a table of the choices.
 std::string for_people(const AlphaReport& report);
 
-/// Everything. Absent is null; a number too large for double is "inf", as in --stats. Throws Cancelled after a signal, as
-/// the next do.
+/// Writes the whole report as JSON. Absent values are null; a number too large for double is "inf", as in --stats.
+/// Throws Cancelled after a signal.
 void write_json(OutputFile& out, const AlphaReport& report);
 
-/// A line for every pair where there are pairs, else for every radius.
+/// Writes a line for every pair if the report has pairs, else for every radius. Throws Cancelled after a signal.
 void write_csv(OutputFile& out, const AlphaReport& report);
 
 }  // namespace rbpa::app

@@ -28,7 +28,7 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 
-/// Of the radii and their pairs.
+/// Returns the plot of the steps and pairs, with the recommended radii marked.
 FiltrationPlot marked_plot(const Radii& radii, const std::vector<PersistencePair>& pairs) {
   FiltrationPlot plot = plot_of(radii.filtration.steps, pairs);
   plot.least_covering = radii.least_covering;
@@ -90,7 +90,7 @@ void run_alpha(const AlphaArguments& arguments) {
   }
   run.stats.build_seconds = run.lap();
 
-  // What cannot be written is found out before anything is said on standard output.
+  // Files are opened before anything is printed, so that one that cannot be written is found first.
   OutputFile* picture = arguments.picture ? &run.files().add(*arguments.picture) : nullptr;
   OutputFile* stats_file = arguments.stats ? &run.files().add(*arguments.stats) : nullptr;
   {

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A format of GDAL is an unknown ending where there is no GDAL.
+/// Finds the format of a name. Formats of GDAL are unknown without GDAL.
 std::optional<Format> find_known(Use use, std::string_view name) {
   const std::optional<Format> format = find_format(use, name);
   return format && (is_ogr(*format) || *format == Format::ogr) && !has_gdal() ? std::nullopt : format;
@@ -40,14 +40,14 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
   return targets;
 }
 
-/// "m.npy" is "m.edges.npy", whatever its ending was.
+/// Returns "m.edges.npy" for "m.npy", and for "m" with any other ending of triangles.
 std::string beside(const std::string& path, const std::string& part) {
   const std::size_t size =
       find_format(Use::triangles, ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
   return path.substr(0, size) + "." + part + ".npy";
 }
 
-/// The same where edges and points are written as well: an array of each has a file of its own.
+/// Returns the targets of a full complex: for an .npy file also one for its edges and one for its points.
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
@@ -146,7 +146,7 @@ std::vector<std::string> ogr_paths(const Target& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};
   std::vector<std::string> paths;
-  // Beside s.shp; of a file with another ending, or none, behind it.
+  // They are beside s.shp. For a file with another ending or none, their endings are appended.
   const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
   const std::string stem =
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;

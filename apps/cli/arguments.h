@@ -1,4 +1,4 @@
-// What: the arguments that several verbs share, from text to meaning. Each throws WrongUsage naming the value.
+// What: parses the arguments that several verbs share. Each function throws WrongUsage that names the value.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,17 @@
 
 namespace rbpa::app {
 
-/// A bound on areas: a number >= 0, or "inf".
+/// Parses a bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);
 
-/// Radii above 0, ascending, with commas between them. `or_else` is what the option has otherwise. Throws WrongUsage.
+/// Parses radii above 0, ascending, with commas between them. `or_else` names what else the option accepts, for
+/// messages.
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else);
-/// Pixels that a picture can be wide.
+
+/// Parses the width of a picture in pixels.
 int parse_width(const std::string& text);
 
-/// "solid" or "full".
+/// Parses "solid" (false) or "full" (true).
 bool parse_is_full(const std::string& complex);
 
 /// A file to write.
@@ -30,47 +32,49 @@ struct Target {
   Format format;
 };
 
-/// What the command line says of files to write, as text.
+/// The options about the files to write, as text.
 struct OutputArguments {
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
   std::optional<std::string> stats;
 };
 
-/// Those that the command line names.
+/// Returns the paths that are present.
 std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
 
-/// Formats by the endings; one without a known ending takes the output format. No two targets may be the same file, nor the
-/// input or `reports`; where there are reports none is needed. Of the full complex m.npy is three targets: m.npy,
-/// m.edges.npy, m.points.npy. Requires: triangles, surface, solid or shape.
+/// Returns the files to write with their formats: by the ending, else as --output-format says. For the full complex
+/// m.npy becomes three targets: m.npy, m.edges.npy, m.points.npy. Without reports at least one target is required.
+/// Throws WrongUsage, also if two of the targets, the input and `reports` are the same file.
+/// Requires: `use` is triangles, surface, solid or shape.
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, Complex complex = Complex::solid);
 
-/// The formats of its targets, for help: with GDAL's where this program has them.
+/// Returns the names of the formats that can be written, for help; includes GDAL's if this program has GDAL.
 std::string target_formats(Use use);
 
-/// Whether a target has vertices, with three coordinates: it is neither a picture nor an array of indices.
+/// Returns whether any target has vertices with three coordinates, that is, is neither a picture nor an array of
+/// indices.
 bool any_has_vertices(const std::vector<Target>& targets);
 
-/// The files of a target of GDAL, in the order of their endings.
+/// Returns the paths of the files that GDAL writes for a target, in the order of their endings.
 std::vector<std::string> ogr_paths(const Target& target);
 
-/// Parses --shift. It applies where at least one target is in single precision.
+/// Parses --shift, which requires a target in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
-/// A file for the points in no polygon, by its ending.
+/// Parses --isolated: a file for the points in no polygon, with its format by the ending.
 Target parse_isolated(const std::string& path);
 
-/// The format of an input, as --format says it, else by the ending, or of standard input by its content. `known` are
-/// those there are, and `argument` is what the command line calls the input.
+/// Returns the format of an input: as --format says, else by the ending, for standard input by its content. `known`
+/// lists the formats and `argument` names the input, both for messages.
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
                     const std::string& argument);
 
-/// What messages call an input and an output: "-" is a standard stream.
+/// Return the name of an input and of an output for messages: "-" is a standard stream.
 inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 inline std::string output_name(const std::string& path) { return path == "-" ? "standard output" : path; }
 
-/// " -> a.off, standard output"; "" when there is none.
+/// Returns " -> a.off, standard output"; "" without paths.
 std::string list_of(const std::vector<std::string>& paths);
 template <typename Target>
 std::string list_of(const std::vector<Target>& targets) {
@@ -79,9 +83,9 @@ std::string list_of(const std::vector<Target>& targets) {
   return list_of(paths);
 }
 
-/// "2 polygons with 1 hole".
+/// Returns "2 polygons with 1 hole".
 std::string text_of_polygons(std::size_t polygons, std::size_t holes);
-/// "5 points (1 duplicate)".
+/// Returns "5 points (1 duplicate)".
 std::string text_of_points(std::size_t points, std::size_t duplicates);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
-// What: what the verbs share that make a complex of points: from the command line to points and a radius, and what is said
-//       of a run when it is done.
+// What: the part that verbs making a complex of points share: parsing the command line, reading points, choosing the
+//       radius, and the summary at the end.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace rbpa::app {
 
-/// What the command line says, as text.
+/// The command line, as text.
 struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
   RadiusArguments radius;
   MethodArguments method;
@@ -23,37 +23,38 @@ struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
   RunArguments run;
 };
 
-/// What it means.
+/// The command line, parsed.
 struct ComplexRequest {
   RunOptions options;
   PointSource source;
   AlphaChoice alpha;
   Method method;
-  int width;                 ///< of pictures
-  double bytes_a_point = 0;  ///< of memory that the run takes beyond the points; 0: that is not compared
+  int width;                 ///< of pictures, in pixels
+  double bytes_a_point = 0;  ///< memory that the run takes beyond the points, in bytes for each; 0: not checked
 };
 
-/// Throws WrongUsage naming the value, before anything is read. Of groups the source is that of the first file.
+/// Parses the command line, before anything is read. For groups the source is the first file. Throws WrongUsage that
+/// names the value.
 ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
 /// A run whose points are read.
 struct ComplexRun : Run {
-  /// Reads them and lets them choose the radius where a rule says so. Throws BadInput, Failure, Cancelled.
+  /// Reads the points and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);
 
-  /// Writes the report, if there is to be one, and gives all files their names. Throws Failure, Cancelled.
+  /// Writes the report if one is requested, and gives all files their names. Throws Failure, Cancelled.
   void finish();
-  /// Why the complex of so many distinct points has no triangle: "no triangle has circumradius <= 0.5".
+  /// Returns why the complex of `distinct` points has no triangle: "no triangle has circumradius <= 0.5".
   std::string why_empty(std::size_t distinct) const;
-  /// Says, unless quiet: "5 points (1 duplicate), MADE, alpha auto = 0.5 -> TARGETS".
+  /// Prints, unless quiet: "5 points (1 duplicate), MADE, alpha auto = 0.5 -> TARGETS".
   void summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const;
 
   ComplexRequest request;
   std::optional<std::string> stats_file;
   PointFile file;
   const std::vector<Point>& points() const { return file.points; }
-  double alpha = 0;  ///< that was given, or that the points have chosen
-  Stats stats = {};  ///< what is known so far
+  double alpha = 0;  ///< given, or chosen by a rule
+  Stats stats = {};  ///< filled in as the run goes
 };
 
 }  // namespace rbpa::app

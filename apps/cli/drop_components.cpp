@@ -24,9 +24,9 @@ void drop_components(std::span<const Point3> points, const std::vector<bool>& ke
     dropped.area += component.area;
     dropped.genus += genus[c];
   }
-  std::vector<std::uint32_t> number;  // of each triangle that is kept; of others, the next one's
+  std::vector<std::uint32_t> number;  // new number of each kept triangle; for others that of the next kept one
   std::uint32_t next = 0;
-  std::vector<char> use(points.size(), 0);  // 1: by what is dropped, 2: by what is kept
+  std::vector<char> use(points.size(), 0);  // of each point, 1: only by dropped triangles, 2: by kept ones
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     number.push_back(next);
     const bool is_kept = kept[components.number[t]];

@@ -1,4 +1,4 @@
-// What: components of a surface left out, with their curves, and what is known about them counted.
+// What: drops components of a surface with their boundary curves, and counts what is dropped.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace rbpa::app {
 
-/// `kept`: of each component.
+/// Drops the components for which `kept` is false from all arguments, and fills in facts.dropped.
 void drop_components(std::span<const Point3> points, const std::vector<bool>& kept, Surface& surface,
                      SurfaceComponents& components, SurfaceFacts& facts);
 

@@ -34,7 +34,7 @@ double parse_positive(const std::string& option, const std::string& text, const 
   return number.value;
 }
 
-/// What the command line asks for.
+/// The command line, parsed.
 struct FillRequest {
   std::string path;
   Format format;
@@ -72,10 +72,10 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// The peak of a run of a million triangles, for each of them: docs/fill.md, section 4.
+/// Peak memory of a run of a million triangles, for each of them: docs/fill.md, section 4.
 constexpr double bytes_a_triangle = 320;
 
-/// Throws when so many triangles would take more memory than there is.
+/// Throws BadInput if so many triangles would take more memory than is available.
 void require_memory(const std::string& name, double triangles) {
   const std::optional<double> there = available_memory();
   const double wanted = bytes_a_triangle * triangles;
@@ -121,7 +121,7 @@ Filling make(const Run& run, const FillRequest& request, const PolygonFile& file
   }
 }
 
-/// What each triangle is part of.
+/// Returns the feature of each triangle, with its numeric properties.
 TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
   TriangleFeatures features;
   for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
@@ -129,7 +129,7 @@ TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid,
   return features;
 }
 
-/// Heights of the points of the filling, where polygons have heights and a target keeps them.
+/// Returns the heights of the points of the filling; empty unless polygons have heights and a target keeps them.
 std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
                                const Filling& filling, const ValidFeatures& valid) {
   std::vector<double> z = file.vertices.z;
@@ -138,7 +138,7 @@ std::vector<double> heights_of(const Run& run, const FillRequest& request, const
   return z.empty() ? z : values_on_filling(filling, z, valid.groups, until_interrupted());
 }
 
-/// What pictures and counts are made of.
+/// Returns the filling in the form that pictures and counts take.
 Triangulation arrays_of(const Filling& filling) {
   Triangulation arrays{.triangles = filling.triangles,
                        .neighbors = filling.neighbors,

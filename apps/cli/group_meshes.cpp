@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Throws WrongUsage for what is of one complex of all points.
+/// Throws WrongUsage for options that apply only to one complex of all points.
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
   const auto refuse = [](const std::string& what) {
@@ -30,7 +30,7 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                        ", expected a mesh or an array (rbpa shape --group-by draws its polygons)");
 }
 
-/// What the numbers of groups are, and what is known of them.
+/// The group of each triangle, and the properties of groups.
 struct GroupNumbers {
   explicit GroupNumbers(const GroupRun& run) {
     const GroupShapes& shapes = run.shapes;

@@ -25,7 +25,7 @@ GroupRequest parse_group_request(const ComplexArguments& arguments, const std::v
 
 namespace {
 
-/// How each group finds its radius; of the two it keeps spans.
+/// Returns how each group finds its radius. The result keeps spans of both arguments.
 GroupAlpha group_alpha(const AlphaChoice& choice, const NamedGroups& named) {
   GroupAlpha alpha;
   if (choice.rule == AlphaRule::given) alpha.given = {&choice.radius, 1};
@@ -36,7 +36,7 @@ GroupAlpha group_alpha(const AlphaChoice& choice, const NamedGroups& named) {
   return alpha;
 }
 
-/// Groups whose radius is none say why.
+/// Replaces the problems of groups without a radius by the reason for that.
 void explain_radii(const NamedGroups& named, GroupShapes& shapes) {
   if (named.radius_problems.empty()) return;
   for (GroupProblem& problem : shapes.problems)

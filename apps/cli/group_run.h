@@ -1,4 +1,4 @@
-// What: a run on groups of points, each by itself: from the command line to the complex of every group.
+// What: a run on groups of points: from the command line to a complex of each group.
 #pragma once
 
 #include <cstddef>
@@ -16,26 +16,27 @@
 
 namespace rbpa::app {
 
-/// What the command line means.
+/// The command line, parsed.
 struct GroupRequest {
   ComplexRequest complex;
   GroupSources sources;
   std::vector<Target> targets;
 };
 
-/// Throws WrongUsage naming the value, before anything is read. Requires: ask_for_groups(), and targets parsed of the arguments.
+/// Parses the command line, before anything is read. Throws WrongUsage that names the value.
+/// Requires: arguments.ask_for_groups(), and `targets` are parsed from the arguments.
 GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets);
 
 struct GroupRun : Run {
-  /// Reads the points and makes the complexes of all groups. Throws BadInput, Failure, Cancelled.
+  /// Reads the points and makes the complex of each group. Throws BadInput, Failure, Cancelled.
   GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options);
 
   NamedShapes named_shapes() const;
   std::size_t triangles() const { return shapes.triangle_begin.back(); }
-  /// Writes the report, if there is to be one, gives all files their names, and says which groups have no polygon. Throws
-  /// Failure, Cancelled.
+  /// Writes the report if one is requested, gives all files their names, and prints how many groups have no polygon.
+  /// Throws Failure, Cancelled.
   void finish();
-  /// Says, unless quiet: "8 points, 3 groups, MADE -> TARGETS".
+  /// Prints, unless quiet: "8 points, 3 groups, MADE -> TARGETS".
   void summarize(const std::string& made) const;
 
   GroupRequest request;
@@ -43,7 +44,7 @@ struct GroupRun : Run {
   NamedGroups named;
   GroupShapes shapes;
   std::vector<std::size_t> sizes;  ///< points in each group
-  Stats stats = {};                ///< what is known so far
+  Stats stats = {};                ///< filled in as the run goes
 };
 
 }  // namespace rbpa::app

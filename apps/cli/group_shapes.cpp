@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Throws WrongUsage for what is of one shape of all points.
+/// Throws WrongUsage for options and formats that apply only to one shape of all points.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
   if (arguments.isolated) throw WrongUsage("--isolated: found groups as well, expected one of the two");
   for (const Target& target : targets)

@@ -27,10 +27,10 @@ struct Box {
 struct Info {
   std::size_t points = 0;
   std::size_t distinct = 0;
-  std::optional<Box> box = std::nullopt;  ///< none when there are no points
+  std::optional<Box> box = std::nullopt;  ///< absent if there are no points
   std::optional<Crs> crs = std::nullopt;
-  bool flattened = false;                        ///< heights that differ were left out
-  std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); none when the area is zero
+  bool flattened = false;                        ///< heights that differ were dropped
+  std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); absent if the area is 0
 };
 
 Info examine(std::vector<Point> points, const RunOptions& run) {
@@ -90,7 +90,7 @@ std::string as_json(const Info& info) {
   return report.dump(2) + "\n";
 }
 
-/// A line for each group.
+/// Writes a line for each group.
 void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
   char line[160];
   const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,

@@ -1,4 +1,4 @@
-// What: the report that --levels writes: what happened on each level of a hierarchy, and the topology after it.
+// What: the report of --levels: the triangles made on each level of a hierarchy, and the topology after it.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace rbpa::app {
 
-/// The format by the ending; "-" is CSV. Throws WrongUsage naming the ending, or a method without levels.
+/// Returns the format by the ending; "-" is CSV. Throws WrongUsage if the ending is unknown or the method has no
+/// levels.
 Format parse_levels(const std::string& path, const Method& method);
 
-/// CSV: a line for each level under one with the names. JSON: an object with the least radius, the leaf capacity and the
-/// levels.
+/// Writes CSV, with a header and a line for each level, or JSON: an object with the least radius, the leaf capacity and
+/// the levels.
 void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method);
 
 }  // namespace rbpa::app

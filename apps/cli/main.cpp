@@ -1,4 +1,4 @@
-// The program `rbpa`: its verbs, how the command line is read, and what its exit codes mean.
+// What: the program `rbpa`: reads the command line and runs a verb.
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* program = "rbpa";
 
-/// "rbpa mesh", or "rbpa" where no verb was given.
+/// Returns "rbpa mesh", or "rbpa" if no verb was given.
 std::string asked_for(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
@@ -37,7 +37,7 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
          " --help)";
 }
 
-/// The command, last word first, as CLI has it. "help VERB" is "VERB --help".
+/// Returns the command, last word first, as CLI takes it. "help VERB" becomes "VERB --help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words[0] == "help") {
@@ -96,14 +96,14 @@ int main(int argc, char** argv) {
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
-    // What is missing may be there under a wrong name.
+    // A required option may be missing because its name is misspelled.
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
   }
   const auto chosen =
       std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
-  return run(program, chosen->run);  // there is one: it is required
+  return run(program, chosen->run);  // never null: a verb is required
 }
 
 }  // namespace

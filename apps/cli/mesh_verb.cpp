@@ -19,7 +19,7 @@ bool is_array(Format format) {
   return format == Format::npy || format == Format::npy_edges || format == Format::npy_points;
 }
 
-/// Edges and points in no triangle come with the arrays, and by no other method.
+/// Parses --complex. Only the method in tiles makes the full complex, which includes edges and points in no triangle.
 Complex parse_complex(const MeshArguments& arguments, const Method& method) {
   if (!parse_is_full(arguments.complex)) return Complex::solid;
   const std::string why = ", which finds edges and points in no triangle";
@@ -52,7 +52,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
       if (!compact) compact.emplace(whole);
       add_triangles(run, target, compact->mesh(), run.file);
     } else {
-      // An .npy file has no vertices: its indices mean input points whatever other files hold.
+      // An .npy file has no vertices: its indices are those of input points in any case.
       add_triangles(run, target, whole, run.file);
     }
   }

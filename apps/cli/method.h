@@ -1,5 +1,5 @@
-// What: by which method a complex is made: the options about it, and the run.
-// Law:  the complex is the same set of triangles by every method.
+// What: the method that makes a complex: its options, and the run.
+// Law:  every method makes the same set of triangles.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace rbpa::app {
 
-/// What the command line says, as text.
+/// The options about the method, as text.
 struct MethodArguments {
   std::string method = "rbpa";
   std::string search = "near";
@@ -23,32 +23,33 @@ struct MethodArguments {
 };
 
 struct Method {
-  bool by_paper = false;  ///< the method as published, or in tiles
-  /// Hierarchical, with at most so many points in a leaf; absent: with one radius.
+  bool by_paper = false;  ///< true: by the method as published; false: in tiles
+  /// The most points in a leaf of the hierarchical method; absent: the method with one radius.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
 
   std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
 };
 
-/// Throws WrongUsage naming the value: one that is none, or one that is about another method.
+/// Parses the options. Throws WrongUsage that names an unknown value, or one that belongs to another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// What is wanted beside the triangles, each more than the one before.
+/// Wanted besides the triangles; each value includes the one before.
 enum class Links { none, boundary, neighbors };
 
-/// What a method makes.
+/// A complex as a method makes it.
 struct Built {
   Triangulation complex;
-  std::vector<std::uint16_t> level;  ///< of each triangle, the number of its level; empty where the method has none
+  std::vector<std::uint16_t> level;  ///< of each triangle; empty if the method has no levels
   std::optional<Hierarchy> mesh = std::nullopt;
 };
 
-/// The complex in arrays; with its mesh, made level by level, where that is wanted. With a progress line unless quiet. Throws
-/// Cancelled after a signal. Requires: a full complex of rbpa alone, without its mesh and not by the paper.
+/// Makes the complex as arrays, and on request also as a mesh made level by level. Shows a progress line unless quiet.
+/// Throws Cancelled after a signal. Requires: a full complex is made by rbpa, without a mesh and not by the method as
+/// published.
 Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
             const RunOptions& run, bool with_mesh = false);
 
-/// The Delaunay triangulation, of which radii are chosen, likewise.
+/// Makes the Delaunay triangulation, from which radii are chosen. Progress and exceptions are as for build().
 Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);
 
 }  // namespace rbpa::app

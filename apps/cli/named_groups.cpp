@@ -22,7 +22,7 @@ namespace {
 
 constexpr double no_radius = std::numeric_limits<double>::quiet_NaN(), no_height = no_radius;
 
-/// The names of groups, numbered as they come.
+/// The names of groups, numbered in the order of their first use.
 class NameTable {
  public:
   std::uint32_t number_of(std::string_view name) {
@@ -36,7 +36,7 @@ class NameTable {
   std::unordered_map<std::string, std::uint32_t> numbers_ = {};
 };
 
-/// As RFC 8259 writes it: neither "007", which is a code, nor "+1".
+/// Returns whether the text is a number of RFC 8259: neither "007", which is a code, nor "+1".
 bool is_json_number(std::string_view text) {
   const auto pass = [&](std::string_view any_of) {
     if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
@@ -59,8 +59,8 @@ bool is_json_number(std::string_view text) {
   return text.empty();
 }
 
-/// The value of each name; nothing unless all are numbers of JSON, of different values, and below 2^53, from which on two whole
-/// numbers may round to one double.
+/// Returns the value of each name; nothing unless all are numbers of JSON with different values, and below 2^53, from
+/// which on two whole numbers may round to one double.
 std::optional<std::vector<double>> values_of(const std::vector<std::string>& names) {
   constexpr double greatest = 9007199254740992.0;  // 2^53
   std::vector<double> values;
@@ -76,7 +76,7 @@ std::optional<std::vector<double>> values_of(const std::vector<std::string>& nam
   return values;
 }
 
-/// Points of files one after the other, and of each what its group is.
+/// Appends the points of files one after the other, with the group of each point.
 class Gatherer {
  public:
   explicit Gatherer(const GroupSources& sources) : sources_(sources) {}
@@ -117,7 +117,7 @@ class Gatherer {
   }
 
  private:
-  /// Coordinates of two systems have nothing in common.
+  /// Throws BadInput if the file has another coordinate system than the files before.
   void agree(const PointFile& file, const std::string& path) {
     if (std::exchange(any_, true))
       require_same_crs(file.crs, input_name(path), result_.file.crs, input_name(sources_.files.front().path));
@@ -126,7 +126,7 @@ class Gatherer {
 
   void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
     if (sources_.by_file) {
-      labels_.resize(labels_.size() + count, table_.number_of(path));  // a group where there are no points as well
+      labels_.resize(labels_.size() + count, table_.number_of(path));  // without points there is a group as well
     } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
       are_texts_ = are_texts_ || file.keys_are_texts;
       constexpr std::uint32_t not_yet = no_group - 1;
@@ -138,13 +138,13 @@ class Gatherer {
         labels_.push_back(number);
       }
     } else if (count > 0) {
-      std::unordered_map<std::uint64_t, std::uint32_t> label;  // by the bits
+      std::unordered_map<std::uint64_t, std::uint32_t> label;  // by the bits of the key
       for (const double key : file.fields[0]) {
         if (std::isnan(key)) {
           labels_.push_back(no_group);
           continue;
         }
-        const double value = key + 0.0;  // zeros of both signs are one
+        const double value = key + 0.0;  // -0 becomes 0
         const auto [place, is_new] = label.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
         if (is_new) place->second = table_.number_of(text_of(value));
         labels_.push_back(place->second);
@@ -173,7 +173,7 @@ class Gatherer {
       if (of != no_group) of = label[of];
   }
 
-  /// A group has one radius, or a problem.
+  /// Sets the radius of each group, or the problem that it has none.
   void settle_radii() {
     const std::string column = "column " + in_quotes(*sources_.radius);
     for (std::size_t g = 0; g < result_.groups.size(); ++g) {

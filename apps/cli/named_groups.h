@@ -1,7 +1,7 @@
-// What: points in groups that have names: of one file or several, by a column, a property of Features, or the file.
-// Law:  groups depend on names and points alone: names that are numbers are in their order, others in that of their bytes, and
-//       files in that of the command line.
-// Cost: a look-up for each point.
+// What: reads points in named groups: from one file or several, by a column, by a property of Features, or by file.
+// Law:  groups depend on names and points alone. Groups named by numbers are in numerical order, others in the order of
+//       their bytes, files in the order of the command line.
+// Cost: one look-up for each point.
 #pragma once
 
 #include <cstddef>
@@ -19,27 +19,28 @@ namespace rbpa::app {
 struct GroupSources {
   std::vector<PointSource> files;
   bool by_file = false;
-  std::optional<std::string> radius = std::nullopt;  ///< a column
+  std::optional<std::string> radius = std::nullopt;  ///< the column that has it
 };
 
-/// Requires: `groups` ask for groups. Throws WrongUsage naming the value.
+/// Parses where points and their groups are read from. Requires: groups.ask_for_groups(). Throws WrongUsage that names
+/// the value.
 GroupSources parse_group_sources(const PointArguments& arguments, const GroupArguments& groups,
                                  const std::optional<std::string>& radius = std::nullopt);
 
-/// Throws as require_different(), for each of the files.
+/// Calls require_different() for each of the files.
 void require_different(const std::vector<std::string>& outputs, const GroupSources& sources);
 
 struct NamedGroups {
   PointFile file = {};  ///< the points of all files, one after the other
   std::vector<std::string> names = {};
-  bool are_numbers = false;  ///< all names are, and JSON reads them as different ones
+  bool are_numbers = false;  ///< all names are numbers, and JSON reads them as different ones
   Groups groups = {};
-  /// With a column of radii: that of each group, NaN where there is no one; and of these groups why, else "".
+  /// With a column of radii: the radius of each group, NaN if it has none; and the reason for that, "" otherwise.
   std::vector<double> radii = {};
   std::vector<std::string> radius_problems = {};
 };
 
-/// Reads all files, and says how many points are in no group. Throws BadInput, Failure, Cancelled.
+/// Reads all files, and prints how many points are in no group. Throws BadInput, Failure, Cancelled.
 NamedGroups read_groups(const Run& run, const GroupSources& sources);
 
 }  // namespace rbpa::app

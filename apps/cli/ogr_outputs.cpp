@@ -16,7 +16,7 @@ void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) 
     if (made != files.end())
       run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
     else if (std::filesystem::exists(paths[i]))
-      // A .prj of other coordinates would speak for these.
+      // An old .prj would declare its coordinate system for the new file.
       throw Failure(paths[i] + ": found a file that was there before, expected none beside " + target.path);
   }
 }

@@ -1,4 +1,4 @@
-// What: the files that GDAL makes, among those that a run writes.
+// What: adds the files that GDAL makes to the files that a run writes.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace rbpa::app {
 
-/// Adds all of GDAL's files of a target, those that GDAL has made. Throws Failure where an old one would be left beside them.
+/// Adds the files of a target that GDAL has made. Throws Failure if an old file of the same target would be left beside
+/// them.
 void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
 
 }  // namespace rbpa::app

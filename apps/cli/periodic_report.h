@@ -1,4 +1,4 @@
-// What: what `rbpa solid --box` knows of a solid that repeats, as text, JSON and a table.
+// What: reports on a periodic solid (`rbpa solid --box`) as text, JSON and a table.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,23 @@ struct PeriodicFacts {
   double alpha = 0;
   std::string alpha_rule = "given";
   unsigned threads = 1;
-  VoidWalls walls = VoidWalls::full;              ///< of the complex whose topology it is
-  std::optional<PeriodicTopology> topology = {};  ///< where it was counted
+  VoidWalls walls = VoidWalls::full;              ///< kind of the complex whose topology is counted
+  std::optional<PeriodicTopology> topology = {};  ///< absent: not counted
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
-/// "12 tetrahedra, 2 solid components, 1 closed void, 2 channels, volume 2.5, area 8 (voids of the full complex)".
-/// Requires: a topology.
+/// Returns "12 tetrahedra, 2 solid components, 1 closed void, 2 channels, volume 2.5, area 8 (voids of the full
+/// complex)".
+/// Requires: facts.topology is present.
 std::string text_of_periodic(const PeriodicFacts& facts);
 
-/// One JSON object each; the second has every component and every void. Requires: a topology.
+/// Write one JSON object each; the second has every component and every void. Require: facts.topology is present.
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
 void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
 
-/// A JSON list, or a table "number,volume_between_points,volume_outside_balls,area,dimension,tetrahedra,points" with a
-/// line for each, the largest first; the volume outside of the balls is that of voids of the full complex. Requires: a
-/// topology.
+/// Writes the voids, the largest first, as a JSON list or as a table with the columns number, volume_between_points,
+/// volume_outside_balls (only for the full complex), area, dimension, tetrahedra and points.
+/// Requires: facts.topology is present.
 void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts);
 
 }  // namespace rbpa::app

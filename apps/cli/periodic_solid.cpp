@@ -34,7 +34,7 @@ class PeriodicRun : public Run {
   void run();
 
  private:
-  /// What somebody reads of it.
+  /// Returns whether the topology is needed for any output.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
   std::string name_of_points() const;
   void settle_box();
@@ -52,13 +52,13 @@ class PeriodicRun : public Run {
   PeriodicFacts facts_;
 };
 
-/// "atoms" of a molecule, else "points".
+/// Returns "atoms" for a molecule, else "points".
 std::string PeriodicRun::name_of_points() const {
   const Format format = request_.source.format;
   return format == Format::pdb || format == Format::cif ? "atoms" : "points";
 }
 
-/// Returns the box of the file for --box auto, else the given one, with a note where the file has another.
+/// Takes the box of the file for --box auto, else the given one, and prints a warning if the file has another.
 void PeriodicRun::settle_box() {
   const auto& [sides, fault] = file_.cell;
   const Point3 given = *request_.box;
@@ -76,7 +76,7 @@ void PeriodicRun::settle_box() {
   }
 }
 
-/// Points that are not all within one box may have been given the wrong one.
+/// Prints a warning if not all points fit into one box: the box may be the wrong one.
 void PeriodicRun::remark_range() const {
   Point3 low = file_.points.front(), high = low;
   for (const Point3& p : file_.points) {
@@ -92,7 +92,7 @@ void PeriodicRun::remark_range() const {
 
 void PeriodicRun::build() {
   const SolidAlpha& alpha = request_.alpha;
-  // Voids are made of the tetrahedra that are left out.
+  // Voids consist of the tetrahedra above alpha.
   const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
@@ -117,7 +117,7 @@ void PeriodicRun::build() {
   facts_.isolated = solid_.isolated.size();
 }
 
-/// From all tetrahedra to those of the alpha that is given, or that the rule gives; and what can be counted of them.
+/// Chooses alpha by the rule if there is one, selects the tetrahedra up to it, and counts the topology if it is needed.
 void PeriodicRun::select_within() {
   const ProgressLine line = options().line("voids");
   const std::vector<double> radii =

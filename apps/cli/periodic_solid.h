@@ -1,4 +1,4 @@
-// What: `rbpa solid --box`: the tetrahedra of points in a box that repeats.
+// What: runs `rbpa solid --box`: the tetrahedra of points in a periodic box.
 #pragma once
 
 #include "cli/solid_request.h"
@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 
-/// Requires: a request with a box.
+/// Requires: request.box is present.
 void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request);
 
 }  // namespace rbpa::app

@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// "dark" or "light"; a number > 0 and <= 1.
+/// Parses --foreground, "dark" or "light", and --threshold, a number > 0 and <= 1.
 PixelRule parse_pixel_rule(const PixelArguments& arguments) {
   PixelRule rule;
   if (arguments.foreground) {
@@ -105,7 +105,8 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
   if (!arguments.where && columns.empty()) return source;
   require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
                  "cif, las, pcd, pdb, ply or text");
-  if (arguments.where && arguments.where->empty()) source.choice.where = Condition("", *names);  // which is refused
+  if (arguments.where && arguments.where->empty())
+    source.choice.where = Condition("", *names);  // refuses the empty condition
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
   return source;
 }

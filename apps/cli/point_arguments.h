@@ -1,4 +1,4 @@
-// What: the options about points: where they are, in which format, and what of it counts.
+// What: the options about points: where they are read from, in which format, and which of them count.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace rbpa::app {
 
-/// What the command line says of the pixels of an image that are points, as text.
+/// The options about which pixels of an image are points, as text.
 struct PixelArguments {
   std::optional<std::string> foreground;
   std::optional<std::string> threshold;
 };
 
-/// What the command line says, as text.
+/// The options about points of the plane, as text.
 struct PointArguments {
   std::string points;  ///< the file
   std::optional<std::string> format;
@@ -31,7 +31,7 @@ struct PointArguments {
   bool shift_longitude = false;
 };
 
-/// The same of points in space.
+/// The options about points in space, as text.
 struct SpacePointArguments {
   std::string points;  ///< the file
   std::optional<std::string> format;
@@ -41,35 +41,35 @@ struct SpacePointArguments {
   bool waters = false;
 };
 
-/// What the command line says of groups of points, as text.
+/// The options about groups of points, as text.
 struct GroupArguments {
   std::vector<std::string> inputs;      ///< all files; the first is PointArguments::points as well
   std::optional<std::string> group_by;  ///< a column
   bool group_by_file = false;
 
-  /// Throws WrongUsage for several files whose points are in no groups.
+  /// Returns whether groups are requested. Throws WrongUsage for several files without a request for groups.
   bool ask_for_groups() const;
 };
 
-/// Where the points come from: the format as said, else by the ending; standard input is text. Throws WrongUsage naming
-/// the value, or an option that is about another format.
+/// Returns where points are read from: the format as --format says, else by the ending, for standard input by its
+/// content. Throws WrongUsage that names the value, or an option that belongs to another format.
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
 
-/// Where points in space come from.
+/// A file of points in space, and the choice of what is read from it.
 struct SpacePointSource {
   std::string path;
   Format format;
   CloudRequest choice = {};
 };
 
-/// Likewise for points in space; with the columns that `option` requires, if any, and those wanted where present.
+/// Does the same for points in space. `columns` are read as well; those that are required are so by `option`.
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
-/// The columns that name a point: those of atoms, also in tables that have them.
+/// Returns the columns that name a point: those of atoms, which tables may have as well.
 std::vector<WantedColumn> columns_of_names();
 
-/// Throws WrongUsage unless an option that was given fits the format: "--where: found a format FOUND, expected EXPECTED".
+/// Throws WrongUsage "OPTION: found a format FOUND, expected EXPECTED" unless the option fits the format.
 void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);
 
 }  // namespace rbpa::app

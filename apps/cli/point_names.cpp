@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A whole number as one where it reads back to the same text.
+/// Returns a whole number as a JSON number if it prints as the same text, else the text.
 Json value_of(const std::string& text) {
   std::int64_t number = 0;
   const char* const end = text.data() + text.size();

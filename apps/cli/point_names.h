@@ -1,4 +1,4 @@
-// What: what the points of a run are called in its files: by their input indices, and as atoms by what the input has.
+// What: names the points of a run in its files: by input indices, and atoms by the columns of the input.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@ namespace rbpa::app {
 
 class PointNames {
  public:
-  /// The file has to stay there. Its fields are columns_of_names(), or none.
+  /// Keeps a reference to the file. Requires: its texts are those of columns_of_names(), or none.
   explicit PointNames(const SpacePoints& file) : file_(file) {}
 
   std::span<const Point3> points() const { return file_.points; }
   std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }
   nlohmann::ordered_json indices(std::span<const std::uint32_t> points) const;
 
-  /// Whether the input has one of columns_of_names(), or any.
+  /// Return whether the input has this one of columns_of_names(), or any of them.
   bool has(std::size_t column) const;
   bool are_any() const;
   const std::string& text(std::size_t column, std::uint32_t point) const;
-  /// Returns an object for each point: x, y, z and the columns of the input; null where a point has no value.
+  /// Returns an object for each point: x, y, z and the columns of the input; null if the point has no value.
   nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;
 
  private:

@@ -1,4 +1,4 @@
-// What: how far a run of rbpa has come, said on a terminal.
+// What: shows on a terminal how far a run of rbpa is.
 #pragma once
 
 #include <atomic>
@@ -12,10 +12,10 @@
 
 namespace rbpa::app {
 
-/// "1.2 M triangles, 3.4 M/s, at most 2 s left" after `seconds`. There are at most two triangles a point. What is left is
-/// said when there is something to judge by: after two seconds, and a hundredth of those triangles.
+/// Returns "1.2 M triangles, 3.4 M/s, at most 2 s left" after `seconds`. The time left is a bound, as a point has at
+/// most two triangles; it is shown after two seconds and a hundredth of these triangles.
 std::string progress_text(const Progress& progress, double seconds);
-/// "1.2 M triangles".
+/// Returns "1.2 M triangles".
 std::string triangles_text(const Progress& progress, double seconds);
 
 /// A line that counts triangles once there are some.
@@ -26,13 +26,13 @@ class TriangleProgress {
   TriangleProgress(bool wanted, const std::string& doing, Text text)
       : text_(std::move(text)), line_("rbpa", wanted, doing) {}
 
-  /// What the line says until there are triangles.
+  /// Sets the text of the line until there are triangles.
   void say(const std::string& text) {
     line_.say([text](double) { return text; });
   }
 
-  /// For a run to call, one call at a time from any of its threads: takes note of how far it is, and says to stop after a
-  /// signal. Must not outlive this.
+  /// Returns a function for a run to call, from any thread but one call at a time. It records the progress, and returns
+  /// false after a signal. It must not outlive this object.
   std::function<bool(const Progress&)> watch();
 
  private:

@@ -1,4 +1,5 @@
-// What: what the verbs alpha and report share: from points to all radii that follow from them.
+// What: the part that the verbs alpha and report share: reading points, and finding their critical and recommended
+//       radii.
 #pragma once
 
 #include <optional>
@@ -13,30 +14,31 @@
 
 namespace rbpa::app {
 
-/// How many components, and what share of the points. Throws WrongUsage naming the value.
+/// Parses --components and --cover. Throws WrongUsage that names the value.
 Radii parse_radii(const RadiiArguments& arguments);
 
-/// What of the radii follows from a triangulation: all but `points`. Throws Cancelled after a signal.
+/// Fills in all radii that follow from the triangulation, that is, all but radii.points. Throws Cancelled after a
+/// signal.
 void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus);
 
-/// Why the points have no triangle at any radius, if so.
+/// Returns why the points have no triangle at any radius; nothing if they have one.
 std::optional<std::string> why_no_radius(const Filtration& filtration);
 
 struct RadiiRun : Run {
-  /// Reads the points, and finds what of the radii follows from them. Throws BadInput, Failure, Cancelled.
+  /// Reads the points and finds their radii. Throws BadInput, Failure, Cancelled.
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
            const Radii& request, bool with_plateaus);
 
-  /// The stats, once all other files are written.
+  /// Writes the statistics. Call it after all other files are written.
   void write_stats(OutputFile& file);
-  /// Prints why there is no radius, if there is none.
+  /// Prints why there is no radius if there is none.
   void say_empty() const;
 
   PointFile file;
   Radii radii;
   Stats stats = {};
 
-  /// Of the points of `file`.
+  /// Returns the triangulation of file.points.
   const Delaunay& delaunay() const { return *delaunay_; }
 
  private:

@@ -31,7 +31,7 @@ double parse_min_persistence(const std::string& text) {
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-/// Separates what is in a list.
+/// Writes the elements of a list with separators between them.
 class Between {
  public:
   explicit Between(OutputFile& file) : file_(file) {}
@@ -48,7 +48,7 @@ class Between {
   std::string_view before_ = "\n";
 };
 
-/// A geometry, and with several parts one of the same with Multi before its name.
+/// Returns a GeoJSON geometry of the type, or of its Multi type if there are several parts.
 Json geometry(const std::string& type, const std::vector<Json>& parts) {
   if (parts.size() == 1) return {{"type", type}, {"coordinates", parts.front()}};
   return {{"type", "Multi" + type}, {"coordinates", parts}};
@@ -133,7 +133,7 @@ void write_json(OutputFile& file, const SpaceRepresentatives& all) {
   file.write(write.is_empty() ? "]\n" : "\n]\n");
 }
 
-/// A group's vertices, numbered in the file from 1 as they come.
+/// Writes the vertices of a group, numbered through the file from 1 in the order of their use.
 class Vertices {
  public:
   Vertices(OutputFile& file, std::span<const Point3> points) : file_(file), points_(points) {}
@@ -186,7 +186,7 @@ void write_obj(OutputFile& file, const SpaceRepresentatives& all) {
   for (std::size_t i = 0; i < all.pairs.size(); ++i) {
     stop_if_interrupted();
     const auto dimension = static_cast<std::size_t>(all.pairs[i].dimension);
-    if (all.of_pairs[i].cells.empty()) continue;  // of a component that never ends
+    if (all.of_pairs[i].cells.empty()) continue;  // a component that never ends has none
     file.write("g " + std::string(names[dimension]) + "_" + std::to_string(++count[dimension]) + "\n");
     vertices.begin();
     if (dimension == 2)
@@ -199,7 +199,7 @@ void write_obj(OutputFile& file, const SpaceRepresentatives& all) {
 void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> edges;
-  std::vector<std::size_t> pairs, pairs_of_edges;  // of each cell, triangles first
+  std::vector<std::size_t> pairs, pairs_of_edges;  // the pair of each cell, triangles first
   for (std::size_t i = 0; i < all.pairs.size(); ++i) {
     if (all.pairs[i].dimension == 2) {
       triangles.insert(triangles.end(), all.of_pairs[i].faces.begin(), all.of_pairs[i].faces.end());
@@ -239,7 +239,8 @@ void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
   grid.of_cells.push_back(numbers("pair", [](std::size_t i) { return i + 1; }));
   grid.of_cells.push_back(numbers("dimension", [&](std::size_t i) { return all.pairs[i].dimension; }));
   grid.of_cells.push_back(radii("birth", [&](std::size_t i) { return all.pairs[i].birth; }));
-  grid.of_cells.push_back(radii("death", [&](std::size_t i) { return *all.pairs[i].death; }));  // of those with cells
+  grid.of_cells.push_back(
+      radii("death", [&](std::size_t i) { return *all.pairs[i].death; }));  // pairs with cells have a death
   write_vtu(file, grid);
 }
 

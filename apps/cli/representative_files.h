@@ -1,4 +1,5 @@
-// What: where pairs of a persistence are, as files: holes of the plane as polygons; cycles around tunnels and surfaces around voids in space.
+// What: writes representatives of persistence pairs: in the plane holes as polygons, in space cycles around tunnels and
+//       surfaces around voids.
 #pragma once
 
 #include <optional>
@@ -23,16 +24,17 @@ namespace rbpa::app {
 struct RepresentativeRequest {
   Target target;
   PairChoice choice;
-  /// Only what is at these radii, or at those of hrbpa with this capacity of leaves.
+  /// Pairs present at one of these radii only, or at one of the radii of hrbpa with this capacity of leaves.
   std::optional<std::vector<double>> levels;
   std::optional<std::size_t> leaf_capacity;
 };
 
-/// Nothing where none are requested. Throws WrongUsage that names the option.
+/// Parses the options; nothing if no representatives are requested. Throws WrongUsage that names the option.
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space);
 
-/// GeoJSON: of each hole two Features, Polygons with "pair", from 1, "dimension", "birth", "death", null where it is left, "when", which is "birth" or "death", "area" and
-/// "points", the input indices of those on its rings; of each component that ends one, a LineString with the same but "when" and "area".
+/// Writes GeoJSON. Each hole has two Features, Polygons with the properties "pair" (from 1), "dimension", "birth",
+/// "death" (null if it never ends), "when" ("birth" or "death"), "area" and "points" (the input indices of the points
+/// on its rings). Each component that ends has one, a LineString with the same properties but "when" and "area".
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
                            std::span<const Representative> representatives, std::span<const std::uint32_t> index);
 
@@ -41,11 +43,12 @@ struct SpaceRepresentatives {
   const SolidFiltration& filtration;
   std::span<const SolidPair> pairs;
   std::span<const SolidRepresentative> of_pairs;
-  std::span<const std::uint32_t> index;  ///< of each point in the input; none where that is its number
+  std::span<const std::uint32_t> index;  ///< of each point in the input; empty: its own number
 };
 
-/// OBJ: a group component_1, tunnel_1 or void_1 … of each, with vertices of its own; lines, or triangles seen from around. JSON: a list, with indices of points. VTU:
-/// lines and triangles with the number of the pair, from 1, its dimension, birth and death. Requires: one of cycle_formats.
+/// Writes OBJ, JSON or VTU. OBJ has a group component_1, tunnel_1, void_1 … for each pair, with vertices of its own:
+/// lines, or triangles that face outward from the void. JSON is a list with indices of points. VTU has lines and
+/// triangles with the number of the pair (from 1), its dimension, birth and death. Requires: one of cycle_formats.
 void write_representatives(OutputFile& file, Format format, const SpaceRepresentatives& all);
 
 }  // namespace rbpa::app

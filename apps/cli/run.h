@@ -1,5 +1,5 @@
-// What: the run that all verbs share: it reads, computes and writes, watched and timed.
-// Law:  no file takes its name before all are whole; after Ctrl-C nothing is left behind.
+// What: the run that all verbs share: reading, computing and writing, with progress, Ctrl-C and timing.
+// Law:  no file takes its name before all files are complete; after Ctrl-C nothing is left behind.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// How a verb runs, which does not change its result: the arguments, as text.
+/// Options that do not change the result, as text.
 struct RunArguments {
   std::optional<std::string> threads;
   bool quiet = false;
@@ -27,54 +27,55 @@ struct RunOptions {
   bool quiet = false;
 
   unsigned threads_or_all() const;
-  /// What is done, on a terminal, unless quiet or where the line would be in the way.
+  /// Shows on a terminal what is being done, unless quiet or `in_the_way`.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"rbpa", !quiet && !in_the_way, doing};
   }
 };
 
-/// The largest --threads that is accepted: more than processors, so that one command line serves any machine.
+/// The largest --threads that is accepted. It exceeds the processors of a machine, so that one command line serves any.
 constexpr unsigned max_threads = 1024;
 
-/// `threads`: a whole number from 1 to max_threads. Throws WrongUsage naming the value.
+/// Parses the options. Requires of --threads a whole number from 1 to max_threads. Throws WrongUsage that names the
+/// value.
 RunOptions parse_run(const RunArguments& arguments);
 
 class Run {
  public:
-  /// Of an input and of files to write as the command line names them; "-" is a standard stream.
+  /// Takes the names of the input and of the files to write as on the command line; "-" is a standard stream.
   Run(std::string input, std::vector<std::string> outputs, const RunOptions& options)
       : input_(std::move(input)), outputs_(std::move(outputs)), options_(options) {}
 
   const RunOptions& options() const { return options_; }
-  /// What messages call the input.
+  /// Returns the name of the input for messages.
   std::string input() const { return input_name(input_); }
 
-  /// What `read` returns.
+  /// Calls `read` with a progress line, and returns its result.
   template <typename Read>
   auto read(const Read& read) const {
     const ProgressLine line = options_.line("reading", read_from_terminal(input_));
     return read();
   }
-  /// Prints a remark about the input, unless quiet.
+  /// Prints a warning about the input, unless quiet.
   void remark(const std::string& text) const { summarize(input() + ": " + text); }
   void remark(const std::vector<std::string>& texts) const {
     for (const std::string& text : texts) remark(text);
   }
-  /// The points, with what there is to remark, and that heights are left out where they are not asked for.
+  /// Reads the points, and prints the warnings about them, also if heights are left out.
   PointFile read_points(const PointSource& source) const;
-  /// Gives points without a height, where others have one, the height 0, and says how many they are.
+  /// If some points have a height, gives the others the height 0 and prints how many they are.
   void complete_heights(std::vector<double>& z) const;
 
-  /// While files are written.
+  /// Returns the progress line to show while files are written.
   ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }
-  /// A file with what `write(file)` puts into it.
+  /// Adds a file with the content that `write(file)` gives it.
   template <typename Write>
   void add(const std::string& path, const Write& write) {
     OutputFile& file = files_.add(path);
     write(file);
     file.finish();
   }
-  /// One for each target, with what `write(file, target)` puts into it.
+  /// Adds a file for each target with the content that `write(file, target)` gives it.
   template <typename Write>
   void add(const std::vector<Target>& targets, const Write& write) {
     for (const Target& target : targets) {
@@ -83,13 +84,13 @@ class Run {
     }
   }
   OutputSet& files() { return files_; }
-  /// All files take their names.
+  /// Gives all files their names.
   void publish() { files_.publish(); }
 
   /// Prints a line about the result, unless quiet.
   void summarize(const std::string& text) const;
 
-  /// Seconds since it was made, or since the last lap.
+  /// Returns the seconds since this was made, or since the last lap.
   double lap() {
     const Clock::time_point before = std::exchange(start_, Clock::now());
     return std::chrono::duration<double>(start_ - before).count();

@@ -22,19 +22,19 @@ namespace {
 
 bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
 
-/// What the command line asks for.
+/// The files to write.
 struct Files {
   std::vector<Target> targets;
-  std::optional<Target> isolated = std::nullopt;  ///< for the points in no polygon
+  std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon
 
-  /// The first of them in a format.
+  /// Returns the first target of the format.
   const Target* find(Format format) const {
     const auto is_one = [&](const Target& target) { return target.format == format; };
     const auto first = std::find_if(targets.begin(), targets.end(), is_one);
     if (first != targets.end()) return &*first;
     return isolated && is_one(*isolated) ? &*isolated : nullptr;
   }
-  /// Whether any of them says in which polygon points are.
+  /// Returns whether any file contains which points are in which polygon.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
              return !is_text_geometry(target.format) && !is_picture(target.format);
@@ -42,10 +42,10 @@ struct Files {
   }
 };
 
-/// What EWKT has before WKT. Requires: require_srid().
+/// Returns the prefix of EWKT before the WKT. Requires: require_srid() has passed.
 std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
 
-/// EWKT names the system, which is known when the points are read.
+/// Throws WrongUsage if EWKT, which names the coordinate system, is wanted for points without a known one.
 void require_srid(const Files& files, const std::optional<Crs>& crs) {
   const Target* first = files.find(Format::ewkt);
   if (first == nullptr || (crs && crs->srid())) return;
@@ -87,7 +87,7 @@ void write_files(ComplexRun& run, const Files& files, const Shape& shape, const 
   run.add(path, [&, format = format](OutputFile& file) { write_isolated(file, format, shape); });
 }
 
-/// GeoJSON in metres looks like any other: said once, whatever else is not.
+/// Prints a warning, also with --quiet, if a GeoJSON file may be read as degrees though its coordinates are not.
 void caution(const Files& files, const Shape& shape) {
   const Target* first = files.find(Format::geojson);
   if (first == nullptr) return;
@@ -95,7 +95,7 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", output_name(first->path) + ": " + *why);
 }
 
-/// The peaks of runs with millions of points, without these: docs/shape.md.
+/// Returns the measured peak memory of runs with millions of points, in bytes a point beyond the points: docs/shape.md.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
   return request.method.by_paper ? 280 : 100;
@@ -117,7 +117,7 @@ void run_shape(const ShapeArguments& arguments) {
   require_srid(files, run.file.crs);
   Triangulation complex =
       build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options()).complex;
-  // Linked now, they take less memory than from a run with neighbours.
+  // Computing neighbors here takes less memory than a run with neighbors.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
   std::vector<Polygon> made;

@@ -1,4 +1,4 @@
-// What: the options that several verbs have, as the command line declares them: help, manual page and completions say the same.
+// What: declares the options that several verbs have; help, manual page and completions are made from the declarations.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// Present or not: nothing like --quiet=7.
+/// Adds an option without a value; --quiet=7 is refused.
 inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
   return verb.add_flag(names, flag, what)->disable_flag_override();
 }
@@ -78,7 +78,7 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_format_options(verb, arguments);
 }
 
-/// Of the verbs that have groups: POINTS may be several files.
+/// Adds the options of points and groups; POINTS may be several files.
 template <typename Arguments>
 void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& what) {
   verb.add_option("POINTS", arguments.inputs,
@@ -114,7 +114,7 @@ inline void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) 
       ->type_name("SHARE");
 }
 
-/// For the verbs that have no --alpha.
+/// Adds the options about `auto` and `min` for verbs without --alpha.
 template <typename Arguments>
 void add_auto_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")

@@ -1,4 +1,4 @@
-// What: what `rbpa solid` knows of a solid, as text and JSON.
+// What: reports on a solid (`rbpa solid`) as text and JSON.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,19 @@ struct SolidFacts {
   unsigned threads = 1;
   SolidCounts counts = {};
   BoundaryMeasures measures = {};
-  std::optional<BallUnion> balls = {};          ///< where asked for
-  std::optional<FullCounts> full = {};          ///< of the full complex, where asked for
-  VoidWalls walls = VoidWalls::solid;           ///< of voids
+  std::optional<BallUnion> balls = {};          ///< with --balls
+  std::optional<FullCounts> full = {};          ///< of the full complex, if requested
+  VoidWalls walls = VoidWalls::solid;           ///< kind of the complex whose voids are counted
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
-  std::optional<double> choose_seconds = {};  ///< where a rule chooses alpha
+  std::optional<double> choose_seconds = {};  ///< absent: alpha was given
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
-/// "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5".
+/// Returns "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5".
 std::string text_of_solid(const SolidFacts& facts);
 
-/// One JSON object each; the second has every component and every void.
+/// Write one JSON object each; the second has every component and every void.
 void write_solid_stats(OutputFile& file, const SolidFacts& facts);
 void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names);
 

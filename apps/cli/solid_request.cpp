@@ -59,7 +59,7 @@ Point3 parse_box(const std::string& text) {
   return {sides[0], sides[1], sides[2]};
 }
 
-/// What is known of a solid in space only.
+/// Throws WrongUsage for options that do not apply to a periodic box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
     throw WrongUsage("--alpha: found plateau and --box, expected a radius, auto or min");
@@ -73,7 +73,8 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
                      " and --box, whose voids may have no end; expected json or csv");
 }
 
-/// The full complex decides whether a ball can leave a void: triangles without a tetrahedron stop it as well.
+/// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
+/// ball as well.
 VoidWalls parse_walls(const SolidArguments& arguments) {
   const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
   const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
@@ -148,7 +149,7 @@ SolidRequest parse(const SolidArguments& arguments) {
 }
 
 std::string text_of_progress(const Progress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.triangles);  // points, of solid()
+  const auto done = static_cast<double>(progress.triangles);  // solid() counts points here
   const std::string text = short_number(done) + " points";
   return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
 }

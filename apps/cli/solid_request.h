@@ -1,4 +1,4 @@
-// What: what the command line of `rbpa solid` asks for, from text to meaning.
+// What: parses the command line of `rbpa solid`.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@
 
 namespace rbpa::app {
 
-/// A radius, or the rule by which the triangulation of the points gives it.
+/// A radius, or the rule that chooses it from the triangulation of the points.
 struct SolidAlpha {
   AlphaRule rule = AlphaRule::given;
   double radius = std::numeric_limits<double>::infinity();
-  double cover = 1;      ///< share of the points, of a rule
-  std::size_t rank = 1;  ///< of the plateau: the best is 1
+  double cover = 1;      ///< share of the points, for `automatic` and `least`
+  std::size_t rank = 1;  ///< for `plateau`: 1 is the best
 
-  /// By a rule other than plateaus, of all tetrahedra.
+  /// Returns the radius that the rule chooses from all tetrahedra. Requires: the rule is `automatic` or `least`.
   double choose(const Solid& delaunay, std::span<const double> radii) const {
     return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover, until_interrupted())
                                     : auto_alpha(delaunay, radii, cover, until_interrupted());
@@ -38,24 +38,25 @@ struct SolidAlpha {
 struct SolidRequest {
   SpacePointSource source;
   SolidAlpha alpha;
-  std::optional<Point3> box;  ///< sides of a box that repeats; all 0 where they are those of the input's cell
+  std::optional<Point3> box;  ///< sides of the periodic box; all 0: those of the input's cell
   std::vector<Target> targets;
   std::optional<Target> boundary, voids, pockets;
-  std::optional<Shift> shift = std::nullopt;  ///< of the boundary in single precision
+  std::optional<Shift> shift = std::nullopt;  ///< of a boundary in single precision
   double voids_above = 0;
-  std::size_t top = std::numeric_limits<std::size_t>::max();  ///< of voids, and of pockets
-  VoidWalls walls;  ///< of voids: given by --complex; else full where voids are requested
+  std::size_t top =
+      std::numeric_limits<std::size_t>::max();  ///< the most voids, and the most pockets, that are written
+  VoidWalls walls;  ///< kind of the complex whose voids are meant: as --complex says, else full if voids are requested
   int width;
   RunOptions run;
 };
 
-/// Throws WrongUsage that names the option.
+/// Parses the arguments. Throws WrongUsage that names the option.
 SolidRequest parse(const SolidArguments& arguments);
 
-/// For progress: "12 M points, 1.2 M/s".
+/// Returns "12 M points, 1.2 M/s" for progress.
 std::string text_of_progress(const Progress& progress, double seconds);
 
-/// "alpha auto = 0.3".
+/// Returns "alpha auto = 0.3".
 std::string text_of(const SolidAlpha& alpha, double radius);
 
 }  // namespace rbpa::app

@@ -41,12 +41,12 @@ class SolidRun : public Run {
   void run();
 
  private:
-  /// What somebody reads of it.
+  /// Returns whether counts are needed for any output.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_lives() const { return arguments_.void_radii || request_.pockets; }
-  /// Whether voids are those of the full complex.
+  /// Returns whether voids are those of the full complex.
   bool is_full() const { return request_.walls == VoidWalls::full; }
-  /// The triangles of facts_.voids.
+  /// Returns the surface that has the triangles of facts_.voids.
   const Surface& around_voids() const { return is_full() ? void_boundary_ : boundary_.surface; }
   bool has_boundary() const;
   void build();
@@ -66,15 +66,15 @@ class SolidRun : public Run {
   SpacePoints file_;
   Solid solid_;
   SolidBoundary boundary_;
-  Surface void_boundary_;  // of voids of the full complex
-  Solid triangulation_;    // of all points, and its radii, where they are needed
+  Surface void_boundary_;  // boundary of the voids of the full complex
+  Solid triangulation_;    // of all points; radii_ has the radii of its tetrahedra; both only if needed
   std::vector<double> radii_;
   SolidFacts facts_;
-  std::optional<std::vector<VoidLife>> lives_;  // of the voids that are written
+  std::optional<std::vector<VoidLife>> lives_;  // of the voids to write
   std::vector<Pocket> pockets_;
 };
 
-/// Those of so much volume, at most so many of the first, which are the largest.
+/// Returns the items of a volume above `above`, at most `top` of them. Requires: the largest are first.
 template <typename Item>
 std::span<const Item> largest(const std::vector<Item>& items, double above, std::size_t top) {
   const auto last = std::find_if(items.begin(), items.end(), [&](const Item& item) { return !(item.volume > above); });
@@ -108,7 +108,7 @@ void SolidRun::build() {
   facts_.isolated = solid_.isolated.size();
 }
 
-/// From the triangulation to the complex of the alpha that is given, or that the rule gives.
+/// Chooses alpha by the rule if there is one, and selects the tetrahedra of the triangulation up to it.
 void SolidRun::select_within() {
   const ProgressLine line = options().line("alpha");
   radii_ = circumradii(file_.points, solid_.simplices, options().threads, until_interrupted());
@@ -178,7 +178,7 @@ void SolidRun::find_lives() {
   if (request_.pockets) pockets_ = all.pockets(facts_.alpha);
 }
 
-/// Each fan of triangles has a vertex of its own, so that a reader finds a manifold.
+/// Writes the boundary. Each fan of triangles gets a vertex of its own, so that the file is a manifold.
 void SolidRun::write_boundary(OutputFile& file, Format format) const {
   const Surface& surface = boundary_.surface;
   if (format == Format::npy)

@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> names = {"components", "tunnels", "voids"};
 
-/// Those of one dimension.
+/// Returns the number of pairs of a dimension.
 std::size_t count(const SpacePersistence& report, int dimension) {
   return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
                                                 [&](const SolidPair& pair) { return pair.dimension == dimension; }));
@@ -81,7 +81,7 @@ void write_csv(OutputFile& file, const SpacePersistence& report) {
   }
 }
 
-/// "plateau 0.1142, from 0.06577 to 0.1984: 1 part, 100.0 % of the points covered, voids 0.0 % of the volume".
+/// Returns "plateau 0.1142, from 0.06577 to 0.1984: 1 part, 100.0 % of the points covered, voids 0.0 % of the volume".
 std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t distinct) {
   const auto percent = [](double share) {
     char text[32];
@@ -96,7 +96,7 @@ std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t d
          (plateau.is_long ? "\n" : "; it may be chance\n");
 }
 
-/// What there is to choose from, and the tunnels and voids that last longest.
+/// Writes the radii to choose from, and the tunnels and voids that last longest.
 void write_for_people(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +

@@ -1,4 +1,5 @@
-// What: `rbpa alpha --dimension 3`: the radii of points in space, and the births and deaths of components, tunnels and voids.
+// What: runs `rbpa alpha --dimension 3`: the radii of points in space, and births and deaths of components, tunnels and
+//       voids.
 #pragma once
 
 #include "cli/verbs.h"

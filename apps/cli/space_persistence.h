@@ -1,4 +1,4 @@
-// What: what the verbs alpha and report share of points in space: from a file to all radii and pairs.
+// What: the part that the verbs alpha and report share for points in space: reading them, and finding radii and pairs.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,11 @@
 
 namespace rbpa::app {
 
-/// Of `--dimension`. Throws WrongUsage.
+/// Parses --dimension: false for 2, true for 3. Throws WrongUsage.
 bool is_in_space(const std::string& dimension);
 
-/// Throws WrongUsage naming an option that was given and has no meaning in space, or the value of one.
+/// Parses the options about the points. Throws WrongUsage that names an option without meaning in space, or a wrong
+/// value.
 SpacePointSource parse_space_points(const RadiiArguments& arguments);
 
 struct SpacePersistence : Run {
@@ -26,15 +27,15 @@ struct SpacePersistence : Run {
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
-  /// Counts as building.
+  /// Returns the plateaus, the best first. The time counts as building.
   std::vector<SolidPlateau> find_plateaus();
-  /// The stats.
+  /// Writes the statistics.
   void write_stats(OutputFile& file);
 
   SpacePoints file;
   SolidFiltration filtration;
   std::vector<SolidPair> pairs;
-  double least = 0, automatic = 0;  ///< "min" and "auto"
+  double least = 0, automatic = 0;  ///< the radii "min" and "auto"
 
  private:
   double read_seconds_ = 0, build_seconds_ = 0;

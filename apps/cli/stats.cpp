@@ -23,12 +23,12 @@ Json or_null(const std::optional<T>& value) {
 }  // namespace
 
 std::size_t peak_bytes() {
-  // exec() begins this count anew; that of getrusage() goes on from whoever started the program.
+  // exec() resets this value; that of getrusage() includes the process that started the program.
   std::ifstream status("/proc/self/status");
   constexpr std::string_view key = "VmHWM:";
   for (std::string line; std::getline(status, line);)
     if (line.starts_with(key)) return std::strtoull(line.c_str() + key.size(), nullptr, 10) * 1024;  // kibibytes
-  struct rusage usage {};  // where /proc is not there
+  struct rusage usage {};                                                                            // without /proc
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
@@ -63,7 +63,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;
     report["polygon_holes"] = stats.of_polygons.holes;
-    report["area"] = stats.of_polygons.area;  // beyond the range of double: null
+    report["area"] = stats.of_polygons.area;  // null beyond the range of double
     report["perimeter"] = stats.of_polygons.perimeter;
   }
   if (stats.fill) {

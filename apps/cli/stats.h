@@ -1,4 +1,4 @@
-// What: the report that --stats writes.
+// What: the report of --stats.
 #pragma once
 
 #include <cstddef>
@@ -11,51 +11,52 @@
 
 namespace rbpa::app {
 
-/// Of polygons that were filled.
+/// Counts of a filling of polygons.
 struct FillStats {
   std::size_t on_boundary = 0;  ///< points that were put on edges
   std::size_t inside = 0;       ///< points that were put inside
   std::size_t retreats = 0;     ///< of the front
   std::size_t features = 0;     ///< of the file
-  std::size_t left_out = 0;     ///< of these, as they are not valid
+  std::size_t left_out = 0;     ///< features that are not valid
 };
 
-/// Of groups of points.
+/// Counts of a run on groups of points.
 struct GroupStats {
   std::size_t groups = 0;
   std::size_t without_polygon = 0;
-  std::size_t triangles = 0;  ///< of all of them
+  std::size_t triangles = 0;  ///< of all groups
 };
 
 struct Stats {
   std::size_t points = 0;
   std::size_t distinct = 0;
-  unsigned threads = 1;  ///< that may have worked
-  /// What a verb does not compute is null in the report.
+  unsigned threads = 1;  ///< at most this many were used
+  // The report has null for values that the verb does not compute.
   std::optional<double> alpha = std::nullopt;
   std::optional<std::string> alpha_rule = std::nullopt;
   std::optional<std::size_t> isolated = std::nullopt;
   std::optional<ComplexCounts> counts = std::nullopt;
-  std::string method = "rbpa";                               ///< where there are counts
-  std::optional<std::size_t> dangling_edges = std::nullopt;  ///< key only where the complex is a full one
-  /// Keys for polygons are in the report only where a verb makes them.
+  std::string method = "rbpa";                               ///< written if there are counts
+  std::optional<std::size_t> dangling_edges = std::nullopt;  ///< key only for the full complex
+  // The report has the keys for polygons only if the verb makes polygons.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
-  std::optional<GroupStats> groups = std::nullopt;  ///< keys only of groups; what is of one complex is null then
-  std::optional<FillStats> fill = std::nullopt;     ///< keys only of `rbpa fill`
-  std::optional<std::size_t> tiles = std::nullopt;  ///< key only where points were cut into tiles
+  std::optional<GroupStats> groups = std::nullopt;  ///< keys only for groups; values of a single complex are null then
+  std::optional<FillStats> fill = std::nullopt;     ///< keys only for `rbpa fill`
+  std::optional<std::size_t> tiles = std::nullopt;  ///< key only if points were cut into tiles
   double read_seconds = 0;
-  /// Of counting what was made; of the two passes over the input that reading is in `rbpa stream`. Keys only where there are such.
+  /// Seconds of counting the result and of cutting the tiles. In `rbpa stream`, they are the two passes over the input.
+  /// Keys only if present.
   std::optional<double> count_seconds = std::nullopt, cut_seconds = std::nullopt;
-  std::optional<double> choose_seconds = std::nullopt;  ///< of the run that an alpha that is not given takes
+  std::optional<double> choose_seconds = std::nullopt;  ///< of choosing alpha by a rule
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;
 };
 
-/// One JSON object.
+/// Writes one JSON object.
 void write_stats(OutputFile& file, const Stats& stats);
 
-/// The most memory that the process had.
+/// Returns the peak memory of the process in bytes.
 std::size_t peak_bytes();
 
 }  // namespace rbpa::app

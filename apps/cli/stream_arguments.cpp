@@ -30,7 +30,7 @@ std::optional<StreamFormat> stream_format(std::string_view name) {
 
 namespace fs = std::filesystem;
 
-/// "a.las, b.las and 12 more".
+/// Returns "a.las, b.las and 12 more".
 std::string some_of(std::vector<std::string> names) {
   constexpr std::size_t shown = 5;
   std::sort(names.begin(), names.end());
@@ -41,16 +41,16 @@ std::string some_of(std::vector<std::string> names) {
 
 std::string name_in_folder(const std::string& path) { return fs::path(path).filename().string(); }
 
-/// Beside tiles of LAS: an index, a footprint, a picture. Anything else of points is points.
+/// Returns whether a file beside LAS files describes them: an index, a footprint, a picture. Other formats are points.
 bool is_about_tiles(const std::string& path, Format format) {
   constexpr Format about[] = {Format::text, Format::geojson, Format::wkt, Format::png, Format::pgm, Format::ogr};
   return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
 }
 
-/// Contents of a folder; names lack the folder, except those of files of points.
+/// The contents of a folder: paths of files of points, names of everything else.
 struct FolderContent {
   std::map<Format, std::vector<std::string>> points = {};
-  std::vector<std::string> left_out = {}, clouds = {};  ///< and those of points in formats that are not read
+  std::vector<std::string> left_out = {}, clouds = {};  ///< clouds: paths of point clouds in formats that are not read
 };
 
 FolderContent content_of(const std::string& folder) {

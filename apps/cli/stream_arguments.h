@@ -1,4 +1,4 @@
-// What: what the verbs about tiles have in common on the command line. Each throws WrongUsage naming the value.
+// What: parses the arguments that the verbs about tiles share. Each function throws WrongUsage that names the value.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ namespace rbpa::app {
 
 constexpr std::string_view stream_formats = "geojson, json, wkt, npy, or ply where the name has a '*'";
 
-/// A number of bytes, with K, M, G or T behind it for powers of 1024.
+/// Parses a number of bytes; a suffix K, M, G or T multiplies it by a power of 1024.
 std::uint64_t parse_memory(const std::string& text);
 
-/// The files of points in a folder, sorted by name: those of one format, and of LAS where there are some, as what lies beside tiles is
-/// about them. Says, unless quiet, which these are, and what else is in the folder.
-/// Throws BadInput where there are none, or others that are points, too: of several formats, or of one that is not read.
+/// Returns the files of points in a folder, sorted by name, all of one format. If there are LAS files, these are taken:
+/// text files and pictures beside them describe tiles. Prints, unless quiet, how many there are and what else is in the
+/// folder. Throws BadInput if there are none, or also files of points in another format, read or not.
 std::vector<std::string> files_in(const std::string& folder, const PointArguments& arguments, bool quiet);
 
-/// By the ending of the path, else by the name of a format.
+/// Parses a file to write: its format is that of the ending, else the named one.
 StreamTarget parse_stream_target(const std::string& path, const std::optional<std::string>& otherwise);
 
 }  // namespace rbpa::app

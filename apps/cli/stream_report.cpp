@@ -36,7 +36,7 @@ void write_stream_stats(OutputFile& file, const StreamRequest& request, const St
   }
   stats.tiles = result.tiles;
   stats.read_seconds = result.count_seconds + result.cut_seconds;
-  if (result.count_seconds > 0) {  // not by a merge of tasks
+  if (result.count_seconds > 0) {  // a merge of tasks does not count
     stats.count_seconds = result.count_seconds;
     stats.cut_seconds = result.cut_seconds;
   }

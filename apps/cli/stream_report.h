@@ -1,4 +1,4 @@
-// What: what a run over tiles says when it is done.
+// What: reports on a run over tiles when it is done.
 #pragma once
 
 #include "cli/stats.h"
@@ -8,13 +8,13 @@
 
 namespace rbpa::app {
 
-/// What is known of a complex by its counts, such as that of a tile.
+/// Returns the statistics that the counts of a complex or of a tile contain.
 Stats stats_of(const PartialCounts& counts, double alpha, unsigned threads);
 
-/// The content of the file of --stats.
+/// Writes the file of --stats.
 void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result);
 
-/// The summary, and whatever a user should know.
+/// Prints the summary and the warnings.
 void say_stream_result(const StreamRequest& request, const StreamResult& result);
 
 }  // namespace rbpa::app

@@ -59,7 +59,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   return sources;
 }
 
-/// What says how files are read, as a text that is the same where it is.
+/// Returns the options about reading files as text; equal texts mean equal options.
 std::string reading_options(const PointArguments& arguments) {
   std::string text;
   const auto add = [&](const char* name, const std::optional<std::string>& value) {
@@ -78,7 +78,7 @@ std::string reading_options(const PointArguments& arguments) {
   return text;
 }
 
-/// The folder of the tasks is the scratch, and a task has a processor unless another number is said.
+/// Makes the folder of --tasks the scratch, and gives each task one processor unless --threads is given.
 void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
   if (arguments.tasks->empty()) throw WrongUsage("--tasks: found an empty name, expected a folder");
   if (arguments.scratch)
@@ -93,7 +93,7 @@ void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
   if (!arguments.run.threads) request.threads = 1;
 }
 
-/// A tile has a file and a turn of its own: of fewer points, these are all the work.
+/// The least --tile-size: with fewer points a tile, handling files would be all the work.
 constexpr std::size_t least_tile = 16;
 
 StreamRequest parse_request(const StreamArguments& arguments) {

@@ -13,7 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The triangles without the points that none of them uses.
+/// Renumbers the triangles by the points that they use.
 SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points) {
   SplitFans result{.triangles = {triangles.begin(), triangles.end()}, .point = {}};
   std::vector<std::uint32_t> place(points, 0);
@@ -44,7 +44,7 @@ void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
 
 void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
-  // An .npy file has the canonical order whatever other files have.
+  // An .npy file has triangles in canonical order, whatever the order of other files.
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = points, .triangles = surface.triangles, .index = index});
   SpaceMesh mesh{.vertices = points,
@@ -56,7 +56,7 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
                  .index = index};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
-  const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file has the same vertices
+  const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file shares the vertices
   if (splits || compact) {
     if (!splits) used = without_unused(surface.triangles, points.size());
     const SplitFans& of = splits ? fans : used;

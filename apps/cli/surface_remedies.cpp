@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// By RemedyKind.
+// Names and texts by RemedyKind.
 constexpr std::array names{"none", "turn_normals", "larger_ball", "filling"};
 constexpr std::array<const char*, 4> texts{"by nothing", "with normals turned around", "by one more radius each",
                                            "by --fill-holes"};

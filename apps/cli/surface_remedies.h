@@ -1,5 +1,5 @@
-// What: remedies of a surface's holes in `rbpa surface`: found for what the ball made, kept while components are dropped and
-//       curves cut, and as text and JSON.
+// What: suggested repairs of the holes of a surface. They are found for the surface that the ball made, and looked up
+//       for its curves after components are dropped. Also written as text and JSON.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace rbpa::app {
 
-/// By curves: where one begins, and its number of edges.
+/// The suggested repairs by curve; a curve is identified by its first edge and its number of edges.
 class SurfaceRemedies {
  public:
   SurfaceRemedies() = default;
   SurfaceRemedies(std::span<const Hole> holes, std::span<const HoleRemedy> remedies);
 
-  /// Of each curve of kind `hole`; none where it is no more what it was.
+  /// Returns the repair of each curve of kind `hole`, a default one if the curve has changed; nothing for other kinds.
   std::vector<std::optional<HoleRemedy>> of(std::span<const Hole> curves, std::span<const CurveKind> kinds) const;
 
  private:
@@ -32,14 +32,14 @@ class SurfaceRemedies {
   std::map<Key, HoleRemedy> remedies_;
 };
 
-/// "closed by --radius 0.1,0.25".
+/// Returns "closed by --radius 0.1,0.25".
 std::string remedy_text(const HoleRemedy& remedy, const std::vector<double>& radii);
-/// "closed: 3 by --fill-holes, 1 by nothing".
+/// Returns "closed: 3 by --fill-holes, 1 by nothing".
 std::string remedies_text(std::span<const HoleRemedy> remedies);
 
-/// {"kind", and what belongs to it}.
+/// Returns {"kind", and the values of that kind}.
 nlohmann::ordered_json as_json(const HoleRemedy& remedy);
-/// {"turn_normals", "larger_ball", "filling", "none"}: how many there are of each.
+/// Returns the number of repairs of each kind: {"turn_normals", "larger_ball", "filling", "none"}.
 nlohmann::ordered_json counts_as_json(const std::vector<std::optional<HoleRemedy>>& remedies);
 
 }  // namespace rbpa::app

@@ -25,7 +25,7 @@ constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "bloc
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
                                "blocked by what smaller radii made", "cut apart where sheets touch"};
 
-/// By rim_names. Of an edge that the ball has left open, the next triangle has three corners.
+/// Returns the index of the cause in rim_names. An edge that the ball left open has a next triangle with three corners.
 std::size_t cause_of(const RimEdge& edge) {
   return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
 }
@@ -33,8 +33,8 @@ constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree",
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by what smaller radii made"};
 
-/// Lines about boundary curves: one for each of the longest, rims first, one for all where there are more, and one for those of
-/// islands.
+/// Adds lines about boundary curves: one for each of the longest, rims first, one for all if there are more, and one
+/// for islands.
 void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
   std::array<std::size_t, kind_names.size()> counts{};
   for (const CurveKind kind : facts.kinds) ++counts[static_cast<std::size_t>(kind)];
@@ -76,7 +76,7 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
     add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }
 
-/// "12.3 %".
+/// Returns "12.3 %".
 std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 
 Json filled_as_json(const FillingCounts& counts) {
@@ -95,7 +95,7 @@ Json base(const SurfaceFacts& facts) {
   double area = 0;
   for (const SurfaceComponent& component : facts.components) {
     closed += component.is_closed();
-    area += component.area;  // in an order that depends on the components alone
+    area += component.area;  // the order of the sum depends on the components alone
   }
   const DroppedComponents& dropped = facts.dropped;
   return {{"points", facts.points},
@@ -135,8 +135,8 @@ Json base(const SurfaceFacts& facts) {
                                             : Json(nullptr)}};
 }
 
-/// "2 components lie inside others: 1 that faces inward, the wall of a cavity, 1 that faces outward, a body in a body". Nothing where none
-/// does.
+/// Returns "2 components lie inside others: 1 that faces inward, the wall of a cavity, 1 that faces outward, a body in
+/// a body"; nothing if none does.
 std::optional<std::string> inside_text(const SurfaceFacts& facts) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t i = 0; i < facts.inside.size(); ++i)
@@ -149,7 +149,7 @@ std::optional<std::string> inside_text(const SurfaceFacts& facts) {
          list_of_causes(counts, texts);
 }
 
-/// At which of the three corners to which the ball comes the cause is.
+/// Returns the corners at which the cause is, of the three corners that the ball reaches.
 Json corners_of(const RimEdge& edge) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// What: what the command line of `rbpa surface` asks for, from text to meaning.
+// What: parses the command line of `rbpa surface`.
 #pragma once
 
 #include <cstddef>
@@ -22,22 +22,22 @@ enum class NormalSource { file, estimate, none };
 struct SurfaceRequest {
   SpacePointSource source;
   std::vector<double> radii;               ///< empty: auto
-  std::optional<double> most_radius;       ///< of auto
-  std::size_t neighbors;                   ///< of which normals are estimated
-  std::vector<Point3> viewpoints;          ///< one or none; none where columns of the file have one of each point
-  std::optional<NormalSource> normals;     ///< absent: of the file if it has any, else estimated
-  bool colors_normals;                     ///< by their certainty
+  std::optional<double> most_radius;       ///< the largest radius that auto may choose
+  std::size_t neighbors;                   ///< from which a normal is estimated
+  std::vector<Point3> viewpoints;          ///< one or none; none if columns of the file have one for each point
+  std::optional<NormalSource> normals;     ///< absent: those of the file if it has any, else estimated
+  bool colors_normals;                     ///< colors show the confidence of normals
   std::optional<double> outlier_factor;    ///< absent: no point is left out
   std::optional<std::size_t> scale_space;  ///< steps, 0 for auto; absent: none
   ComponentChoice components;
-  std::optional<HoleChoice> filled;  ///< absent: none are filled
+  std::optional<HoleChoice> filled;  ///< absent: no hole is filled
   std::vector<Target> targets;
-  std::optional<Shift> shift;  ///< of those in single precision
+  std::optional<Shift> shift;  ///< of targets in single precision
   int width;
   RunOptions run;
 };
 
-/// Throws WrongUsage that names the option.
+/// Parses the arguments. Throws WrongUsage that names the option.
 SurfaceRequest parse(const SurfaceArguments& arguments);
 
 }  // namespace rbpa::app

@@ -47,7 +47,7 @@ class SurfaceRun : public Run {
   void run();
 
  private:
-  /// One step, with a line of progress; what the library refuses is bad input.
+  /// Calls `work` with a progress line, and turns InvalidInput into BadInput.
   template <typename Step>
   auto step(const std::string& doing, Step&& work) const;
 
@@ -69,23 +69,23 @@ class SurfaceRun : public Run {
 
   const SurfaceArguments& arguments_;
   SurfaceRequest request_;
-  std::vector<std::uint32_t> index_ = {};  ///< of the points in the input, where not all are read
-  std::size_t all_points_ = 0;             ///< of the input
-  SpacePoints file_;                       ///< without outliers; its points are moved where that is asked for
+  std::vector<std::uint32_t> index_ = {};  ///< of the points in the input; empty if all are read
+  std::size_t all_points_ = 0;             ///< number of points of the input
+  SpacePoints file_;                       ///< without outliers; points are moved with --scale-space
   LeftOutPoints outliers_;
-  std::vector<Point3> as_they_came_;  ///< the points, where they are moved
+  std::vector<Point3> as_they_came_;  ///< the original points if they are moved, else empty
   NormalSource source_ = NormalSource::none;
   EstimatedNormals estimated_;
-  std::vector<double> radii_;  ///< by which the surface is made
+  std::vector<double> radii_;  ///< of the balls that make the surface
   SurfaceRemedies remedies_;
   Surface surface_;
-  SurfaceComponents components_;  ///< of the surface, with those that are dropped at first
+  SurfaceComponents components_;  ///< of the surface; also those that are dropped later
   SplitFans fans_;
-  std::vector<std::uint32_t> order_;  ///< in which mesh files have the triangles; empty: in that of the surface
-  std::vector<bool> filled_;          ///< of each triangle, whether it fills a hole; empty: none does
+  std::vector<std::uint32_t> order_;  ///< of triangles in mesh files; empty: that of the surface
+  std::vector<bool> filled_;          ///< for each triangle whether it fills a hole; empty: none does
   SurfaceFacts facts_;
 
-  /// Of files.
+  /// Return the points and normals that files have.
   std::span<const Point3> points() const {
     return as_they_came_.empty() || arguments_.moved ? file_.points : as_they_came_;
   }
@@ -95,7 +95,7 @@ class SurfaceRun : public Run {
   }
 };
 
-/// Ascending, those above `most` as that one.
+/// Returns the ascending radii with those above `most` replaced by it, without repetitions.
 std::vector<double> at_most(std::vector<double> radii, std::optional<double> most) {
   for (double& radius : radii) radius = std::min(radius, most.value_or(radius));
   radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
@@ -137,7 +137,7 @@ void SurfaceRun::take_normals() {
     request_.viewpoints.push_back({file_.fields[0][i], file_.fields[1][i], file_.fields[2][i]});
   facts_.has_viewpoint = !request_.viewpoints.empty();
   source_ = request_.normals.value_or(file_.normals.empty() ? NormalSource::estimate : NormalSource::file);
-  // No points have no normals, and miss none.
+  // Without points, normals are not missing.
   if (source_ == NormalSource::file && file_.normals.empty() && !file_.points.empty())
     bad_input(input(), "no normals", "some, or --normals estimate or none");
   constexpr std::array names{"file", "estimate", "none"};
@@ -168,10 +168,10 @@ void SurfaceRun::build() {
     facts_.chosen_radii = true;
     facts_.radii = step("choosing radii", [&](const SurfaceOptions& how) { return auto_radii(file_.points, how); });
     facts_.radii = at_most(facts_.radii, request_.most_radius);
-    // Without normals there is one radius: the one that spans the gaps everywhere.
+    // Without normals one radius is used: the largest, which spans the gaps everywhere.
     if (source_ == NormalSource::none && facts_.radii.size() > 1) facts_.radii = {facts_.radii.back()};
   }
-  // Where no radius can be chosen nothing has triangles: any will say so.
+  // If no radius can be chosen, there is no triangle at any radius: 1 stands for all.
   radii_ = facts_.radii.empty() ? std::vector<double>{1} : facts_.radii;
   surface_ = step("rolling", [&](const SurfaceOptions& how) {
     return source_ == NormalSource::none ? exposed_triangles(file_.points, radii_.back(), how)
@@ -230,7 +230,7 @@ void SurfaceRun::choose_components() {
   if (facts_.has_remedies) facts_.remedies = remedies_.of(facts_.holes, facts_.kinds);
 }
 
-/// Of each component.
+/// Returns for each component whether it is kept.
 std::vector<bool> SurfaceRun::kept_by_choice() const {
   std::vector<bool> kept(components_.all.size(), true);
   if (!request_.components.keeps_all()) {
@@ -267,7 +267,7 @@ void SurfaceRun::fill() {
 }
 
 void SurfaceRun::require_watertight() const {
-  constexpr std::size_t most = 1000;  // pairs that are counted
+  constexpr std::size_t most = 1000;  // pairs to count at most
   const auto crossing = step("looking for crossings", [&](const SurfaceOptions& how) {
     return crossing_triangles(points(), surface_.triangles, most, how);
   });
@@ -325,7 +325,7 @@ void SurfaceRun::write() {
     outliers_.renumber(facts_);
   }
   for (std::size_t next = all_points_; !index_.empty() && index_.size() < all.points.size(); ++next)
-    index_.push_back(static_cast<std::uint32_t>(next));  // of points that are added
+    index_.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
   all.index = index_;
   if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.certainty);
   add(request_.targets, [&](OutputFile& file, const Target& target) {

@@ -1,4 +1,4 @@
-// What: triangles of the plane among the files that a run writes, in any format.
+// What: adds triangles of the plane, in any format, to the files that a run writes.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace rbpa::app {
 
-/// Adds a target of triangles, not of a picture; `about` the points says their system. Throws Failure, Cancelled.
+/// Adds a target that is no picture; `about` has the coordinate system of the points. Throws Failure, Cancelled.
 void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, const PointFile& about);
 
-/// GeoJSON in meters looks like any other: says so, whatever else is not said.
+/// Prints a warning, also with --quiet, if a GeoJSON target may be read as degrees though its coordinates are not.
 void caution(const std::vector<Target>& targets, std::span<const Point> points, const PointFile& about);
 
 }  // namespace rbpa::app

@@ -20,7 +20,7 @@ void for_each_ring(std::vector<Polygon>& polygons, Visit visit) {
   }
 }
 
-/// Of polygons on points that are near each other in the file: looks at these alone.
+/// Returns why a geometry is not valid. Looks only at the range of points that its polygons use.
 std::optional<std::string> why_geometry_is_invalid(std::span<const Point> points, std::vector<Polygon> polygons) {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max(), last = 0;
   for_each_ring(polygons, [&](const std::vector<std::uint32_t>& ring) {

@@ -1,4 +1,4 @@
-// What: those features of a file of polygons that are valid.
+// What: selects the valid features of a file of polygons.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace rbpa::app {
 struct ValidFeatures {
   std::vector<Polygon> polygons = {};
   std::vector<std::size_t> groups = {};        ///< where each geometry begins, as fill() takes them
-  std::vector<std::uint32_t> feature = {};     ///< of each geometry
-  std::vector<std::string> why_left_out = {};  ///< of each feature that is not valid: which it is, and why
+  std::vector<std::uint32_t> feature = {};     ///< of each geometry, its feature
+  std::vector<std::string> why_left_out = {};  ///< for each feature that is not valid: its name and the reason
 };
 
-/// With skip_invalid without the features of which a geometry is no valid multipolygon (fill/validity.h).
-/// Throws: BadInput that names the first of these otherwise; Cancelled. Cost: n log n.
+/// Returns the valid features. A feature is valid if each of its geometries is a valid multipolygon (fill/validity.h).
+/// Throws: BadInput that names the first feature that is not valid, unless `skip_invalid`; Cancelled. Cost: n log n.
 ValidFeatures valid_features(const PolygonFile& file, const std::string& name, bool skip_invalid);
 
 }  // namespace rbpa::app

@@ -1,6 +1,6 @@
-// What: the verbs of `rbpa`: what the command line says of each, as text; how it is declared; and its run.
-// Law:  a verb judges all of its command line, throwing WrongUsage, before it reads anything; it throws BadInput, Failure and
-//       Cancelled as well (program/exit_code.h), and leaves no file behind then.
+// What: the verbs of `rbpa`: for each its arguments as text, its declaration, and its run.
+// Law:  a verb checks its whole command line, throwing WrongUsage, before it reads anything. It also throws BadInput,
+//       Failure and Cancelled (program/exit_code.h), and then leaves no file behind.
 #pragma once
 
 #include <optional>
@@ -15,43 +15,43 @@ class App;
 
 namespace rbpa::app {
 
-/// From a file of points to files of triangles and pictures.
+/// The arguments of `rbpa mesh`: from a file of points to files of triangles and pictures.
 struct MeshArguments : ComplexArguments {
   std::string complex = "solid";
   std::optional<std::string> levels;
   bool compact = false;
 };
 void run_mesh(const MeshArguments& arguments);
-/// The same of each group of the points by itself. Requires: ask_for_groups().
+/// Runs `rbpa mesh` on each group of the points by itself. Requires: arguments.ask_for_groups().
 void run_group_meshes(const MeshArguments& arguments);
 
-/// To files of polygons and pictures.
+/// The arguments of `rbpa shape`: from a file of points to files of polygons and pictures.
 struct ShapeArguments : ComplexArguments {
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
   std::optional<std::string> isolated;  ///< a file for the points in no polygon
 };
 void run_shape(const ShapeArguments& arguments);
-/// The same of each group of the points by itself. Requires: ask_for_groups().
+/// Runs `rbpa shape` on each group of the points by itself. Requires: arguments.ask_for_groups().
 void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
-  std::string components = "1";      ///< at most, at `auto`
-  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
-  bool waters = false;               ///< of molecules
+  std::string components = "1";      ///< the most solid components of `auto`
+  std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
+  bool waters = false;               ///< count the atoms of water in a molecule
   RunArguments run;
 };
 
-/// Where pairs of a persistence are, as a file.
+/// The options about representatives of persistence pairs.
 struct RepresentativeArguments {
   std::optional<std::string> representatives;  ///< the file
   std::optional<std::string> min_persistence, top;
   std::optional<std::string> levels;  ///< radii with commas between them, or hrbpa
 };
 
-/// The radii at which the complex of a set of points changes, and which of them to choose, on standard output.
+/// The arguments of `rbpa alpha`, which prints the critical radii of points and recommends one.
 struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
   std::optional<std::string> picture;  ///< an .svg to write
   bool json = false;
@@ -61,25 +61,25 @@ struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments 
   std::string dimension = "2";
 };
 void run_alpha(const AlphaArguments& arguments);
-/// Which radii to choose for each group of the points. Requires: ask_for_groups().
+/// Prints the radii to choose for each group of the points. Requires: arguments.ask_for_groups().
 void run_group_alpha(const AlphaArguments& arguments);
 
-/// A page that shows the complex at every radius.
+/// The arguments of `rbpa report`, which writes a page that shows the complex at every radius.
 struct ReportArguments : RadiiArguments {
   std::string output;  ///< an .html to write, or "-"
   std::string dimension = "2";
 };
 void run_report(const ReportArguments& arguments);
 
-/// What a file of points holds, on standard output.
+/// The arguments of `rbpa info`, which prints what a file of points contains.
 struct InfoArguments : PointArguments, GroupArguments {
   std::optional<std::string> stats;
   bool json = false;
-  bool quiet = false;  ///< taken like by the other verbs; there is nothing to leave out
+  bool quiet = false;  ///< accepted for consistency; has no effect
 };
 void run_info(const InfoArguments& arguments);
 
-/// From a file of polygons to files of triangles and pictures.
+/// The arguments of `rbpa fill`: from a file of polygons to files of triangles and pictures.
 struct FillArguments : OutputArguments {
   std::string polygons;  ///< the file
   std::optional<std::string> format;
@@ -93,7 +93,7 @@ struct FillArguments : OutputArguments {
 };
 void run_fill(const FillArguments& arguments);
 
-/// From a file of points in space to files of triangles and pictures.
+/// The arguments of `rbpa surface`: from a file of points in space to files of triangles and pictures.
 struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::string radius;
   std::optional<std::string> max_radius;
@@ -122,10 +122,10 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
 };
 void run_surface(const SurfaceArguments& arguments);
 
-/// Tetrahedra of points in space.
+/// The arguments of `rbpa solid`, which makes tetrahedra of points in space.
 struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
-  std::optional<std::string> cover;  ///< share of the points, at `auto` and `min`
+  std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
   std::optional<std::string> box, boundary, shift, voids, complex;
   std::optional<std::string> pockets, voids_above, top;
   bool void_radii = false;
@@ -135,7 +135,7 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
 };
 void run_solid(const SolidArguments& arguments);
 
-/// Triangles and polygons of more points than fit into memory.
+/// The arguments of `rbpa stream`: triangles and polygons of more points than fit into memory.
 struct StreamArguments : PointArguments, OutputArguments {
   std::vector<std::string> inputs;  ///< files, and folders of files; `points` is each of them in turn
   RadiusArguments radius;
@@ -143,15 +143,15 @@ struct StreamArguments : PointArguments, OutputArguments {
   std::optional<std::string> tile_size;
   std::optional<std::string> scratch;
   std::optional<std::string> tasks;
-  std::string program = "rbpa";  ///< as it was called
+  std::string program = "rbpa";  ///< the program as it was called
   bool keep_tiles = false;
   bool resume = false;
-  std::optional<std::string> min_hole_area, min_part_area;  ///< which are refused
+  std::optional<std::string> min_hole_area, min_part_area;  ///< recognized to be refused with a hint
   RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);
 
-/// The task of one tile that `rbpa stream --tasks` has cut.
+/// The arguments of `rbpa tile`: the task of one tile that `rbpa stream --tasks` has cut.
 struct TileArguments {
   std::string tile;
   std::vector<std::string> outputs;
@@ -161,7 +161,7 @@ struct TileArguments {
 void run_tile(const TileArguments& arguments);
 constexpr const char* tile_formats = "partial, npy (its triangles), ply (its mesh)";
 
-/// Partials of `rbpa tile` become one, or the files that the run is for.
+/// The arguments of `rbpa merge`, which merges partials of `rbpa tile` into one, or into the final files.
 struct MergeArguments : OutputArguments {
   std::vector<std::string> partials;
   std::string memory = "1G";
@@ -171,8 +171,8 @@ struct MergeArguments : OutputArguments {
 void run_merge(const MergeArguments& arguments);
 constexpr const char* merge_formats = "partial, or of all tiles geojson, json, wkt, npy";
 
-/// Each adds its verb, with options, help and examples, to the program, and returns it; what the command line says of it is
-/// in the arguments once it is parsed.
+/// Add a verb with its options, help and examples to the program, and return it. Parsing the command line fills in
+/// `arguments`, to which the verb keeps a reference.
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);

@@ -1,4 +1,4 @@
-// What: the command lines of the verbs of other advancing fronts: polygons to fill, surfaces and solids of points in space.
+// What: declares the verbs `fill`, `surface` and `solid`: polygons to fill, and points in space.
 #include <CLI/App.hpp>
 #include <string>
 

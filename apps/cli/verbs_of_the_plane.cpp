@@ -1,4 +1,4 @@
-// What: the command lines of the verbs about points in the plane: what the shape of points is.
+// What: declares the verbs about points in the plane.
 #include <CLI/App.hpp>
 #include <string>
 

@@ -1,4 +1,4 @@
-// What: the command lines of the verbs that work tile by tile, on more points than fit into memory.
+// What: declares the verbs that work tile by tile, on more points than fit into memory.
 #include <CLI/App.hpp>
 #include <string>
 #include <utility>
@@ -41,7 +41,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
           "Cut only, and write to this folder, new or empty, the lists of commands (rbpa tile, rbpa merge) that do "
           "the rest, on any machines that see it; --memory is for each of them")
       ->type_name("DIR");
-  // Of rbpa shape, and not in the help: the refusal names what has them.
+  // Options of rbpa shape, hidden from the help: the refusal names the verb that has them.
   for (const auto& [name, value] :
        {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
     verb.add_option(name, *value)->group("");

@@ -15,10 +15,10 @@ namespace rbpa::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t serial = 0;  // of columns_of_names()
+constexpr std::size_t serial = 0;  // index in columns_of_names()
 using Corners = std::array<std::uint32_t, 3>;
 
-/// As if the void were a body.
+/// Turns a triangle of the boundary around, so that it faces outward from the void.
 Corners seen_from_around(const Corners& triangle) { return {triangle[0], triangle[2], triangle[1]}; }
 
 void write_life_csv(OutputFile& file, const VoidLife& life) {
@@ -85,7 +85,7 @@ void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& 
   for (const SolidVoid& hollow : voids) {
     stop_if_interrupted();
     file.write("g void_" + std::to_string(++number) + "\n");
-    std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // of a fan, from 1
+    std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number of the vertex of each fan, from 1
     for (const std::uint32_t t : hollow.triangles)
       for (const std::uint32_t fan : fans.triangles[t]) {
         if (!vertex.try_emplace(fan, written + 1).second) continue;

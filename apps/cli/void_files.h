@@ -1,4 +1,4 @@
-// What: the voids of a solid as a file: a table, JSON, or closed surfaces.
+// What: writes the voids of a solid as a table, as JSON, or as closed surfaces.
 #pragma once
 
 #include <cstdint>
@@ -18,28 +18,37 @@
 
 namespace rbpa::app {
 
-/// Throws WrongUsage naming the ending.
+/// Parses a file of voids by its ending. Throws WrongUsage that names the ending.
 Target parse_voids(const std::string& path);
 
-/// Volume between the points, outside of the balls where it is known, area, islands, box and points, with what names these.
+/// Returns volume between the points, volume outside of the balls if known, area, islands, box and points with their
+/// names.
 nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);
 
-/// CSV: number,volume_between_points,volume_outside_balls (of the full complex),area,islands,points and the box, a line
-/// for each void, the largest first; with lives, closes,filled,depth. JSON: a list of the same, with the input indices
-/// of its points and of the triangles around it, and with `atoms`, what the input calls the points. OBJ: a group void_1, void_2 … of each, with vertices of its own, where
-/// it touches itself one for each side of it. Triangles are seen from around the void, as if it were a body.
-/// Requires: voids of a solid with this boundary, a life for each or none, and a format of void_formats.
+/// Writes the voids, the largest first.
+/// CSV: number,volume_between_points,volume_outside_balls (only for the full complex),area,islands,points and the box,
+/// a line
+///       for each void; with lives also closes,filled,depth.
+/// JSON: a list of the same values, with the input indices of the points and of the triangles around the void; `atoms`
+/// has
+///       the names that the input gives the points.
+/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own. Where a void touches itself there is a
+/// vertex for
+///       each side. Triangles face outward from the void, as if it were a body.
+/// Requires: voids of a solid with this boundary; a life for each void, if any; a format of void_formats.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
                  std::span<const SolidVoid> voids, VoidWalls walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});
 
-/// The first columns of a table of voids: their number and volumes; and these of one. JSON likewise.
+/// Return or write the first columns of a table of voids, number and volumes: the header, the values of one void, and
+/// JSON.
 std::string volume_columns(VoidWalls walls);
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls);
 nlohmann::ordered_json json_of_volumes(double between_points, std::optional<double> outside_balls);
 
-/// CSV: number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c, the largest first, and where points have
-/// names serial_a and so on; JSON the same, with `mouth_atoms`. Requires: csv or json.
+/// Writes the pockets, the largest first. CSV:
+/// number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c, and serial_a and so on if points have
+/// names. JSON: the same, with `mouth_atoms`. Requires: csv or json.
 void write_pockets(OutputFile& file, Format format, const PointNames& names, std::span<const Pocket> pockets);
 
 }  // namespace rbpa::app

@@ -1,4 +1,5 @@
-// What: at which radii voids of a solid close and are filled; and pockets, which close only above its radius.
+// What: the radii at which voids of a solid close and are filled; and pockets, which close only above the radius of the
+//       solid.
 #pragma once
 
 #include <cstddef>
@@ -16,25 +17,26 @@
 namespace rbpa::app {
 
 struct VoidLife {
-  double closes = 0, filled = 0;  ///< a void for closes ≤ alpha < filled
-  std::size_t depth = 0;          ///< how many voids it was parted from, one after the other
+  double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
+  std::size_t depth = 0;          ///< number of larger voids that it was split from, one after the other
 };
 
 struct Pocket {
   VoidLife life = {};
-  double volume = 0;    ///< when it closes
-  Triangle mouth = {};  ///< points of the triangle that closes it
+  double volume = 0;    ///< at the radius at which it closes
+  Triangle mouth = {};  ///< the triangle that closes it, as point numbers
 };
 
 class VoidLives {
  public:
-  /// Keeps references to the triangulation of all points, and its radii. Throws Cancelled after a signal.
+  /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`. Throws Cancelled after a signal.
   VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, VoidWalls walls,
             unsigned threads);
 
-  /// Of voids at this radius, with these walls, whose triangles are those of `boundary`.
+  /// Returns the lives of the voids at radius `alpha`. Requires: their triangles are those of `boundary`, and their
+  /// walls are those given to the constructor.
   std::vector<VoidLife> of(double alpha, const Surface& boundary, std::span<const SolidVoid> voids) const;
-  /// The largest first.
+  /// Returns the pockets of the solid at radius `alpha`, the largest first.
   std::vector<Pocket> pockets(double alpha) const;
 
  private:
