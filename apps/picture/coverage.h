@@ -1,6 +1,6 @@
 // What: how much of each pixel a shape covers, from 0 to 1.
-// How:  areas are exact per pixel (signed trapezoids left of each edge, summed along rows), so that shapes that share an
-//       edge leave no seam; lines have the largest of their coverages, so that crossings do not darken.
+// How:  areas are exact per pixel (signed trapezoids left of each edge, summed along rows), so that shapes that share
+//       an edge leave no seam; lines have the largest of their coverages, so that crossings do not darken.
 // Cost: the pixels that the outlines touch, and one pass over the canvas.
 #pragma once
 

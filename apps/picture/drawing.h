@@ -26,8 +26,8 @@ struct Drawing {
   std::span<const std::string> group_names = {};
 };
 
-/// Requires: `points` are those of the complex, which has neighbours. What it returns looks into both. Of a full complex the
-/// isolated are those in neither a triangle nor an edge.
+/// Requires: `points` are those of the complex, which has neighbours. What it returns looks into both. Of a full
+/// complex the isolated are those in neither a triangle nor an edge.
 Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind);
 
 /// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.

@@ -35,9 +35,9 @@ Vector upward(const Vector& axis) {
   return axis[largest] < 0 ? Vector(-axis) : axis;
 }
 
-/// Which axis of the coordinates, 1 or 2, is upright for a viewer that far along each. The points do not determine it: it
-/// is y in most models, z in most scans. The axis that is not the direction of view is chosen; where neither is, y, unless
-/// the points are much taller in z.
+/// Which axis of the coordinates, 1 or 2, is upright for a viewer that far along each. The points do not determine it:
+/// it is y in most models, z in most scans. The axis that is not the direction of view is chosen; where neither is, y,
+/// unless the points are much taller in z.
 Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   constexpr double taller = 1.5;
   Eigen::Index along = 0;

@@ -1,8 +1,8 @@
 // What: points of space as seen from a direction that follows from them, moved to the pixels of a canvas.
 // Law:  a function of the set of points, up to rounding, and of no order; any finite coordinates fit.
-// How:  orthographic; the shortest principal axis of the points points to the viewer, y or z is upright, whichever is not
-//       looked along, and the view is then turned by 25 degrees to the side and 20 from above, so that what is flat or
-//       straight shows its depth.
+// How:  orthographic; the shortest principal axis of the points points to the viewer, y or z is upright, whichever is
+//       not looked along, and the view is then turned by 25 degrees to the side and 20 from above, so that what is flat
+//       or straight shows its depth.
 #pragma once
 
 #include <array>

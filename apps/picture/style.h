@@ -24,8 +24,8 @@ struct GroupColours {
 constexpr double group_opacity = 0.6;  ///< of fills
 constexpr std::size_t group_colour_count = 24;
 
-/// Those of group k; from group_colour_count on they come again. Eight hues that stay apart for every kind of colour vision (Okabe and
-/// Ito), then lighter and darker ones.
+/// Those of group k; from group_colour_count on they come again. Eight hues that stay apart for every kind of colour
+/// vision (Okabe and Ito), then lighter and darker ones.
 constexpr GroupColours group_colours(std::size_t k) {
   constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
                              {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};

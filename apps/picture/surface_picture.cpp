@@ -110,7 +110,8 @@ class DepthCanvas {
   std::vector<Colour> colours_;
 };
 
-/// Light comes from the viewer's upper left. y is down, so what is counter-clockwise for the viewer has a negative area.
+/// Light comes from the viewer's upper left. y is down, so what is counter-clockwise for the viewer has a negative
+/// area.
 Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};

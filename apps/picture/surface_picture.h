@@ -1,5 +1,5 @@
-// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, filled holes and its boundary in
-//       colours of their own,
+// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, filled holes and its
+//       boundary in colours of their own,
 //       points in no triangle as dots.
 // Law:  the same triangles give the same pixels, in any order but for triangles at the same depth.
 // Cost: the pixels that the triangles cover, four samples each (one in pictures wider than 4096).

@@ -1,5 +1,5 @@
-// What: an array of numbers as an element of a page: bytes in base64, of little-endian doubles or of whole numbers, seven
-//       bits a byte, the lowest first, with 128 added to each byte but the last.
+// What: an array of numbers as an element of a page: bytes in base64, of little-endian doubles or of whole numbers,
+//       seven bits a byte, the lowest first, with 128 added to each byte but the last.
 // Law:  the bytes depend on the numbers alone.
 #pragma once
 

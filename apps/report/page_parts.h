@@ -1,4 +1,5 @@
-// What: the pages without their data, as they lie in page/ and space_page/: style and script are in them already (embed.cmake).
+// What: the pages without their data, as they lie in page/ and space_page/: style and script are in them already
+//       (embed.cmake).
 #pragma once
 
 #include <string_view>

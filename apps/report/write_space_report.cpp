@@ -46,8 +46,8 @@ class Numbering {
   std::vector<std::uint32_t> number_, points_;
 };
 
-/// Steps of the slider: radii in even ratios from the least edge to beyond what matters, and those that are named or belong to pairs that are shown. The complex at
-/// each is exact.
+/// Steps of the slider: radii in even ratios from the least edge to beyond what matters, and those that are named or
+/// belong to pairs that are shown. The complex at each is exact.
 std::vector<double> steps_of(const SpaceReport& report) {
   constexpr std::size_t even_steps = 600;
   std::vector<double> steps;

@@ -1,5 +1,5 @@
-// What: the alpha complex of points in space as one page of HTML: its boundary to turn around, at every radius; the persistence diagram; cycles and surfaces of its
-//       longest pairs.
+// What: the alpha complex of points in space as one page of HTML: its boundary to turn around, at every radius; the
+//       persistence diagram; cycles and surfaces of its longest pairs.
 // Law:  the bytes depend on SpaceReport alone. The page makes no request.
 // Source: docs/report.md has the format of the data in the page.
 #pragma once

@@ -18,8 +18,8 @@
 namespace rbpa::app {
 namespace {
 
-/// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles that wait
-/// to be written to their files, and as much for what is open between tiles.
+/// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles
+/// that wait to be written to their files, and as much for what is open between tiles.
 std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
 /// A disk that says nothing has room.
@@ -50,8 +50,9 @@ Budget divide(std::uint64_t memory, unsigned threads) {
 
 void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
 #ifdef __GLIBC__
-  // Arrays from this size on are mapped by themselves, and go when they are freed. Of the rest each thread, the one that
-  // reads included, may keep twice as much: together a sixteenth of the memory. More than the last bound gains nothing.
+  // Arrays from this size on are mapped by themselves, and go when they are freed. Of the rest each thread, the one
+  // that reads included, may keep twice as much: together a sixteenth of the memory. More than the last bound gains
+  // nothing.
   const std::uint64_t share = memory / 32 / (workers + 1);
   const auto size =
       static_cast<int>(std::clamp<std::uint64_t>(share, std::uint64_t{1} << 17U, std::uint64_t{1} << 23U));

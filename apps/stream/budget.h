@@ -1,5 +1,5 @@
-// What: how the memory that a run may take is divided, and whether a disk has room for what is about to be written, as far as that
-//       can be known.
+// What: how the memory that a run may take is divided, and whether a disk has room for what is about to be written, as
+//       far as that can be known.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +29,12 @@ struct Budget {
 /// Requires at least least_memory.
 Budget divide(std::uint64_t memory, unsigned threads);
 
-/// Makes the allocator return freed memory to the system, but for a small part of `memory`. By default it keeps the memory
-/// of the largest arrays, for each thread: several times what is in use. Of the whole process.
+/// Makes the allocator return freed memory to the system, but for a small part of `memory`. By default it keeps the
+/// memory of the largest arrays, for each thread: several times what is in use. Of the whole process.
 void return_freed_memory(std::uint64_t memory, unsigned workers);
 
-/// Returns free memory between blocks in use to the system, which the allocator keeps otherwise. Cost: a pass over all free
-/// memory.
+/// Returns free memory between blocks in use to the system, which the allocator keeps otherwise. Cost: a pass over all
+/// free memory.
 void return_free_pages();
 
 /// The memory with which a tile of so many points would do, by so many threads.

@@ -1,4 +1,5 @@
-// What: the density of points: a count for each square of a grid, whose side is a power of two that grows with the input.
+// What: the density of points: a count for each square of a grid, whose side is a power of two that grows with the
+//       input.
 // Law:  the counts add up to the points; no coordinate is too large or too small. They choose tiles and decide nothing.
 // Cost: a hash table access a point, less where points follow each other; memory as the most cells that are allowed.
 #pragma once

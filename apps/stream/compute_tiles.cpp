@@ -53,8 +53,8 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
   return partials;
 }
 
-/// How far the computation has come, in files of scratch. It is written as a whole or not at all: progress.json names the file of
-/// what is open, which is whole before.
+/// How far the computation has come, in files of scratch. It is written as a whole or not at all: progress.json names
+/// the file of what is open, which is whole before.
 struct ComputeState {
   std::uint64_t generation = 0;
   std::size_t tiles_done = 0;  ///< in the order of the tree

@@ -79,7 +79,8 @@ std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// The manifest of a run with the same request. Throws WrongUsage that names the difference, BadInput when it is no manifest.
+/// The manifest of a run with the same request. Throws WrongUsage that names the difference, BadInput when it is no
+/// manifest.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
-// What: polygons in a file of scratch in the order in which they are finished, their holes perhaps before them in another,
-//       and from there in canonical order.
+// What: polygons in a file of scratch in the order in which they are finished, their holes perhaps before them in
+//       another, and from there in canonical order.
 // Cost: each polygon is written once and read once, or twice each where they do not fit into memory together; each hole
 //       that comes before its polygon twice more. The largest ring has to fit.
 #pragma once

@@ -33,7 +33,8 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // A kill in between leaves no temporary folder; a run in a folder of the user's can be resumed until all outputs are there.
+    // A kill in between leaves no temporary folder; a run in a folder of the user's can be resumed until all outputs
+    // are there.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);
@@ -119,7 +120,8 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Small tiles are computed fastest, as long as there is not much around them. A task is a process, and worth a second.
+  /// Small tiles are computed fastest, as long as there is not much around them. A task is a process, and worth a
+  /// second.
   TilePlan plan_for(const CellCounts& counts) const {
     const std::uint64_t small = request_.tasks ? 1U << 20U : 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),

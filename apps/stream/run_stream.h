@@ -27,14 +27,14 @@ struct StreamResult {
   double count_seconds = 0, cut_seconds = 0, compute_seconds = 0, write_seconds = 0;
 };
 
-/// Adds the targets to `outputs`, whole but for their names, and calls before_names(result) before these are given; then
-/// the scratch goes. Throws BadInput, WrongUsage, Failure, Cancelled.
+/// Adds the targets to `outputs`, whole but for their names, and calls before_names(result) before these are given;
+/// then the scratch goes. Throws BadInput, WrongUsage, Failure, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 
-/// Counts and cuts into the scratch, which is named and stays; write_work() writes there what is to be done with the tiles.
-/// Of the result, points, tiles and seconds are filled in. A scratch that was cut before is checked, and damaged tiles are
-/// made again. Throws as run_stream() does.
+/// Counts and cuts into the scratch, which is named and stays; write_work() writes there what is to be done with the
+/// tiles. Of the result, points, tiles and seconds are filled in. A scratch that was cut before is checked, and damaged
+/// tiles are made again. Throws as run_stream() does.
 StreamResult prepare_tasks(const StreamRequest& request,
                            const std::function<void(const Scratch&, const Manifest&)>& write_work);
 

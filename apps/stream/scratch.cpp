@@ -85,11 +85,12 @@ bool is_alive(const fs::path& folder) {
 
 /// Removes folders beside the targets whose runs are dead.
 ///
-/// Why no run loses its folder to another that starts at the same time: a folder is only used by who has locked the file in
-/// it and has then seen that the path still names the locked file (Lock::ours). It is only removed by who is in the same
-/// position, and who gives it another name first, while the file is locked. So if the owner is first, the other finds the
-/// lock held and lets go. If the other is first, the owner finds the lock held, or no folder of the name, or another file
-/// than it has locked: it makes a new folder. An empty folder without a lock may go at any time; its owner does the same.
+/// Why no run loses its folder to another that starts at the same time: a folder is only used by who has locked the
+/// file in it and has then seen that the path still names the locked file (Lock::ours). It is only removed by who is in
+/// the same position, and who gives it another name first, while the file is locked. So if the owner is first, the
+/// other finds the lock held and lets go. If the other is first, the owner finds the lock held, or no folder of the
+/// name, or another file than it has locked: it makes a new folder. An empty folder without a lock may go at any time;
+/// its owner does the same.
 void clear_dead(const std::string& beside) {
   std::error_code error;
   std::vector<fs::path> found;
@@ -224,7 +225,8 @@ void Scratch::clear(bool keep_tiles) {
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  // A folder without its mark would count as the user's, so it loses its name before. Where it has other files, it stays.
+  // A folder without its mark would count as the user's, so it loses its name before. Where it has other files, it
+  // stays.
   const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
   const fs::directory_iterator entries(folder_, error);
   if (error || std::any_of(begin(entries), end(entries), is_other)) {

@@ -7,8 +7,8 @@
 
 namespace rbpa::app {
 
-/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below; BadInput
-/// where there is something else of that name.
+/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below;
+/// BadInput where there is something else of that name.
 class ScratchFile {
  public:
   enum class Mode { read, write, append, update };  // write begins anew; update writes over what is there
@@ -39,8 +39,8 @@ std::string scratch_content(const std::string& path);
 /// The content of the file becomes `bytes`, all at once.
 void replace_content(const std::string& path, std::string_view bytes);
 
-/// The same with a checksum behind, which checked_content() verifies and removes. Throws BadInput naming the file when it
-/// is wrong; empty when there is no file.
+/// The same with a checksum behind, which checked_content() verifies and removes. Throws BadInput naming the file when
+/// it is wrong; empty when there is no file.
 void replace_checked(const std::string& path, std::string_view text);
 std::string checked_content(const std::string& path);
 

@@ -1,6 +1,6 @@
 // What: records in the order of their keys, however few of them fit into memory.
-// Cost: each record is written and read once where they do not fit together, and once more for each factor of most_merged
-//       beyond that; memory as given, and the longest record.
+// Cost: each record is written and read once where they do not fit together, and once more for each factor of
+//       most_merged beyond that; memory as given, and the longest record.
 #pragma once
 
 #include <unistd.h>

@@ -61,8 +61,8 @@ class TileTree {
     return part->first;
   }
 
-  /// Calls visit(tile) for every tile that has points within `reach` of p, and perhaps for some whose points are a little
-  /// farther.
+  /// Calls visit(tile) for every tile that has points within `reach` of p, and perhaps for some whose points are a
+  /// little farther.
   template <typename Visit>
   void for_each_near(const Point& p, double reach, Visit visit) const {
     const Point low{below(p.x, reach), below(p.y, reach)}, high{above(p.x, reach), above(p.y, reach)};

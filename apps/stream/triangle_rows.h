@@ -40,8 +40,8 @@ class TriangleRows {
   RowsState flush();
 
   bool are_short() const { return short_; }
-  /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many bytes
-  /// of memory; throws BadInput when a file is not as it was written.
+  /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many
+  /// bytes of memory; throws BadInput when a file is not as it was written.
   void sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const;
 
  private:

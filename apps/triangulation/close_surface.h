@@ -40,7 +40,8 @@ struct AddedPoints {
   std::vector<std::array<std::uint32_t, 3>> between;  ///< of each the points between which it was put
 };
 
-/// Makes what is filled as fine and smooth as the rest, as rbpa::refine_filling() does it, and changes the counts accordingly.
+/// Makes what is filled as fine and smooth as the rest, as rbpa::refine_filling() does it, and changes the counts
+/// accordingly.
 /// Throws: as refine_filling().
 AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
                    const SurfaceOptions& options);

@@ -1,4 +1,5 @@
-// What: which components of a surface are kept: --keep-largest and --drop-small of both programs, --shell of `rbpa surface`.
+// What: which components of a surface are kept: --keep-largest and --drop-small of both programs, --shell of `rbpa
+//       surface`.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +29,8 @@ std::size_t parse_keep_largest(const std::string& text);
 /// "50": triangles; "area=2.5": an area.
 void parse_drop_small(const std::string& text, ComponentChoice& choice);
 
-/// Of each component, whether it is kept: first those of the shells that are wanted, then those that are not too small, then of
-/// these the largest. `outer`: of each component, as outer_shells() has it, where the choice is not all shells.
+/// Of each component, whether it is kept: first those of the shells that are wanted, then those that are not too small,
+/// then of these the largest. `outer`: of each component, as outer_shells() has it, where the choice is not all shells.
 std::vector<bool> kept_components(const SurfaceComponents& components, const std::vector<bool>& outer,
                                   const ComponentChoice& choice);
 

@@ -21,8 +21,8 @@ struct HoleChoice {
   }
 };
 
-/// "all"; "rims": those and the rims of sheets and islands; "30": of at most so many edges; "length=2.5": at most so long. Throws
-/// WrongUsage that names the option.
+/// "all"; "rims": those and the rims of sheets and islands; "30": of at most so many edges; "length=2.5": at most so
+/// long. Throws WrongUsage that names the option.
 HoleChoice parse_fill_holes(const std::string& text);
 
 }  // namespace rbpa::app

@@ -30,8 +30,8 @@ SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 /// The edges that more than two triangles have: pairs of corners, whatever is glued there.
 std::size_t crowded_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// The numbers of the triangles by components: the one with the largest box first, of equal boxes the one that encloses more;
-/// triangles within a component, and components without such a difference, in the order of the surface.
+/// The numbers of the triangles by components: the one with the largest box first, of equal boxes the one that encloses
+/// more; triangles within a component, and components without such a difference, in the order of the surface.
 std::vector<std::uint32_t> by_shells(const SurfaceComponents& components);
 
 }  // namespace rbpa::app

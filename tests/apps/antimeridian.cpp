@@ -1,4 +1,5 @@
-// GeoJSON around longitude 180 (RFC 7946, 3.1.9): cut there, all longitudes within -180 to 180, valid, and nothing lost.
+// GeoJSON around longitude 180 (RFC 7946, 3.1.9): cut there, all longitudes within -180 to 180, valid, and nothing
+// lost.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,7 +16,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Degrees around the antimeridian, a quarter apart, but for a hole on it and one west of it; and a point alone on each side.
+/// Degrees around the antimeridian, a quarter apart, but for a hole on it and one west of it; and a point alone on each
+/// side.
 std::string ring_shaped(const std::string& header, bool shifted) {
   std::string text = header;
   const auto add = [&](double x, double y) {

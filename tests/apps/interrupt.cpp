@@ -80,7 +80,8 @@ std::optional<double> seconds_of(pid_t id) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// How much processor time the command goes on for after a signal that comes once it has had so much; nothing where it ends before.
+/// How much processor time the command goes on for after a signal that comes once it has had so much; nothing where it
+/// ends before.
 std::optional<double> seconds_after_signal(const std::vector<std::string>& command, double at) {
   const double before = seconds_of_children();
   Child child(command);

@@ -363,8 +363,8 @@ TEST_SUITE("meshtopo --orient") {
       CHECK(volume_sign(p, out) == bits);
       CHECK(volume_sign(p, in) == -bits);
     }
-    // Two corners with Fibonacci numbers, whose determinant is 1 or -1, and a third that is off their plane by so much only: the
-    // products have more than a hundred bits, and their rounded sum has any sign.
+    // Two corners with Fibonacci numbers, whose determinant is 1 or -1, and a third that is off their plane by so much
+    // only: the products have more than a hundred bits, and their rounded sum has any sign.
     long before = 1, number = 1;
     for (int n = 2; n < 30; ++n) {
       const long next = before + number;  // the square of `number` is before · next plus or minus 1

@@ -56,7 +56,8 @@ TEST_SUITE("meshtopo --fill-holes") {
               6 - without.size() + r["changes"]["fill"]["triangles"].get<std::size_t>());
         const auto filled = places_of(folder, "w.off");
         CHECK(std::includes(filled.begin(), filled.end(), given.begin(), given.end()));
-        // With one face of a box missing, or two across from each other, there is one filling of least area: the face itself.
+        // With one face of a box missing, or two across from each other, there is one filling of least area: the face
+        // itself.
         if (without.size() == 1 || without == std::vector<std::size_t>{0, 1}) CHECK(six_volumes(folder, "w.off") == 36);
         if (expected.empty()) expected = filled;
         CHECK(filled == expected);

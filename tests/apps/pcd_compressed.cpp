@@ -1,5 +1,5 @@
-// PCD with DATA binary_compressed: the points of the same file without compression; what is damaged is refused, and what only
-// claims to be large is not believed.
+// PCD with DATA binary_compressed: the points of the same file without compression; what is damaged is refused, and
+// what only claims to be large is not believed.
 #include <doctest/doctest.h>
 
 #include <cstring>

@@ -129,7 +129,8 @@ TEST_SUITE("solid voids") {
   TEST_CASE(
       "the full complex has the voids that its triangles part, as closed surfaces, and Betti numbers of its own") {
     const Folder folder;
-    // A tetrahedron with edges of √8: its triangles come at 1.633, and itself at 1.732. Around it a larger one, and a point.
+    // A tetrahedron with edges of √8: its triangles come at 1.633, and itself at 1.732. Around it a larger one, and a
+    // point.
     folder.file("c.xyz", "1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n40 40 40\n40 42 40\n");
     Outcome outcome = folder.rbpa("solid c.xyz --alpha 1.7 --complex full --json --voids v.obj --stats s.json");
     REQUIRE(outcome.code == 0);

@@ -17,8 +17,8 @@ namespace {
 
 const std::string full_message = "standard output: cannot write: No space left on device\n";
 
-/// Runs `command` with a pipe for its standard output, of which `bytes` are read before it is closed, and standard error
-/// in the file "errors".
+/// Runs `command` with a pipe for its standard output, of which `bytes` are read before it is closed, and standard
+/// error in the file "errors".
 Ending with_reader_of(std::size_t bytes, const Folder& folder, const Child::Command& command) {
   int ends[2];
   REQUIRE(pipe2(ends, O_CLOEXEC) == 0);

@@ -15,7 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1 around the origin with a hole above 0.7, and far from it a triangle; each point with its normal.
+/// A sphere of radius 1 around the origin with a hole above 0.7, and far from it a triangle; each point with its
+/// normal.
 std::string sphere_and_island() {
   std::string text = "3 0 0 0 0 1\n3.1 0 0 0 0 1\n3 0.1 0 0 0 1\n";
   const int count = 600;

@@ -1,4 +1,5 @@
-// Systems of coordinates: which one of a text counts for the plane, in which words it is said, and that two are never joined.
+// Systems of coordinates: which one of a text counts for the plane, in which words it is said, and that two are never
+// joined.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -16,8 +16,8 @@ using namespace apps_test;
 
 namespace {
 
-/// Runs `command` with a terminal as standard error, and as standard output where `output_too`; returns all that appears
-/// there.
+/// Runs `command` with a terminal as standard error, and as standard output where `output_too`; returns all that
+/// appears there.
 std::string seen_on_terminal(const Child::Command& command, bool output_too = false) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
   REQUIRE(terminal >= 0);

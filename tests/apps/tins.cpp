@@ -75,7 +75,8 @@ std::vector<Input> inputs() {
            "id,geom\n" + lines([](auto x, auto y, auto z) { return "1,POINT Z (" + x + " " + y + " " + z + ")"; })}};
 }
 
-/// The vertices of a mesh file as meshtopo and others have them: those of an OFF file, an OBJ, a binary PLY or VTU of ours, or of GeoJSON.
+/// The vertices of a mesh file as meshtopo and others have them: those of an OFF file, an OBJ, a binary PLY or VTU of
+/// ours, or of GeoJSON.
 Places vertices(const Folder& folder, const std::string& name) {
   Places places;
   const std::string content = folder.content(name);

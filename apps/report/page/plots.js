@@ -1,5 +1,5 @@
-// What: the counts against alpha, and births against deaths, as pictures that are drawn once; where alpha is now is laid
-//       over them.
+// What: the counts against alpha, and births against deaths, as pictures that are drawn once; where alpha is now is
+//       laid over them.
 "use strict";
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
@@ -108,7 +108,8 @@ class PersistenceDiagram {
     context.fillText("never", left - 4, never + 4);
     drawLine(context, colours.grid, left, never, width - right, never);
     drawLine(context, colours.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
-    // Pairs whose dots would cover each other are one dot, the longest: the first found there when the longest come first.
+    // Pairs whose dots would cover each other are one dot, the longest: the first found there when the longest come
+    // first.
     this.dots = new Map();
     for (let p = 0; p < pairs.count; ++p) {
       const x = Math.round(this.births.at(radii[pairs.birth[p]]));

@@ -1,5 +1,6 @@
-// What: which triangle lies under each pixel. Laid once for a view; from then on the picture at any step is one pass over
-//       the pixels, whatever the number of triangles: a pixel is in the shape when its triangle's number is small enough.
+// What: which triangle lies under each pixel. Laid once for a view; from then on the picture at any step is one pass
+//       over the pixels, whatever the number of triangles: a pixel is in the shape when its triangle's number is small
+//       enough.
 // Law:  a pixel belongs to the triangle that its centre is in; where triangles meet, to one of them.
 "use strict";
 

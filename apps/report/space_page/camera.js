@@ -1,4 +1,5 @@
-// What: a perspective camera around a center: turned by drags and keys, moved, zoomed; the matrices of WebGL, column by column.
+// What: a perspective camera around a center: turned by drags and keys, moved, zoomed; the matrices of WebGL, column by
+//       column.
 "use strict";
 
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];

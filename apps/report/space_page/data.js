@@ -1,4 +1,5 @@
-// What: the data of the page of points in space, from base64 to typed arrays, and the triangles of a step. docs/report.md has the format.
+// What: the data of the page of points in space, from base64 to typed arrays, and the triangles of a step.
+//       docs/report.md has the format.
 "use strict";
 
 /** `text(name)` is what the element of that name has. */

@@ -18,8 +18,8 @@ struct Ending {
   friend bool operator==(const Ending&, const Ending&) = default;
 };
 
-/// Runs `command`, whose first word is the path of the program, with the signals of a login shell. Killed and waited for
-/// at the end, if it still runs.
+/// Runs `command`, whose first word is the path of the program, with the signals of a login shell. Killed and waited
+/// for at the end, if it still runs.
 class Child {
  public:
   using Command = std::vector<std::string>;

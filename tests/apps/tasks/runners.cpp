@@ -182,7 +182,8 @@ TEST_CASE("make killed with its tasks at any moment, and again: the next goes on
     }
     CHECK(folder.run("make", "-j2 -f T/Makefile").code == 0);
     check_made(folder);
-    // The last that was killed may not have been dead yet when the next one looked; the one after that finds its folder.
+    // The last that was killed may not have been dead yet when the next one looked; the one after that finds its
+    // folder.
     fs::remove(folder.path("t.npy"));
     CHECK(folder.run("make", "-f T/Makefile").code == 0);
     check_made(folder);
