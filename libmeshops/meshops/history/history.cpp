@@ -41,7 +41,8 @@ Halfedge History::create_triangle() {
 void History::destroy_triangle(Face f) {
   perform<Delta>([this, f] {
     const Delta delta = meshops::destroy_triangle(mesh_, f);
-    // All records but the halfedges of the corners are as they were: of each the only one on the boundary.
+    // All records except the halfedges of the corners are as they were; the halfedge of a corner is its only one on the
+    // boundary.
     return std::pair(delta, [this, f] {
       mesh_.status(f).set_deleted(false);
       for (const Halfedge side : sides_of(mesh_, f)) {
@@ -55,7 +56,7 @@ void History::destroy_triangle(Face f) {
 
 GlueEffect History::glue(Halfedge first, Halfedge second) {
   return perform<GlueEffect>([this, first, second] {
-    // A vertex that glue() marks deleted is isolated then, and unglue() finds the halfedge it had.
+    // A vertex that glue() marks deleted becomes isolated, and unglue() finds the halfedge that it had.
     const GlueEffect effect = meshops::glue(mesh_, first, second);
     return std::pair(effect, [this, effect] { meshops::unglue(mesh_, effect); });
   });
@@ -168,7 +169,7 @@ History::Undo History::undo_of_weld(const WeldEffect& effect) {
   return [this, effect] { meshops::undo(mesh_, effect); };
 }
 
-/// What makes the vertices name the halfedges again that they name now.
+/// Returns a function that sets the halfedges of the vertices back to the present ones.
 History::Undo History::named_again(std::vector<Vertex> vertices) const {
   std::vector<Halfedge> named;
   for (const Vertex v : vertices) named.push_back(mesh_.halfedge_handle(v));
@@ -196,7 +197,7 @@ void History::undo() {
   require_own();
   Step& step = done_.back();
   step.back();
-  // What the step added is dead now, and nothing lies behind it.
+  // The elements that the step added are dead now, and no live element follows them.
   mesh_.resize(step.before.vertices, step.before.edges, step.before.faces);
   undone_.push_back(std::move(step));
   done_.pop_back();

@@ -1,6 +1,7 @@
-// What: one undo stack over handle and stellar operators: it performs, undoes and redoes them.
-// Law:  after undo() of a step every record of the mesh, of dead elements too, is as it was before it, and what the step added
-//       is gone; after redo() it is as it was after it. So any sequence of steps, all undone, is the identity.
+// What: an undo stack over handle and stellar operators: it performs, undoes and redoes them.
+// Law:  after undo() of a step, every record of the mesh, including those of dead elements, is as it was before the
+//       step, and the elements that the step added are gone. After redo(), everything is as it was after the step. So
+//       any sequence of steps, all undone, is the identity.
 // Cost: that of the operator, and a few handles for each step.
 #pragma once
 
@@ -28,13 +29,14 @@
 
 namespace meshops {
 
-/// Each member performs the operator of its name and returns what that does. It is refused where the operator is: the mesh
-/// and the history stay as they were. What is made of several operators is several steps: steps() before it and
-/// undo_to(steps) after it undo the whole.
-/// While a mesh has a history, nobody else changes its links: elements that others added or collected are noticed by their
-/// number and refused (ContractViolation, mesh untouched); other changes are not. Properties of old elements are not kept.
-/// A redo makes the same elements with the same handles; hooks of splits are called again for them. Arguments are kept
-/// as copies: it needs nothing of the caller's but the mesh and what hooks refer to.
+/// History of operators on one mesh. Each operator member performs the operator of its name and returns the result of
+/// that. When the operator refuses, so does the member: the mesh and the history stay as they were. A combination of
+/// several operators is several steps: take steps() before it, and undo_to(steps) after it undoes the whole.
+/// While a mesh has a history, no other code may change its links. Added or collected elements are noticed by their
+/// number and refused (ContractViolation, mesh untouched); other changes are not noticed. Properties of old elements
+/// are not kept. A redo makes the same elements with the same handles; hooks of splits are called again for them.
+/// Arguments are kept as copies: of the caller's objects, the history needs only the mesh and those to which hooks
+/// refer.
 /// Requires: the mesh has status of every kind, outlives the history, and is sound.
 class MESHOPS_API History {
  public:
@@ -58,8 +60,8 @@ class MESHOPS_API History {
   SplitFaceEffect split_face(Face f);
   SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
                                  Keep keep = Keep::simplicial);
-  /// Splits with a hook (split_hooks.h), which is PlaceVertex where none is given: split_edge(mesh, h, CarryOver()). A
-  /// copy of the hook is kept, and called again by redo(): what it refers to must be there then.
+  /// Splits with a hook (split_hooks.h), by default PlaceVertex: split_edge(mesh, h, CarryOver()). A copy of the hook
+  /// is kept, and called again by redo(): objects to which it refers must still exist then.
   /// Requires: `mesh` is the mesh of the history. Throws ContractViolation.
   template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook = PlaceVertex>
   SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook = {}, Keep keep = Keep::simplicial) {
@@ -77,13 +79,15 @@ class MESHOPS_API History {
     });
   }
 
-  std::size_t steps() const { return done_.size(); }           ///< that undo() can undo
-  std::size_t undone_steps() const { return undone_.size(); }  ///< that redo() can do again: none after another step
+  std::size_t steps() const { return done_.size(); }  ///< number of steps that undo() can undo
+  std::size_t undone_steps() const {
+    return undone_.size();
+  }  ///< number of steps that redo() can redo: 0 after another step
   /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation.
   void undo();
-  /// Performs again what was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
+  /// Performs again the step that was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
   void redo();
-  /// Undoes steps until so many are left. Requires: no more than there are. Throws ContractViolation.
+  /// Undoes steps until `steps` are left. Requires: there are at least that many. Throws ContractViolation.
   void undo_to(std::size_t steps);
 
  private:
@@ -98,7 +102,7 @@ class MESHOPS_API History {
     Sizes before, after;
   };
 
-  /// `operate` does one split, and holds copies of all that it needs: it is called again by redo().
+  /// Performs one split by `operate`, which holds copies of all that it needs, because redo() calls it again.
   template <typename Operate>
   auto split(Operate operate) {
     using Effect = decltype(operate());
@@ -120,7 +124,7 @@ class MESHOPS_API History {
     remember({[perform]() mutable { return Undo(perform().second); }, std::move(back), before, sizes()});
     return effect;
   }
-  /// A step by an operator that returns a WeldEffect.
+  /// Performs a step by an operator that returns a WeldEffect.
   template <typename Operate>
   auto weld(Operate operate) {
     using Effect = decltype(operate());

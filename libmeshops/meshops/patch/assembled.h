@@ -1,4 +1,4 @@
-// What: a mesh that was assembled of patches, and its open sides.
+// What: the mesh that PatchAssembler makes of patches, with its open sides; a Front can continue it.
 #pragma once
 
 #include <array>
@@ -13,16 +13,17 @@
 
 namespace meshops {
 
-/// The mesh is sound. finish() completes it, or a Front continues it; either leaves this object empty, and requires that no
-/// elements were added or deleted before. Throws ContractViolation. It can be moved, not copied.
+/// Mesh that was assembled of patches. The mesh is sound. finish() completes it, or a Front continues it; either leaves
+/// this object empty, and throws ContractViolation if elements were added or deleted in between. The object can be
+/// moved, not copied.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
   std::size_t faces() const { return mesh_.n_faces(); }
   std::size_t sites() const { return vertices_.sites(); }
-  /// No triangle has a corner on this site.
+  /// Returns whether no triangle has a corner on this site.
   bool is_free(Site s) const { return vertices_.is_free(s); }
-  /// The site on which a vertex stands. Throws ContractViolation when there is no such vertex.
+  /// Returns the site on which a vertex stands. Throws ContractViolation when there is no such vertex.
   Site site(Vertex v) const { return vertices_.site(v); }
 
   /// Removes the vertices without triangles and renumbers the others, keeping their order.
@@ -34,15 +35,16 @@ class MESHOPS_API AssembledPatches {
   friend class Front;
   AssembledPatches(Connectivity& mesh, SiteVertices vertices)
       : mesh_(mesh), counts_(ElementCounts::of(mesh)), vertices_(std::move(vertices)) {}
-  /// Requires: the object is not empty, and the mesh is as it was assembled. Throws ContractViolation.
+  /// Returns the mesh. Requires: the object is not empty, and the mesh is as it was assembled. Throws
+  /// ContractViolation.
   Connectivity& unchanged() const;
 
   Connectivity& mesh_;
   ElementCounts counts_;
   SiteVertices vertices_;
-  std::vector<Halfedge> open_;  // boundary halfedges beyond which a patch may have had more
+  std::vector<Halfedge> open_;  // boundary halfedges beyond which a further patch could lie
   std::vector<std::array<int, 2>>
-      holes_;  // ranges of edges, halfedge 1 of each a boundary halfedge beyond which is nothing
+      holes_;  // ranges of edges; halfedge 1 of each is a boundary halfedge beyond which nothing lies
 };
 
 }  // namespace meshops

@@ -10,7 +10,7 @@ namespace meshops {
 namespace {
 
 constexpr std::size_t edges_at_a_time = 16;  // at the rim
-constexpr std::size_t ahead = 8;             // memory is prefetched this many sides before
+constexpr std::size_t ahead = 8;             // memory is prefetched this many sides ahead
 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
 
@@ -19,7 +19,7 @@ int last_in_triangle(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 Vertex vertex_of(Site s) { return Vertex(static_cast<int>(s)); }
 Site from(const Patch& patch, int side) { return patch.triangles[index(side) / 3][index(side) % 3]; }
 
-/// Without a branch.
+/// Returns a if `is_a`, else b, without a branch.
 int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is_a)); }
 
 }  // namespace
@@ -70,13 +70,14 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
   }
 }
 
-/// A further fan on a site. The vertex comes with join().
+/// Announces the vertex of a further fan on a site. join() makes the vertex.
 Vertex PatchAssembler::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
   return vertices_.announce(s);
 }
 
-/// Gives the edges of holes their numbers, and the fans between them their vertices: the first on a site that of the site.
+/// Gives the edges of holes their numbers, and the fans between them their vertices: the first fan on a site gets the
+/// vertex of the site.
 void PatchAssembler::place_holes(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t count = outline.holes.size();
   const auto first = static_cast<int>(edges_);
@@ -114,7 +115,8 @@ void PatchAssembler::fill(const Patch& patch, const Outline& outline, Placement&
     const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
     std::array<Halfedge, 3> h;
-    // A side stores its halfedge for the one across. Only the first of two need do so, but which it is, is unpredictable.
+    // Each side stores its halfedge for the side across. Only the first of the two needs to, but which one is first
+    // cannot be predicted.
     for (unsigned i = 0; i < 3; ++i, ++side) {
       const bool comes_first = side < across[i];
       h[i] = Halfedge(either(next, placement.at(side).idx(), comes_first));
@@ -167,7 +169,8 @@ void PatchAssembler::lay(const Patch& patch, const Outline& outline) {
   fill(patch, outline, placement_);
 }
 
-/// The boundary halfedge that follows one whose end has a single vertex yet, within the fan at its end.
+/// Returns the boundary halfedge that follows `boundary` in the fan at its end. All fans at that end still share one
+/// vertex.
 Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   Halfedge out = mesh_.opposite_halfedge_handle(boundary);
   do out = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(out));
@@ -175,7 +178,7 @@ Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   return out;
 }
 
-/// Ends a fan whose halfedges end at the site yet.
+/// Closes the boundary around a fan whose halfedges still end at the vertex of the site.
 void PatchAssembler::close_fan(Halfedge boundary) {
   const Halfedge out = next_on_boundary(boundary);
   mesh_.set_next_halfedge_handle(boundary, out);
@@ -184,7 +187,7 @@ void PatchAssembler::close_fan(Halfedge boundary) {
     mesh_.set_halfedge_handle(site, out);
     return;
   }
-  // The site has a fan already.
+  // The vertex of the site has a fan already.
   const Vertex own = further_vertex(static_cast<Site>(site.idx()), boundary);
   mesh_.set_vertex_handle(boundary, own);
   for (Halfedge h = mesh_.opposite_halfedge_handle(boundary); h != out;) {
@@ -203,7 +206,7 @@ AssembledPatches PatchAssembler::join() && {
     open.push_back(rim.boundary);
   });
   rims_.end();
-  // Edges were made for seams that found their other side, too.
+  // Some edges were made for seams that found their other side.
   const std::size_t first_further = vertices_.vertices() - holes_.into.size();
   mesh_.resize(vertices_.vertices(), edges_, faces_);
   for (std::size_t i = 0; i < holes_.into.size(); ++i)

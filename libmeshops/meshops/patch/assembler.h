@@ -1,9 +1,9 @@
-// What:   makes a mesh of patches: gluing in bulk.
-// Law:    the mesh is that which Front::create() makes of the same triangles, up to handles.
-// How:    patches are placed one after another, which settles what depends on others, and filled in, which is nearly all
-//         and can be done beside. Three phases, each of a type: PatchAssembler lays patches, join() makes
-//         AssembledPatches of it, and these are a mesh, or a Front to be advanced.
-// Cost:   linear; about the time to write the mesh.
+// What:   makes a mesh of patches of triangles: gluing in bulk.
+// Law:    the mesh equals, up to handles, the mesh that Front::create() makes of the same triangles.
+// How:    patches are placed one after another, which settles all that depends on other patches; the rest, nearly all
+//         of the work, is filled in and can run in parallel. There are three phases, each with a type: PatchAssembler
+//         lays patches, join() returns AssembledPatches, and these become a mesh, or a Front to be advanced.
+// Cost:   linear; about the time it takes to write the mesh.
 // Source: docs/front.md, section 5.
 #pragma once
 
@@ -22,50 +22,52 @@
 
 namespace meshops {
 
-/// Patches are laid beside each other, in any order; an open side is glued to the side of another patch on the same
-/// sites.
-/// Requires: the triangles of all patches are those of a complex; a site around which they close has no other fan, as it
-///           is in the plane. Not checked.
+/// Builds a mesh of patches. Patches are laid beside each other, in any order; an open side is glued to the side of
+/// another patch on the same sites.
+/// Requires: the triangles of all patches form a complex; a site around which triangles close has no other fan, as is
+///           always the case in the plane. Not checked.
 class MESHOPS_API PatchAssembler {
  public:
   /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i.
   /// Requires: the mesh has no vertices. Throws ContractViolation.
   PatchAssembler(Connectivity& mesh, std::size_t sites);
 
-  /// The number of faces laid so far.
+  /// Returns the number of faces laid so far.
   std::size_t faces() const { return faces_; }
 
-  /// Lays a patch. Cost: linear in it.
+  /// Lays a patch. Cost: linear in the patch.
   void lay(const Patch& patch);
-  /// The same with a given outline.
+  /// Lays a patch whose outline is known.
   void lay(const Patch& patch, const Outline& outline);
 
-  /// lay() in three steps, so that threads can share the work: survey(), where the outline is not given; place(), one
-  /// patch after another, in the order that is to give elements their numbers; and fill(), which may run beside other
-  /// fills, surveys and place(), provided that reserve() made room for all patches.
-  /// Requires: the outline of the patch; to fill, that it was placed, with the same arguments.
-  /// Cost:     place() is linear in the sides at the rim of the patch and its holes, fill() in the patch.
+  /// These do the work of lay() in three steps, so that threads can share it. First survey(), where the outline is not
+  /// given. Then place(), one patch after another, in the order in which elements are to be numbered. Then fill(),
+  /// which may run in parallel with other fills, surveys and place(), provided that reserve() made room for all
+  /// patches.
+  /// Requires: `outline` is that of the patch; fill() gets the same arguments as place() before it.
+  /// Cost:     place() is linear in the sides at the rim and at the holes of the patch, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, const Outline& outline, Placement& placement);
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
-  /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become boundary
-  /// halfedges. The mesh is sound then.
-  /// Cost: linear in the open sides of all patches, the fans at them, and all other fans but one at each site.
+  /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
+  /// boundary halfedges. The mesh is sound afterwards.
+  /// Cost: linear in the open sides of all patches, the fans at them, and all further fans beyond the first at each
+  ///       site.
   AssembledPatches join() &&;
 
  private:
-  /// A side of a patch at whose other side nothing lies yet.
+  /// Side of a patch on whose other side nothing lies yet.
   struct Rim {
     Halfedge boundary;
-    Site to;  // where it ends
+    Site to;  // the end of the halfedge
   };
-  /// Of sides of patches beyond which there is nothing.
+  /// The sides of patches beyond which nothing lies.
   struct Holes {
-    std::vector<std::array<int, 2>> edges;  // the first, and one behind the last
-    std::vector<bool> has_vertex;           // of each site: a fan between holes has it for its vertex
-    std::vector<Halfedge> into;             // of each further vertex, a boundary halfedge that ends there
-    std::vector<Halfedge> loose;            // boundary halfedges that end where another patch decides what follows
+    std::vector<std::array<int, 2>> edges;  // ranges: the first edge, and one past the last
+    std::vector<bool> has_vertex;           // for each site: a fan between holes uses the vertex of the site
+    std::vector<Halfedge> into;             // for each further vertex, a boundary halfedge that ends there
+    std::vector<Halfedge> loose;            // boundary halfedges whose successor another patch decides
   };
   void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
   void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);
@@ -75,11 +77,11 @@ class MESHOPS_API PatchAssembler {
 
   Connectivity& mesh_;
   SiteVertices vertices_;
-  std::size_t edges_ = 0;  // in use; there may be more in the mesh
+  std::size_t edges_ = 0;  // number of edges in use; the mesh may have more
   std::size_t faces_ = 0;
-  Seams<Rim> rims_;  // each at the site that its boundary halfedge leaves
+  Seams<Rim> rims_;  // each listed at the site that its boundary halfedge leaves
   Holes holes_;
-  Outline outline_;  // of the patch being laid
+  Outline outline_;  // outline of the patch being laid
   Placement placement_;
 };
 

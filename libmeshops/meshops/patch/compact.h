@@ -9,10 +9,10 @@
 
 namespace meshops::detail {
 
-/// Renumbers the other vertices, which keep their order and properties; the mesh is left with them and with its first
-/// `edges` edges and `faces` faces.
-/// Returns: the site of each vertex that is left. `vertices` cannot be used any further.
-/// Cost:    linear; little where no vertex but the last is to go.
+/// Removes the vertices without triangles and renumbers the others, which keep their order and properties. The mesh
+/// keeps only its first `edges` edges and `faces` faces.
+/// Returns: the site of each remaining vertex. `vertices` cannot be used afterwards.
+/// Cost:    linear; small if only the last vertices are to be removed.
 std::vector<Site> compact(Connectivity& mesh, const SiteVertices& vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops::detail

@@ -12,7 +12,7 @@
 namespace meshops {
 namespace {
 
-/// The side of the same triangle that ends where this one begins.
+/// Returns the side of the same triangle that ends where this side begins.
 int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
 class Surveyor {
@@ -41,25 +41,25 @@ class Surveyor {
   int across(int side) const { return across_[side]; }
   bool comes_first(int side) const { return side < across(side); }
 
-  /// Where the triangles at the beginning of the side close: of their sides out of there that come first, the last.
-  /// Each side is passed once: where one is met that was seen before, triangles do not close.
+  /// If the triangles around the start of the side close, returns the last of the sides that leave it and come first in
+  /// their pair. Each side is passed once: when the walk meets a side that was seen before, the triangles do not close.
   std::optional<int> last_inside(int side) {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
       seen_[static_cast<std::size_t>(out)] = true;
-      found = std::max(found, comes_first(out) ? out : -1);  // without a branch: which comes first is unpredictable
+      found = std::max(found, comes_first(out) ? out : -1);  // without a branch, which would be mispredicted
       out = next_out(out);
       if (out == side) return found;
     }
     return std::nullopt;
   }
-  /// The next side out of the same site; negative beyond the last.
+  /// Returns the next side that leaves the same site; a negative number past the last.
   int next_out(int side) const { return across(last(side)); }
 
   static_assert(sizeof(std::array<int, 3>) == 3 * sizeof(int));
   const int* across_;  // of each side
   int sides_;
-  std::vector<std::uint8_t> seen_;  // of each side that does not lie at the rim
+  std::vector<std::uint8_t> seen_;  // for each side that is not at the rim
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
-// What: the sides and sites of a patch that connect it to the mesh around it, in terms of the patch alone.
-// Why:  only the rim of a patch depends on other patches; the code that made the patch often has it, and need not search again.
+// What: the sides and sites of a patch that connect it to the mesh around it, as indices into the patch alone.
+// Why:  only the rim of a patch depends on other patches; the code that made the patch often knows its rim, and need
+//       not search for it again.
 #pragma once
 
 #include <vector>
@@ -10,12 +11,12 @@
 namespace meshops {
 
 struct Outline {
-  std::vector<int> rim;    ///< the sides at which nothing of the patch lies, but of another may; ascending
-  std::vector<int> holes;  ///< the sides beyond which there is nothing, ascending
-  /// Of each hole, that whose boundary halfedge follows that of the hole, or −1 where another patch decides it.
+  std::vector<int> rim;    ///< sides across which no triangle of the patch lies but one of another patch may; ascending
+  std::vector<int> holes;  ///< sides beyond which nothing lies; ascending
+  /// For each hole, the hole whose boundary halfedge follows its own, or −1 where another patch decides it.
   std::vector<int> next_hole;
-  /// For each site inside, around which triangles of the patch close, a side out of it: the last of those whose number is
-  /// less than that of the side across. In any order.
+  /// For each inner site, around which triangles of the patch close, one side that leaves it: the last of those whose
+  /// number is less than that of the side across. In any order.
   std::vector<int> inside;
 
   void clear() {
@@ -26,13 +27,14 @@ struct Outline {
   }
 };
 
-/// Replaces `outline` by that of the patch.
-/// Requires: `across` for each triangle, of each side a side that is across of it in turn, or none.
+/// Computes the outline of a patch and writes it to `outline`.
+/// Requires: `across` has an entry for each triangle and is symmetric: a side across which side j lies is itself across
+///           side j.
 /// Throws:   ContractViolation. Cost: linear in the patch.
 MESHOPS_API void survey(const Patch& patch, Outline& outline);
 
-/// An entry of Outline::next_hole, for a caller that has the holes. Requires what survey() does. Cost: linear in the triangles
-/// between the two.
+/// Returns the entry of Outline::next_hole for a hole, for a caller that knows the holes. Requires: as survey(). Cost:
+/// linear in the triangles between the two holes.
 MESHOPS_API int next_hole(const Patch& patch, int hole);
 
 }  // namespace meshops

@@ -1,4 +1,4 @@
-// What: triangles that were found together, with their adjacency: for PatchAssembler.
+// What: triangles that were found together, with their adjacency: the input of PatchAssembler.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@ namespace meshops {
 /// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1; as a side of the patch it has
 /// the number 3 · triangle + i.
 struct Patch {
-  static constexpr int open = -1;     ///< what lies across is not in the patch
+  static constexpr int open = -1;     ///< a triangle of another patch may lie across
   static constexpr int nothing = -2;  ///< nothing lies across at this level: the side is frozen
 
   std::vector<std::array<Site, 3>> triangles;
-  std::vector<std::array<int, 3>> across;  ///< of each side, the side of the patch across the edge, or one of the above
+  std::vector<std::array<int, 3>> across;  ///< for each side, the side across the edge, or `open` or `nothing`
 
   void clear() {
     triangles.clear();

@@ -1,5 +1,5 @@
-// What: sides of triangles whose other side has not come yet, found by the sites between which they lie.
-// Cost: a short list per site: as many as lie at the rim there.
+// What: finds sides of triangles that wait for their other side, by the sites between which they lie.
+// Cost: a short list per site, with the sides that wait there.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace meshops {
 
-/// `Side` is what is to be remembered of a side.
+/// Table of waiting sides. `Side` is the data stored for a side.
 template <typename Side>
 class Seams {
  public:
-  /// Begins without a seam.
+  /// Starts an empty table for `sites` sites.
   void begin(std::size_t sites) { first_.assign(sites, none); }
   bool has_begun() const { return !first_.empty(); }
 
@@ -28,7 +28,7 @@ class Seams {
   /// Prefetches the memory of a site, before take() or add() at it.
   void prepare(Site at) const { __builtin_prefetch(&first_[at]); }
 
-  /// A side at the site that matches(side), which is then no seam any more.
+  /// Removes and returns a side at the site for which matches(side) is true; nothing when there is none.
   template <typename Matches>
   std::optional<Side> take(Site at, Matches matches) {
     for (int* link = &first_[at]; *link != none;) {
@@ -42,15 +42,15 @@ class Seams {
     return std::nullopt;
   }
 
-  /// All that were ever added, in that order.
+  /// Visits all sides that were ever added, in that order.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const Seam& seam : seams_) visit(seam.side);
   }
 
-  /// Frees the memory; nothing has begun.
+  /// Frees the memory; has_begun() is false afterwards.
   void end() {
-    // Assigned braces would keep it.
+    // Assigning {} would keep the memory.
     seams_ = std::vector<Seam>();
     first_ = FreshVector<int>();
   }
@@ -62,7 +62,7 @@ class Seams {
     int next;
   };
   std::vector<Seam> seams_;
-  FreshVector<int> first_;  // of each site
+  FreshVector<int> first_;  // for each site
 };
 
 }  // namespace meshops

@@ -1,5 +1,5 @@
-// What: which vertices of a mesh stand on which site: none, or one for each fan of faces there.
-// Law:  a vertex with faces is listed at its site, and at no other; one without is of no fan.
+// What: the map from sites to the vertices of a mesh: none on a site, or one for each fan of faces there.
+// Law:  a vertex with faces is listed at its site, and at no other; a vertex without faces belongs to no fan.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@
 
 namespace meshops {
 
-/// The first vertices of a mesh can have a site each, of their own number: they need no list. Of the others each is
-/// listed at its site.
+/// Map between sites and vertices. Each of the first vertices of a mesh stands on the site of the same number and needs
+/// no list; every further vertex is listed at its site.
 class MESHOPS_API SiteVertices {
  public:
-  /// Vertex i stands on site i. Keeps a reference to the mesh, which has these vertices.
+  /// Lets vertex i stand on site i. Keeps a reference to the mesh, which has these vertices.
   SiteVertices(Connectivity& mesh, std::size_t sites);
-  /// Vertex v stands on site_of[v].
+  /// Lets vertex v stand on site_of[v].
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
-  /// There is one list of the vertices of a mesh: it can be moved, and then has no sites any more, but not be copied.
+  /// Moves the map, which then has no sites any more. It cannot be copied: a mesh has one map.
   SiteVertices(SiteVertices&& other) noexcept
       : mesh_(other.mesh_),
         first_(std::exchange(other.first_, 0)),
@@ -34,15 +34,16 @@ class MESHOPS_API SiteVertices {
         spare_(std::exchange(other.spare_, {})) {}
   SiteVertices(const SiteVertices&) = delete;
 
-  /// Sites are 0 to sites() − 1, without those whose vertex was marked deleted before it could have a fan.
+  /// Returns the number of sites. They are 0 to sites() − 1, except those whose vertex was marked deleted before it had
+  /// a fan.
   std::size_t sites() const { return first_ + listed_.size(); }
   bool exists(Site s) const { return is_first(s) ? is_live(mesh_, Vertex(static_cast<int>(s))) : s < sites(); }
-  /// Returns: the number of a new site, which is what sites() was.
+  /// Adds a site. Returns: its number, the old value of sites().
   Site add_site();
-  /// There are no sites any more.
+  /// Removes all sites and frees the memory.
   void clear();
 
-  /// Throws ContractViolation when there is no such vertex.
+  /// Returns the site of a vertex. Throws ContractViolation when there is no such vertex.
   Site site(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
     if (i < first_) return static_cast<Site>(i);
@@ -50,7 +51,7 @@ class MESHOPS_API SiteVertices {
     return further_[i - first_].site;
   }
 
-  /// No fan is on this site. Throws ContractViolation when there is none.
+  /// Returns whether no fan is on this site. Throws ContractViolation when there is no such site.
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
     require(s < sites(), "Front: no such site");
@@ -62,8 +63,8 @@ class MESHOPS_API SiteVertices {
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);
   }
-  /// The same one by one; an invalid handle behind the last. Throws ContractViolation also where others took the faces of
-  /// a vertex that is listed.
+  /// first() and next() return the same vertices one by one, and an invalid handle after the last. They throw
+  /// ContractViolation also when a listed vertex has lost its faces to a change by other code.
   Vertex first(Site s) const {
     require(s < sites(), "Front: no such site");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
@@ -73,21 +74,21 @@ class MESHOPS_API SiteVertices {
     return listed(i < first_ ? first_listed(static_cast<Site>(i)) : further_[i - first_].next);
   }
 
-  /// An isolated vertex for another fan on the site, which lists it. It has the properties of the first vertex there,
-  /// if that has faces. Throws ContractViolation where others marked it deleted.
+  /// Returns an isolated vertex for a further fan on the site, and lists it there. It has the properties of the first
+  /// vertex there, if that one has faces. Throws ContractViolation if other code marked the vertex deleted.
   Vertex take(Site s);
-  /// Releases a vertex that is isolated again. The last on its site waits for the next triangle there; others serve
-  /// any site, and are marked deleted meanwhile where the mesh can.
+  /// Releases a vertex that is isolated again. The last vertex on its site waits for the next triangle there; others
+  /// can serve any site, and are marked deleted meanwhile if the mesh has status.
   void release(Vertex v);
 
-  // For callers that lay many triangles at once, and list their fans at the end.
-  /// A further vertex on a site: its handle, for a vertex and a listing that come with list_announced().
+  // The following are for callers that lay many triangles at once and list their fans at the end.
+  /// Returns the handle of a further vertex on a site. The caller makes the vertex; list_announced() lists it.
   /// Requires: no further vertex was used.
   Vertex announce(Site s) {
     further_.push_back({s, none});
     return vertex(static_cast<int>(further_.size()) - 1);
   }
-  /// The number of vertices, with those announced.
+  /// Returns the number of vertices, including the announced ones.
   std::size_t vertices() const { return first_ + further_.size(); }
   void list_announced() {
     for (std::size_t i = 0; i < further_.size(); ++i) list(static_cast<int>(i));
@@ -96,13 +97,13 @@ class MESHOPS_API SiteVertices {
  private:
   struct Further {
     Site site;
-    int next;  // of the same site, as an index into further_
+    int next;  // next vertex of the same site, as an index into further_
   };
   static constexpr int none = -1;
   static constexpr int waiting = -2;  // waiting − i: vertex i of further_ waits for a fan
 
   bool is_first(Site s) const { return s < first_; }
-  /// Returns whether the vertex of a first site has faces. One that is deleted may name a halfedge that is, too.
+  /// Returns whether the vertex of a first site has faces. (A deleted vertex may refer to a deleted halfedge.)
   bool has_own_fan(Site s) const {
     const Vertex own(static_cast<int>(s));
     return !mesh_.is_isolated(own) && (!has_dead_ || is_live(mesh_, own));
@@ -123,11 +124,11 @@ class MESHOPS_API SiteVertices {
 
   Connectivity& mesh_;
   std::size_t first_;
-  bool has_dead_ = false;             // some first vertices were deleted when the list was made
-  std::vector<Further> further_;      // of vertex first_ + i
-  std::vector<int> listed_at_first_;  // of each first site, where its list begins; empty while all are empty
-  std::vector<int> listed_;           // the same of site first_ + i; or what waits there
-  std::vector<Vertex> spare_;         // isolated, and of no site
+  bool has_dead_ = false;             // some first vertices were deleted when the map was made
+  std::vector<Further> further_;      // entry of vertex first_ + i
+  std::vector<int> listed_at_first_;  // for each first site, the start of its list; empty while all lists are
+  std::vector<int> listed_;           // start of the list of site first_ + i, or the vertex that waits there
+  std::vector<Vertex> spare_;         // isolated vertices of no site
 };
 
 }  // namespace meshops
