@@ -1,0 +1,54 @@
+cmake_minimum_required(VERSION 3.22)
+# Fails when docs/reference/cpp_headers.md is not the table of the public headers and of what their "What:" lines say. Write it anew by
+#   cmake -DROOT=. -DWRITE=ON -P tests/structure/check_cpp_headers.cmake
+# Public are headers directly in these folders: of librbpa those that its CMakeLists.txt names, as it installs them by name, and of
+# libmeshops, which installs all, those that are not in a namespace detail.
+set(librbpa_folders rbpa rbpa/base rbpa/base/parallel)
+set(libmeshops_folders meshops meshops/core meshops/handle meshops/stellar meshops/history meshops/patch meshops/front
+  meshops/topology meshops/graph)
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
+set(page ${ROOT}/docs/reference/cpp_headers.md)
+
+set(text "# C++ headers
+
+`tests/structure/check_cpp_headers.cmake` makes this page of the `What:` lines of the headers that are installed. What a function promises is
+at its declaration: law, cost, source, what it requires and throws. [A C++ project](../how_to/cpp_project.md) says how the libraries are
+found by CMake, and [architecture](../explanation/architecture.md) what is behind the headers.
+")
+set(count 0)
+foreach(library librbpa libmeshops)
+  file(READ ${ROOT}/${library}/CMakeLists.txt build)
+  foreach(folder IN LISTS ${library}_folders)
+    string(APPEND text "\n## ${folder}\n\n| header | what it has |\n|---|---|\n")
+    file(GLOB headers RELATIVE ${ROOT}/${library} ${ROOT}/${library}/${folder}/*.h)
+    list(SORT headers)
+    foreach(header IN LISTS headers)
+      file(READ ${ROOT}/${library}/${header} source)
+      string(FIND "${build}" "${header}" named)
+      string(FIND "${source}" "\nnamespace meshops::detail {" inner)
+      if((library STREQUAL "librbpa" AND named EQUAL -1) OR NOT inner EQUAL -1)
+        continue()
+      endif()
+      # The comment goes on for as long as lines are indented.
+      if(NOT source MATCHES "// What: +([^\n]*(\n//   +[^\n]*)*)")
+        message(FATAL_ERROR "${library}/${header} has no line \"// What:\"")
+      endif()
+      string(REGEX REPLACE "\n// +" " " what "${CMAKE_MATCH_1}")
+      string(APPEND text "| `${header}` | ${what} |\n")
+      math(EXPR count "${count} + 1")
+    endforeach()
+  endforeach()
+endforeach()
+if(count LESS 100)
+  message(FATAL_ERROR "only ${count} public headers found in ${ROOT}: the check looks in the wrong place")
+endif()
+
+if(WRITE)
+  file(WRITE ${page} "${text}")
+endif()
+file(READ ${page} is)
+if(NOT is STREQUAL text)
+  message(FATAL_ERROR "${page} is not what the headers say: write it anew by\n"
+    "  cmake -DROOT=. -DWRITE=ON -P tests/structure/check_cpp_headers.cmake")
+endif()
+message(STATUS "${count} public headers are in ${page}")
