@@ -27,19 +27,19 @@ namespace meshops {
 template <FrontPolicy Policy, typename Visitor>
 void advance(Front& front, Policy& policy, Visitor&& visitor) {
   static_assert(!detail::misses_key<Policy>,
-                "the policy has a member key that is passed over: expected key(const Front&, Halfedge), public, of a "
+                "the policy has a member key that is ignored: expected key(const Front&, Halfedge), public, of a "
                 "type that is std::totally_ordered");
   static_assert(
       !detail::misses_glues<Policy>,
-      "the policy has a member glues that is passed over: expected bool glues(const Front&, Halfedge, Site), public");
+      "the policy has a member glues that is ignored: expected bool glues(const Front&, Halfedge, Site), public");
   static_assert(!detail::misses_rekeys<Policy>,
-                "the policy has a member rekeys_neighbours that is passed over: expected static constexpr bool "
+                "the policy has a member rekeys_neighbours that is ignored: expected static constexpr bool "
                 "rekeys_neighbours, public, beside a member key");
   static_assert(!detail::misses_curves<std::remove_cvref_t<Visitor>>(),
-                "the visitor has events of curves that are passed over: expected it to derive from CurveVisitor");
+                "the visitor has events of curves that are ignored: expected it to derive from CurveVisitor");
   static_assert(
       !detail::misses_events<std::remove_cvref_t<Visitor>>(),
-      "the visitor has no event, or a member with nearly the name of one, which is passed over: expected seeded, "
+      "the visitor has no event, or a member with nearly the name of one, which is ignored: expected seeded, "
       "attached, deferred, frozen, detached, refused, seed_refused, curve_begun, curves_joined, curve_split or "
       "curve_closed");
   detail::Run<Policy, std::remove_reference_t<Visitor>>(front, policy, visitor).advance();

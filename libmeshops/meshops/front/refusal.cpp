@@ -23,11 +23,11 @@ std::string describe(const Refusal& refusal) {
     case RefusalKind::site_closed:
       return "the faces around " + site + " close";
     case RefusalKind::side_taken:
-      return "a face lies already on the left of the edge from " + site + " to site " + std::to_string(refusal.to);
+      return "a face already lies on the left of the edge from " + site + " to site " + std::to_string(refusal.to);
     case RefusalKind::no_such_face:
       return "there is no face " + index;
     case RefusalKind::no_triangle:
-      return "face " + index + " has other than three sides";
+      return "face " + index + " is not a triangle";
     case RefusalKind::not_at_front:
       return "no side of face " + index + " is on the boundary";
     case RefusalKind::no_status:

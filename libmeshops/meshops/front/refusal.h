@@ -15,9 +15,9 @@ enum class RefusalKind {
   no_such_site,          ///< `site`
   corner_repeated,       ///< `site` is two corners of the triangle
   site_closed,           ///< the faces around `site` close, in each of its fans: it is done
-  side_taken,            ///< a face lies already on the left of the edge from `site` to `to`
+  side_taken,            ///< a face already lies on the left of the edge from `site` to `to`
   no_such_face,          ///< `index`
-  no_triangle,           ///< face `index` has other than three sides
+  no_triangle,           ///< face `index` is not a triangle
   not_at_front,          ///< no side of face `index` is on the boundary
   triangle_there,        ///< face `index` has these corners in this order, `site` and `to` two of them
   no_status              ///< the mesh needs status to mark face `index` as deleted
@@ -33,7 +33,7 @@ struct Refusal {
 
 MESHOPS_API std::string_view name(RefusalKind kind);
 
-/// For people: "a face lies already on the left of the edge from site 3 to site 7".
+/// For people: "a face already lies on the left of the edge from site 3 to site 7".
 MESHOPS_API std::string describe(const Refusal& refusal);
 
 }  // namespace meshops

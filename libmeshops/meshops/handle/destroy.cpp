@@ -15,7 +15,7 @@ const char* reason_against_any(const Connectivity& mesh, Face f) {
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
-  return mesh.next_halfedge_handle(third) == first ? nullptr : "the face has other than three sides";
+  return mesh.next_halfedge_handle(third) == first ? nullptr : "the face is not a triangle";
 }
 
 std::array<Halfedge, 3> sides_of(const Connectivity& mesh, Face f) {

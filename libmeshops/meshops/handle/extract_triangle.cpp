@@ -15,7 +15,7 @@ TriangleRim rim_of(const Connectivity& mesh, Face f) {
     rim.corner[i] = mesh.from_vertex_handle(side);
     rim.is_glued[i] = !mesh.is_boundary(mesh.opposite_halfedge_handle(side));
   }
-  require(side == rim.side[0], "rim_of: the face has other than three sides");
+  require(side == rim.side[0], "rim_of: the face is not a triangle");
   for (unsigned i = 0; i < 3; ++i)
     rim.is_passage[i] = rim.is_glued[i] && rim.is_glued[(i + 2) % 3] && mesh.is_boundary(rim.corner[i]);
   return rim;

@@ -183,7 +183,7 @@ History::Sizes History::sizes() const { return {mesh_.n_vertices(), mesh_.n_edge
 void History::require_own() const {
   const Sizes expected = !done_.empty() ? done_.back().after : !undone_.empty() ? undone_.back().before : sizes();
   require(sizes() == expected,
-          "History: found another number of elements, expected that of the last step: the mesh was "
+          "History: the number of elements differs from that after the last step: the mesh was "
           "changed by others");
 }
 
@@ -193,7 +193,7 @@ void History::remember(Step step) {
 }
 
 void History::undo() {
-  require(!done_.empty(), "History: found no step to undo");
+  require(!done_.empty(), "History: there is no step to undo");
   require_own();
   Step& step = done_.back();
   step.back();
@@ -204,7 +204,7 @@ void History::undo() {
 }
 
 void History::redo() {
-  require(!undone_.empty(), "History: found no step to do again");
+  require(!undone_.empty(), "History: there is no step to redo");
   require_own();
   Step& step = undone_.back();
   step.back = step.again();
@@ -213,7 +213,7 @@ void History::redo() {
 }
 
 void History::undo_to(std::size_t steps) {
-  require(steps <= done_.size(), "History: found fewer steps than are to be left");
+  require(steps <= done_.size(), "History: there are fewer steps than should be left");
   while (done_.size() > steps) undo();
 }
 

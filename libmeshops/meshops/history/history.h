@@ -113,7 +113,7 @@ class MESHOPS_API History {
   }
   template <typename Mesh>
   Mesh& checked(Mesh& mesh) const {
-    require(static_cast<const Connectivity*>(&mesh) == &mesh_, "History: found another mesh than that of the history");
+    require(static_cast<const Connectivity*>(&mesh) == &mesh_, "History: the mesh is not that of the history");
     return mesh;
   }
   template <typename Effect, typename Perform>

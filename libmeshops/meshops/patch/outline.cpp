@@ -26,7 +26,7 @@ class Surveyor {
     for (int s = 0; s < sides_; ++s) {
       const int other = across(s);
       require(Patch::nothing <= other && other < sides_ && other != s && (other < 0 || across(other) == s),
-              "survey: a side is not across of what is across of it");
+              "survey: across is not symmetric: a side lies across another, but not the reverse");
     }
     for (int s = 0; s < sides_; ++s)
       if (across(s) == Patch::nothing)
@@ -65,7 +65,7 @@ class Surveyor {
 }  // namespace
 
 void survey(const Patch& patch, Outline& outline) {
-  require(patch.across.size() == patch.triangles.size(), "survey: a patch has what is across of each triangle");
+  require(patch.across.size() == patch.triangles.size(), "survey: across needs an entry for each triangle");
   outline.clear();
   Surveyor(patch).survey(outline);
   for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));

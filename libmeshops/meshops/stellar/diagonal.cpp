@@ -11,7 +11,7 @@ const char* refusal(const Connectivity& mesh, Halfedge from, Halfedge to, Keep k
   if (mesh.is_boundary(from) || mesh.face_handle(from) != mesh.face_handle(to))
     return "the halfedges are not sides of one face";
   if (from == to || mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
-    return "the corners are neighbours: a face of two sides would be left";
+    return "the corners are neighbors: a face of two sides would be left";
   const Vertex a = mesh.from_vertex_handle(from), b = mesh.from_vertex_handle(to);
   if (a == b) return "both corners are one vertex: the edge would be a loop";
   if (keep == Keep::manifold) return nullptr;

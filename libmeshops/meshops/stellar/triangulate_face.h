@@ -63,7 +63,7 @@ class MESHOPS_API Polygon {
   std::vector<Halfedge> sides_;
   std::vector<Vertex> corners_;
   std::vector<bool> allowed_;
-  const char* reason_ = "every triangulation has an edge that may not be";
+  const char* reason_ = "every triangulation has an edge that is not allowed";
 };
 
 /// Returns for each part of the polygon between corners i < j the apex of the triangle at i and j, in the triangulation

@@ -17,7 +17,7 @@ const char* refusal(const Connectivity& mesh, const WeldEffect& effect) {
   bool marked = is_marked(mesh, mesh.n_vertices(), removed.vertex);
   for (const Edge e : edges) marked = marked && is_marked(mesh, mesh.n_edges(), e);
   for (const Face f : faces) marked = marked && is_marked(mesh, mesh.n_faces(), f);
-  if (!marked) return "the elements are not there to be brought back";
+  if (!marked) return "the elements to restore do not exist or are not marked deleted";
   const bool differ = edges[0] != edges[1] && edges.back() != edges[0] && (edges.size() == 2 || edges[1] != edges[2]) &&
                       (faces.size() == 1 || faces[0] != faces[1]);
   const bool one_is_left_out = !effect.left || !effect.right;

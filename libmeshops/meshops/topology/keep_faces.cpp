@@ -8,7 +8,7 @@ namespace meshops {
 
 SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on) {
   require_parted(soup);
-  require(kept.size() == soup.faces(), "keep_faces: expected for each face whether it is kept");
+  require(kept.size() == soup.faces(), "keep_faces: kept needs a value for each face");
   Steps step(go_on);
   std::vector<bool> is_used(soup.points, false);
   for (std::size_t f = 0; f < soup.faces(); ++f) {

@@ -207,7 +207,7 @@ Face face_at(const Connectivity& mesh, Halfedge h) {
 
 void require_closed(const Connectivity& mesh, const Loop& loop) {
   require(!loop.empty(), "loop_kinds: a loop is empty");
-  for (const Halfedge h : loop) require(is_live(mesh, h), "loop_kinds: a loop has a halfedge that is not there");
+  for (const Halfedge h : loop) require(is_live(mesh, h), "loop_kinds: a loop has a halfedge that does not exist");
   for (std::size_t i = 0; i < loop.size(); ++i)
     require(mesh.to_vertex_handle(loop[i]) == mesh.from_vertex_handle(loop[i + 1 == loop.size() ? 0 : i + 1]),
             "loop_kinds: a loop has a halfedge that does not start where the one before ends");
@@ -217,7 +217,7 @@ void require_closed(const Connectivity& mesh, const Loop& loop) {
 
 std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vector> positions,
                                  std::span<const Loop> loops, const GoOn& go_on) {
-  require(positions.size() >= mesh.n_vertices(), "loop_kinds: expected a position of each vertex");
+  require(positions.size() >= mesh.n_vertices(), "loop_kinds: positions needs a value for each vertex");
   for (const Loop& loop : loops) require_closed(mesh, loop);
   Steps step(go_on);
   const Sides sides(mesh, positions);

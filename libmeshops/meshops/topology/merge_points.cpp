@@ -36,7 +36,7 @@ PolygonSoup renumbered(const PolygonSoup& soup, const std::vector<std::uint32_t>
 
 MergedPoints merge_points(const PolygonSoup& soup, std::span<const std::uint32_t> least, const GoOn& go_on) {
   require_parted(soup);
-  require(least.size() == soup.points, "merge_points: expected a value for each point");
+  require(least.size() == soup.points, "merge_points: least needs a value for each point");
   Steps step(go_on);
   MergedPoints result;
   std::vector<std::uint32_t> number(soup.points);

@@ -81,7 +81,7 @@ void TopologyTracker::note(const UnglueEffect& effect) {
   if (effect.what == GlueCase::join) {
     const auto face_at = [&](Halfedge h) { return mesh_.face_handle(mesh_.opposite_halfedge_handle(h)); };
     parted = smaller_part(mesh_, face_at(effect.first), face_at(effect.second));
-    require(parted.has_value(), "TopologyTracker: nothing fell apart");
+    require(parted.has_value(), "TopologyTracker: the component was not split");
   }
   for (const Vertex v : {effect.new_start, effect.new_end})
     require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: no such vertex");

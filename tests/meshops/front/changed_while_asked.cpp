@@ -118,7 +118,7 @@ TEST_SUITE("changed while the policy proposes") {
     const std::vector<int> before = snapshot(mesh);
     constexpr const char* stale = "insert: the fit is stale: a triangle was attached or detached since it was made";
     CHECK(refusal([&] { front.insert(fit); }) == stale);
-    CHECK(refusal([&] { front.insert(front.fit(0, 1, 2)); }).starts_with("insert: a face lies already"));
+    CHECK(refusal([&] { front.insert(front.fit(0, 1, 2)); }).starts_with("insert: a face already lies"));
     CHECK(snapshot(mesh) == before);
     const Fit attached = front.fit(front.boundary_between(1, 0), 3);
     front.insert(attached);

@@ -155,6 +155,6 @@ TEST_SUITE("front") {
     CHECK(names.size() == 8);
     CHECK(words.size() == 8);
     CHECK(describe({RefusalKind::side_taken, 3, 7}) ==
-          "a face lies already on the left of the edge from site 3 to site 7");
+          "a face already lies on the left of the edge from site 3 to site 7");
   }
 }

@@ -313,7 +313,7 @@ TEST_SUITE("triangulate_face") {
 
     TestMesh torus;
     const Face hexagon = hexagon_in_torus(torus);
-    check_refused(torus, "every triangulation has an edge that may not be",
+    check_refused(torus, "every triangulation has an edge that is not allowed",
                   [&] { triangulate_face(torus, hexagon, any); });
     triangulate_face(torus, hexagon, any, Keep::manifold);
     check_sound(torus);
