@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A side of a triangle that is one of its face too; across it from corner `corner` lies a neighbour.
+/// A side of a triangle that is one of its face too; across it from corner `corner` lies a neighbor.
 struct FanSide {
   std::uint32_t low, high;  // its ends
   std::uint32_t triangle, corner;

@@ -53,7 +53,7 @@ inline std::span<const Quadruple> quadruples_of(const Indices& array, const char
   return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// −1, which stands for no neighbour in SciPy, has the bits of TriangleArrays::none.
+/// −1, which stands for no neighbor in SciPy, has the bits of TriangleArrays::none.
 inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
   static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);
   return {triples_of(simplices, "simplices"), triples_of(neighbors, "neighbors")};

@@ -90,7 +90,7 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// Of a file of the plane or of space all but normals and colours, which are emptied.
+/// Of a file of the plane or of space all but normals and colors, which are emptied.
 template <typename File>
 py::dict dict_of(File& file, const app::PointSource& source) {
   py::dict result;

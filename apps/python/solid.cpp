@@ -55,7 +55,7 @@ double alpha_of(const Indices& simplices, const Indices& neighbors, const Double
   });
 }
 
-/// Its tetrahedra and neighbours, and the corners that it leaves without a tetrahedron.
+/// Its tetrahedra and neighbors, and the corners that it leaves without a tetrahedron.
 py::dict within_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, double alpha) {
   Solid made = watched(static_cast<std::size_t>(radii.size()), py::none(),
                        [&](Watch&) { return within(solid_again(simplices, neighbors), line_of(radii), alpha); });

@@ -10,7 +10,7 @@
 
 namespace rbpa::python {
 
-/// Its tetrahedra and neighbours, nothing else.
+/// Its tetrahedra and neighbors, nothing else.
 inline Solid solid_again(const Indices& simplices, const Indices& neighbors) {
   Solid again;
   const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };

@@ -37,7 +37,7 @@ namespace {
 
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// The sides without a neighbour, from corner to corner, the triangle on the left.
+/// The sides without a neighbor, from corner to corner, the triangle on the left.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -105,7 +105,7 @@ py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   return result;
 }
 
-/// Triangles and neighbours of a surface, which are copied without Python's lock.
+/// Triangles and neighbors of a surface, which are copied without Python's lock.
 struct Links {
   std::span<const Triple> triangles, neighbors;
 

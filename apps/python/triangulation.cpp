@@ -32,7 +32,7 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   return result;
 }
 
-/// Of each point its neighbours, ascending, one list after the other, and where each begins.
+/// Of each point its neighbors, ascending, one list after the other, and where each begins.
 struct NeighborLists {
   std::vector<std::int32_t> begin, neighbors;
 };

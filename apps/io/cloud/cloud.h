@@ -1,4 +1,4 @@
-// What: the points of a file as blocks of columns: x and y, or x, y, z, normals and colours. One reader for each format.
+// What: the points of a file as blocks of columns: x and y, or x, y, z, normals and colors. One reader for each format.
 // Law:  all blocks of a file together are its points in its order, whether it is in memory or read as it goes. Coordinates and
 //       normals are finite. Who reads selects what to make of the columns (read_points.h, read_space_points.h,
 //       point_blocks.h).
@@ -34,7 +34,7 @@ enum class Waters {
 
 /// What is wanted of a file.
 struct CloudRequest {
-  bool in_space = false;  ///< x, y, z, normals and colours; else x and y, and whether heights differ
+  bool in_space = false;  ///< x, y, z, normals and colors; else x and y, and whether heights differ
   /// Of a table: x, y, or geometries, or x, y, z, or these and the normal's. Absent: as its header names them, else the
   /// first.
   std::optional<std::vector<Column>> columns = std::nullopt;
@@ -61,7 +61,7 @@ struct CloudBlock {
 /// Points that a reader makes at a time: few enough that their columns stay in the cache.
 constexpr std::size_t points_at_once = 4096;
 
-/// What a channel of a colour is of.
+/// What a channel of a color is of.
 enum class Channels {
   bytes,  ///< 0 to 255
   unit,   ///< 0 to 1
@@ -81,7 +81,7 @@ struct CloudFacts {
   UnitCell cell = {};
   std::size_t expected = 0;                       ///< points at most, as far as that is known
   bool normals = false;                           ///< the block has them
-  std::optional<Channels> colors = std::nullopt;  ///< of the columns of colours; nothing where there are none
+  std::optional<Channels> colors = std::nullopt;  ///< of the columns of colors; nothing where there are none
   bool last_are_colors = false;         ///< what was taken for normals: the columns of the block are red, green, blue
   bool last_have_no_direction = false;  ///< read again with last_are_normals: a line is to be refused
 };

@@ -1,4 +1,4 @@
-// What: colours that stand as numbers behind the vertices of a file of text.
+// What: colors that stand as numbers behind the vertices of a file of text.
 // Law:  one of each vertex, or none and a remark: a file that has them in part has none. Channels are from 0 to 1; where one
 //       of the file is greater, all are from 0 to 255, or from 0 to 65535 where such are `allowed`.
 #pragma once
@@ -16,8 +16,8 @@ class TextColors {
  public:
   explicit TextColors(double allowed = 255) : allowed_(allowed) {}
 
-  /// The first three words of what follows a vertex, in line `line`, behind the colours of the block; there may be more. Other
-  /// words are no colour.
+  /// The first three words of what follows a vertex, in line `line`, behind the colors of the block; there may be more. Other
+  /// words are no color.
   void take(std::string_view rest, std::size_t line, CloudBlock& block);
 
   /// The same of three words.
@@ -39,7 +39,7 @@ class TextColors {
   std::string beyond_ = {};       // that channel
 };
 
-/// Before the colours of a block are taken.
+/// Before the colors of a block are taken.
 void clear_colors(CloudBlock& block);
 
 /// A channel as a byte.

@@ -16,12 +16,12 @@
 namespace rbpa::app {
 namespace {
 
-/// The three bytes 0xRRGGBB behind the colours of a block.
+/// The three bytes 0xRRGGBB behind the colors of a block.
 void append_color(std::uint32_t bits, CloudBlock& block) {
   for (std::size_t k = 0; k < 3; ++k) block.column[CloudBlock::color + k].push_back(bits >> (16 - 8 * k) & 0xFFU);
 }
 
-/// The bits of a colour in text: of a float those of the number that is written.
+/// The bits of a color in text: of a float those of the number that is written.
 std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
   const bool bits_of_float = type == Scalar::float32;
   const double least = bits_of_float ? -0x1.fffffep127 : -0x1p31,

@@ -1,4 +1,4 @@
-// What: the figure of an image as points: PNG, and the portable grey map of Netpbm.
+// What: the figure of an image as points: PNG, and the portable gray map of Netpbm.
 // Law:  the foreground is what the ground is not, and the ground is what most pixels of the border are; a transparent
 //       pixel is never foreground.
 #pragma once
@@ -16,7 +16,7 @@ namespace rbpa::app {
 
 enum class Foreground { dark, light };
 
-/// How grey values become a figure.
+/// How gray values become a figure.
 struct PixelRule {
   std::optional<Foreground> foreground = std::nullopt;  ///< none: the one that the border is not
   double threshold = 0.5;                               ///< share of white from which on a pixel is light
@@ -24,7 +24,7 @@ struct PixelRule {
 
 enum class Shade : std::uint8_t { clear, dark, light };
 
-/// A pixel by its grey value, which is at most `white`.
+/// A pixel by its gray value, which is at most `white`.
 inline Shade shade_of(double grey, double white, double threshold) {
   return grey >= threshold * white ? Shade::light : Shade::dark;
 }
@@ -39,7 +39,7 @@ struct Shades {
 /// Throws BadInput when a side is zero, or when there are as many pixels as rbpa() refuses as points.
 void require_image_size(std::size_t width, std::size_t height, const std::string& name);
 
-/// The centres of the foreground pixels, (column + ½, height − row − ½), row by row from the top: y goes up, and the
+/// The centers of the foreground pixels, (column + ½, height − row − ½), row by row from the top: y goes up, and the
 /// origin is the lower left corner of the image. Of equally many pixels on the border, clear comes before light and light
 /// before dark as the ground; on a clear ground all other pixels are foreground. Throws Cancelled.
 std::vector<Point> foreground_points(const Shades& image, const std::optional<Foreground>& foreground);
@@ -52,8 +52,8 @@ std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& na
 /// A Claim: the bytes of all pixels, or as many numbers.
 double claimed_pgm_size(std::string_view first, const std::string& name);
 
-/// Of an image of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not. Values are taken as they stand in
-/// the file, without gamma; the grey value of a colour is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
+/// Of an image of any kind: gray, color or palette, 1 to 16 bits, interlaced or not. Values are taken as they stand in
+/// the file, without gamma; the gray value of a color is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
 /// opaque is clear. Throws BadInput naming the file, before the pixels are allocated when no file of this size can hold
 /// as many as it claims; Cancelled.
 std::vector<Point> read_png_points(std::string_view bytes, const std::string& name, const PixelRule& rule);

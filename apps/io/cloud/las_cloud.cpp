@@ -156,7 +156,7 @@ class LasCloud final : public Cloud {
         content_.skip(header_.length);
       settle(header_.count.with_room(found));
     }
-    // Channels have 16 bits, but many programs write 8; those that have no colours write black.
+    // Channels have 16 bits, but many programs write 8; those that have no colors write black.
     if (red_ && greatest_channel_ == 0) facts_.colors.reset();
     if (red_ && greatest_channel_ > 255) facts_.colors = Channels::wide;
   }

@@ -25,7 +25,7 @@ void for_each_obj_line(Lines& lines, const Visit& visit) {
   }
 }
 
-/// `rest`, behind the coordinates of a vertex, is a weight, a colour or both. Throws BadInput naming `line` of `name`,
+/// `rest`, behind the coordinates of a vertex, is a weight, a color or both. Throws BadInput naming `line` of `name`,
 /// for another vertex in the same line, say.
 void require_end_of_vertex(std::string_view rest, const std::string& name, std::size_t line);
 

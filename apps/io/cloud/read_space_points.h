@@ -1,4 +1,4 @@
-// What: points of space, with normals and colours where the file has them, from a file of any format we read.
+// What: points of space, with normals and colors where the file has them, from a file of any format we read.
 #pragma once
 
 #include <array>

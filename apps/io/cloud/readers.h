@@ -24,10 +24,10 @@ std::unique_ptr<Cloud> open_las(Content content, const CloudRequest& request);
 /// is passed over; in a binary file it has to be there nevertheless, so that a cut file is noticed.
 std::unique_ptr<Cloud> open_ply(Content content, const CloudRequest& request);
 
-/// The vertices, with the normals of NOFF and the colours of COFF. Faces are not read.
+/// The vertices, with the normals of NOFF and the colors of COFF. Faces are not read.
 std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request);
 
-/// The lines "v", with colours where they have six numbers or more, and "vn". A vertex has the normal that the corners of
+/// The lines "v", with colors where they have six numbers or more, and "vn". A vertex has the normal that the corners of
 /// faces give it; where faces name none, there are normals when they are as many as vertices, in their order. Where neither
 /// says one for each vertex there are none.
 std::unique_ptr<Cloud> open_obj(Content content, const CloudRequest& request);
@@ -43,7 +43,7 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request);
 /// only the columns that it names are read.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request);
 
-/// The same, and where no header names the columns: x, y, z, and with them an intensity, a colour or both; of such a table the first
+/// The same, and where no header names the columns: x, y, z, and with them an intensity, a color or both; of such a table the first
 /// line may be the number of points, of which no more and no fewer may follow, unless invalid ones are skipped.
 std::unique_ptr<Cloud> open_pts(Content content, const CloudRequest& request);
 

@@ -360,7 +360,7 @@ class TableCloud final : public Cloud {
     if (facts_.colors && !facts_.last_are_colors) colors_.settle(kind_ != TableKind::any, facts_);
   }
 
-  /// Whole numbers up to 255, or to 65535, are colours where one is greater than 1.
+  /// Whole numbers up to 255, or to 65535, are colors where one is greater than 1.
   void settle_last() {
     facts_.last_are_colors = is_by_content_ && all_channels_ && greatest_ > 1;
     facts_.last_have_no_direction = is_by_content_ && !facts_.last_are_colors && no_direction_;

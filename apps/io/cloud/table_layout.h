@@ -35,7 +35,7 @@ struct TableLayout {
   std::optional<std::size_t> wkt = std::nullopt;  ///< that of geometries, in place of x and y
   std::optional<std::size_t> height = std::nullopt;
   bool degrees = false;                      ///< x is a longitude and y a latitude
-  bool unnamed = false;                      ///< six columns without names: the last three may be normals or colours
+  bool unnamed = false;                      ///< six columns without names: the last three may be normals or colors
   std::vector<std::string_view> names = {};  ///< of all columns, where they are known
 };
 

@@ -54,7 +54,7 @@ constexpr Codes feet[] = {
     {8312, 8348, 2}, {20050, 20050, 1}};
 // clang-format on
 
-/// Codes from the first to the last, of which those that are given out are of systems in metres or in feet. Fewer than
+/// Codes from the first to the last, of which those that are given out are of systems in meters or in feet. Fewer than
 /// twenty codes in a row are not given out.
 // clang-format off
 constexpr Codes metres[] = {

@@ -1,4 +1,4 @@
-// What: the unit that coordinates are in: feet, metres, or degrees, and what is to be said of these.
+// What: the unit that coordinates are in: feet, meters, or degrees, and what is to be said of these.
 // Source: EPSG dataset 10.076, as PROJ 9.1.1 has it.
 #pragma once
 

@@ -43,7 +43,7 @@ MeshFile read_mesh(const MeshSource& source);
 /// The same of the content of a file, which messages call `name`.
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format);
 
-/// OFF with any of the prefixes ST, C, N; one vertex a line, x y z first, and one face a line, whose colours are passed
+/// OFF with any of the prefixes ST, C, N; one vertex a line, x y z first, and one face a line, whose colors are passed
 /// over; or, of fewer lines, the numbers of vertices and faces as one sequence of words, and nothing else. Throws
 /// BadInput naming the line; when the file is too short for what it announces, before memory is allocated.
 MeshFile read_off_mesh(std::string_view text, const std::string& name);
@@ -62,7 +62,7 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 
 /// Points are numbered by their first corner in the file. Binary when the size is that of the number of facets at byte
 /// 80, or when it does not begin with "solid", or when there are zero bytes in it and no facet in the next line;
-/// coordinates are then floats, else the doubles nearest to the text. Normals, colours and names are passed over, and
+/// coordinates are then floats, else the doubles nearest to the text. Normals, colors and names are passed over, and
 /// so is, with a remark, what follows the last facet, or each facet as its attributes. Throws BadInput naming the line,
 /// or the facet of a binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);

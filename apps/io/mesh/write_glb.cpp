@@ -37,7 +37,7 @@ std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) 
   return units;
 }
 
-/// Colours of files are sRGB, those of vertices here linear; with opacity, as four numbers fill eight bytes.
+/// Colors of files are sRGB, those of vertices here linear; with opacity, as four numbers fill eight bytes.
 std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::array<std::uint8_t, 3>> colors) {
   std::array<std::uint16_t, 256> linear;
   for (std::size_t i = 0; i < linear.size(); ++i) {

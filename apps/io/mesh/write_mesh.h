@@ -1,4 +1,4 @@
-// What: polygons in space as a mesh file, surfaces, with normals and colours, and closed polylines on them.
+// What: polygons in space as a mesh file, surfaces, with normals and colors, and closed polylines on them.
 // Law:  what read_mesh() makes of the file is the same points, to the last bit (but for STL), and the same faces.
 #pragma once
 
@@ -31,7 +31,7 @@ struct TriangulatedFaces {
   TriangulatedFaces(std::span<const std::array<double, 3>> positions, const meshops::PolygonSoup& soup);
 };
 
-/// Normals, colours, points and certainties: none, or one of each vertex.
+/// Normals, colors, points and certainties: none, or one of each vertex.
 struct SpaceMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
@@ -47,18 +47,18 @@ struct SpaceMesh {
 /// Throws Failure: single precision does not keep the triangles.
 void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh);
 
-/// OFF, OBJ; PLY (binary little-endian) with normals as double, colours as uchar, points as uint `point` and
+/// OFF, OBJ; PLY (binary little-endian) with normals as double, colors as uchar, points as uint `point` and
 /// certainties as double `certainty`; STL (binary, single precision; its header says a shift); VTU, GLB (below); or the
 /// triangles as an .npy array of uint32 with shape (n, 3). Throws BadInput, before anything is written, when a
 /// coordinate is too large for STL or GLB; Failure, when single precision does not keep the triangles. Requires: not a
 /// picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
-/// Normals as point data `Normals`, colours as `RGB`, input indices as `point`, certainties as `certainty`.
+/// Normals as point data `Normals`, colors as `RGB`, input indices as `point`, certainties as `certainty`.
 void write_vtu(OutputFile& file, const SpaceMesh& mesh);
 
 /// One mesh, both sides of which are seen. Positions are in single precision; where that loses something, relative to a node's
-/// `translation`, the shift. Colours are linear, as the format has them. Input indices are not written. Without a
+/// `translation`, the shift. Colors are linear, as the format has them. Input indices are not written. Without a
 /// triangle the scene is empty.
 void write_glb(OutputFile& file, const SpaceMesh& mesh);
 

@@ -1,4 +1,4 @@
-// What: which columns of a table are x and y, or x, y, z, the parts of a normal and a colour: by number, by name, or by
+// What: which columns of a table are x and y, or x, y, z, the parts of a normal and a color: by number, by name, or by
 //       the names that people give them.
 #pragma once
 
