@@ -13,7 +13,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// The first number in a file of the system; none where there is no such file, or it begins with a word ("max").
+/// Returns the first number in a file of the system; nothing if there is no such file or it begins with a word ("max").
 std::optional<double> first_number(const std::string& path) {
   std::ifstream file(path);
   double number = 0;
@@ -30,13 +30,14 @@ double of_machine() {
   return unlimited;
 }
 
-/// What one folder of a control group leaves; either version of them.
+/// Returns the bytes that one folder of a control group, of either version, leaves to its processes.
 double left_by(const std::string& folder, const char* most, const char* used) {
   const std::optional<double> limit = first_number(folder + most), in_use = first_number(folder + used);
   return limit ? std::max(*limit - in_use.value_or(0), 0.0) : unlimited;
 }
 
-/// The groups around this process limit it as well, and within a container its own group is mounted as the root.
+/// Returns the least that this process's control group and the groups around it leave. Within a container the process's
+/// own group is mounted as the root.
 double of_groups() {
   double least = unlimited;
   std::ifstream file("/proc/self/cgroup");

@@ -1,4 +1,4 @@
-// What: how much memory this process can still have.
+// What: how much more memory this process can allocate.
 #pragma once
 
 #include <optional>
@@ -6,11 +6,11 @@
 
 namespace rbpa::app {
 
-/// In bytes: the least of what the machine has available, what the control group leaves and what the limit on the address
-/// space leaves. Nothing where the system says none of them.
+/// Returns the available memory in bytes: the least of the machine's, of what the control groups leave and of what the
+/// limit on the address space leaves. Returns nothing if the system reports none of the three.
 std::optional<double> available_memory();
 
-/// "1.5 GB", "20 MB".
+/// Returns a size as text: "1.5 GB", "20 MB".
 std::string bytes_text(double bytes);
 
 }  // namespace rbpa::app

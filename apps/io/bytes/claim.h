@@ -1,8 +1,8 @@
-// What: how long a file is as its first bytes claim, and how far a gzip file is unpacked: some kilobytes may become
-//       gigabytes.
-// Law:  a whole file is never refused for its claim, unless more than a mebibyte lies behind its data, or is one line of
-//       its text, with the comments and blank lines before it.
-// Cost: memory is at most twice what is claimed, and two mebibytes; a claim is computed again when as much more is there.
+// What: limits decompression to the size that a file's header claims: some kilobytes of gzip may become gigabytes.
+// Law:  a whole file is never refused for its claim, unless more than a mebibyte lies behind its data, or one line of
+//       its text, with the comments and blank lines before it, is longer than a mebibyte.
+// Cost: memory is at most twice the claimed size plus two mebibytes. A claim is computed again whenever the
+//       decompressed size has doubled.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 namespace rbpa::app {
 
 struct Claim {
-  /// At least how many bytes a file has that begins with `first`, its whole header among them: no more than it has where
-  /// it is whole, and the longer `first` is, the nearer to that. Throws BadInput where its reader would, for the header.
-  /// Null: the format claims nothing.
+  /// Returns a lower bound of the size, in bytes, of a whole file that begins with `first`, which holds the header; the
+  /// longer `first` is, the tighter the bound. Throws BadInput for a header that the format's reader would refuse.
+  /// Null if files of the format do not claim a size.
   double (*size)(std::string_view first, const std::string& name) = nullptr;
-  std::string_view hint = {};  ///< what reads a longer file, for the end of a sentence
-  bool may_be_packed = true;   ///< else a file that begins as a gzip file does is none
+  std::string_view hint = {};  ///< end of the error message: how to read a longer file
+  bool may_be_packed = true;   ///< false: a file that begins like a gzip file is read as it is
 };
 
-/// Of a file that claims nothing.
+/// The claim of a file that claims no size.
 constexpr double any_size = std::numeric_limits<double>::infinity();
 
-/// What a header may claim of a file that is packed, of which nobody knows how long it will be.
+/// Stands for the size of a compressed file, which is unknown until its end is decompressed.
 constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2;
 
 }  // namespace rbpa::app

@@ -23,13 +23,13 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is n
 
 }  // namespace
 
-/// A file that is read from its beginning to its end.
+/// A file that is read once, from its beginning to its end.
 struct Content::File {
   File(const std::string& path, bool may_unpack);
 
-  /// Puts the next bytes at `to`; fewer than `size` at the end only.
+  /// Copies the next `size` bytes to `to`; fewer at the end only.
   std::size_t read(char* to, std::size_t size);
-  /// Passes over so many bytes, or to the end.
+  /// Skips `size` bytes, or fewer at the end.
   void skip(std::uint64_t size);
 
   std::size_t read_file(char* to, std::size_t size);
@@ -41,7 +41,7 @@ struct Content::File {
 
     Gunzip gunzip;
     std::vector<char> buffer;
-    std::string_view packed = {};  // of the buffer, what is left
+    std::string_view packed = {};  // the compressed bytes of the buffer that are not inflated yet
   };
 
   std::string name;
@@ -49,11 +49,11 @@ struct Content::File {
   Descriptor file;
   struct stat status {};
   std::uint64_t bytes_read = 0;
-  std::optional<Unpacking> unpacking = std::nullopt;  // where it is packed
+  std::optional<Unpacking> unpacking = std::nullopt;  // if the file is compressed
 };
 
 Content::File::File(const std::string& path, bool may_unpack)
-    // A pipe that nobody writes to would keep a blocking open waiting for ever.
+    // A blocking open() of a pipe without a writer would wait forever.
     : name(path), unpacks(may_unpack), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
   if (file.number() < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
@@ -92,7 +92,7 @@ void Content::File::skip(std::uint64_t size) {
   }
 }
 
-/// At least a byte, unless the end has come.
+/// Reads at least one byte, unless the end is reached.
 std::size_t Content::File::read_file(char* to, std::size_t size) {
   while (true) {
     const ssize_t count = pread(file.number(), to, size, static_cast<off_t>(bytes_read));
@@ -120,7 +120,7 @@ std::size_t Content::File::unpack(char* to, std::size_t size) {
   return count;
 }
 
-/// What somebody else writes meanwhile is half of the old and half of the new.
+/// Refuses a file that was changed while it was read: the bytes would be half old and half new.
 void Content::File::require_unchanged() const {
   const struct stat now = status_of(file.number(), name);
   if (now.st_size == status.st_size && same_time(now.st_mtim, status.st_mtim)) return;
@@ -146,7 +146,7 @@ Content Content::again() const { return file_ ? of_file(file_->name, file_->unpa
 std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
   buffer_.erase(buffer_.begin(), buffer_.end() - static_cast<std::ptrdiff_t>(bytes_.size()));
-  while (buffer_.size() < size && !ended_) {  // a header may claim what is not there
+  while (buffer_.size() < size && !ended_) {  // `size` may come from a header that claims more than there is
     const std::size_t before = buffer_.size();
     buffer_.resize(before + at_once);
     const std::size_t count = file_->read(buffer_.data() + before, at_once);

@@ -1,7 +1,7 @@
-// What: the bytes of a file from its beginning to its end: all of them in memory, or some at a time as they are read.
-// Law:  who reads asks for what comes next, and does not know which of the two it is. A file that is read has the length and
-//       the time of its last change at its end that it had when it was opened.
-// Cost: of a file that is read the requested bytes and a mebibyte are in memory.
+// What: the bytes of a file in their order, either all in memory or read piece by piece.
+// Law:  both kinds have one interface. A file that is read piece by piece is refused if its length or the time of its
+//       last change differs at the end from what it was when the file was opened.
+// Cost: of a file that is read piece by piece, the requested bytes and a mebibyte are in memory.
 #pragma once
 
 #include <cstddef>
@@ -15,44 +15,44 @@ namespace rbpa::app {
 
 class Content {
  public:
-  /// Bytes in memory, which have to stay there; messages call them `name`.
+  /// Views bytes in memory, which must outlive this object; `name` stands for them in messages.
   Content(std::string_view bytes, std::string name);
-  /// The file at `path`, which has to be one that can be read twice. `unpacks`: where it begins as a gzip file does, what it
-  /// holds. Throws BadInput.
+  /// Opens the file at `path`, which must be a regular file, as it is read twice. `unpacks`: decompress it if it begins
+  /// like a gzip file. Throws BadInput.
   static Content of_file(const std::string& path, bool unpacks);
   Content(Content&&) noexcept;
   Content& operator=(Content&&) noexcept;
   ~Content();
 
-  /// The same from its beginning.
+  /// Returns the same content at its beginning.
   Content again() const;
 
-  /// What comes next: `size` bytes or more, fewer at the end only. It is there until the next call. Throws BadInput, Failure,
-  /// Cancelled.
+  /// Returns the next `size` bytes or more, fewer at the end only, and does not skip them. The view is valid until the
+  /// next call. Throws BadInput, Failure, Cancelled.
   std::string_view ahead(std::size_t size);
-  /// All that is in memory of what comes next, at least a byte unless the end has come.
+  /// Returns the next bytes that are in memory, at least one unless the end is reached.
   std::string_view ahead() { return ahead(1); }
-  /// Passes over so many bytes, or to the end.
+  /// Skips `size` bytes, or fewer at the end.
   void skip(std::uint64_t size);
 
   const std::string& name() const { return name_; }
-  /// Of the whole, or unknown_size where it is being unpacked.
+  /// Returns the size of the whole content in bytes, or unknown_size while it is being decompressed.
   std::size_t size() const;
-  /// Whether it is a file that was packed, of which only its end shows how long it is.
+  /// Whether the content is decompressed as it is read, so that its size is known at its end only.
   bool is_packed() const;
   bool is_in_memory() const { return file_ == nullptr; }
-  /// Of the file, packed as it is, so far.
+  /// Returns how many bytes of the file, in its compressed form, have been read so far.
   std::uint64_t bytes_read() const;
 
  private:
   struct File;
 
   std::string name_;
-  std::string_view bytes_;         // ahead, of those in memory
-  std::string_view all_ = {};      // where no file is read
-  std::vector<char> buffer_ = {};  // what bytes_ are of, where one is
+  std::string_view bytes_;         // the next bytes that are in memory
+  std::string_view all_ = {};      // the whole content, if it is in memory
+  std::vector<char> buffer_ = {};  // holds bytes_ if a file is read
   bool ended_ = true;              // nothing follows bytes_
-  std::unique_ptr<File> file_;     // null: all is in memory
+  std::unique_ptr<File> file_;     // null if the content is in memory
 };
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: open files of the system.
+// What: file descriptors that close themselves, and waiting for them.
 #pragma once
 
 #include <sys/stat.h>
@@ -8,7 +8,7 @@
 
 namespace rbpa::app {
 
-/// Closes it at the end, unless it is one that every program is given.
+/// Owns a file descriptor and closes it, unless it is standard input, output or error.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -24,17 +24,18 @@ class Descriptor {
   int number_;
 };
 
-/// Of the open file that messages call `name`. Throws Failure.
+/// Returns the status of an open file; `name` stands for it in messages. Throws Failure.
 struct stat status_of(int descriptor, const std::string& name);
 
 inline bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
 
-/// Returns when `descriptor` can be read or written, or a signal has come: it may have been set not to wait by itself.
+/// Wait until `descriptor`, which may be non-blocking, can be read or written, or until a signal arrives.
 void wait_to_read(int descriptor);
 void wait_to_write(int descriptor);
 
-/// Standard input, output and error that the caller has closed are taken up by files that fail: else the next file that
-/// is opened would get the number of, say, standard output, and what is printed would get into it. Call first.
+/// Occupies those of standard input, output and error that the caller has closed by files that fail. Otherwise the next
+/// opened file would get the number of, say, standard output, and text that is printed would be written into it.
+/// Requires: called before any file is opened.
 void occupy_standard_streams();
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: what a gzip file holds.
+// What: decompression of gzip files.
 #pragma once
 
 #include <zlib.h>
@@ -9,22 +9,23 @@
 
 namespace rbpa::app {
 
-/// Whether the bytes begin as a gzip file does.
+/// Whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
-/// Inflates all members of a gzip file, one behind the other.
+/// Decompresses all members of a gzip file, one behind the other.
 class Gunzip {
  public:
-  /// Messages call the file `name`.
+  /// `name` stands for the file in messages; it must outlive this object.
   explicit Gunzip(const std::string& name);
   ~Gunzip() { inflateEnd(&state_); }
   Gunzip(const Gunzip&) = delete;
   Gunzip& operator=(const Gunzip&) = delete;
 
-  /// Inflates from the front of `packed`, of which it takes what it needs; none mean the end of the file. Returns how many
-  /// bytes it put at `to`, at most `size` and perhaps none. Throws BadInput naming what is wrong.
+  /// Decompresses from the front of `packed`, and removes the bytes that it used from it; an empty `packed` means the
+  /// end of the file. Returns how many bytes it wrote to `to`: at most `size`, perhaps none. Throws BadInput naming the
+  /// fault.
   std::size_t inflate(std::string_view& packed, char* to, std::size_t size);
-  /// What was inflated so far ends with a member: the file may end here.
+  /// Whether the bytes so far end with a whole member, so that the file may end here.
   bool is_between_members() const { return between_members_; }
 
  private:

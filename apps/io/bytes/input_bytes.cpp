@@ -28,20 +28,20 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   bad_input(name, reason, expected);
 }
 
-/// So long a header may be; and what may lie behind the data, as readers of files that are not packed leave it alone.
+/// The greatest length of a header, and of bytes behind the data, which readers of uncompressed files ignore.
 constexpr std::size_t slack = std::size_t{1} << 20U;
 
-/// Four bytes of text, "0 0" and a line end, become a point of 16.
+/// Memory that reading needs for each byte: four bytes of text ("0 0" and a line end) become a point of 16, and stay.
 constexpr double bytes_for_each = 5;
 
-/// How much of a packed file is unpacked: what its header claims, and what memory suffices for.
+/// Limits the decompressed size to what the header claims and to what fits into memory.
 class UnpackLimit {
  public:
   UnpackLimit(const std::string& name, const Claim& claim, const std::string& way_out)
       : name_(name), claim_(claim), way_out_(way_out), next_(claim.size == nullptr ? any_size : slack) {}
 
-  /// What is unpacked so far. Throws BadInput when that is more than the first of it claims, or when memory would not
-  /// suffice for more of it and for what reading makes of it.
+  /// Checks the bytes that are decompressed so far. Throws BadInput if they are more than their header claims, or if
+  /// memory would not suffice for them and for the points read from them.
   void require(std::string_view unpacked) {
     const auto size = static_cast<double>(unpacked.size());
     if (size > most_)
@@ -58,7 +58,8 @@ class UnpackLimit {
   }
 
  private:
-  /// A message about a header says how much was unpacked, since more of the file may follow.
+  /// Returns the size that the header claims. Adds to the message about a faulty header how much was decompressed,
+  /// since more of the file may follow.
   double claimed_by(std::string_view unpacked) const {
     try {
       return claim_.size(unpacked, name_);
@@ -70,7 +71,7 @@ class UnpackLimit {
   const std::string& name_;
   const Claim& claim_;
   const std::string& way_out_;
-  double most_ = available_memory().value_or(any_size) / bytes_for_each;  // for which memory suffices
+  double most_ = available_memory().value_or(any_size) / bytes_for_each;  // the greatest size that fits into memory
   double next_;                                                           // the size at which the claim is computed
 };
 
@@ -115,7 +116,7 @@ void InputBytes::make_room(std::size_t size) {
   room_ = size;
 }
 
-/// At least a byte, unless the end has come: then false.
+/// Reads at least one byte. Returns false if the end was reached instead.
 bool InputBytes::read_some(int descriptor) {
   constexpr std::size_t at_once = std::size_t{4} << 20U;  // so that a signal is noticed between two of them
   while (true) {
@@ -139,15 +140,15 @@ void InputBytes::read_all(int descriptor) {
   } while (read_some(descriptor));
 }
 
-/// A regular file says how long it is. That must be so at the end as well: what somebody else writes meanwhile is half
-/// of the old and half of the new.
+/// Reads a regular file. Refuses it if its length or the time of its last change differs afterwards: the bytes would be
+/// half old and half new.
 void InputBytes::read_file(int descriptor) {
   const struct stat before = status_of(descriptor, name_);
-  // Standard input may have been read in part.
+  // Standard input may have been read in part by the program before.
   const off_t start = std::max<off_t>(lseek(descriptor, 0, SEEK_CUR), 0);
   const auto left = static_cast<std::size_t>(std::max<off_t>(before.st_size - start, 0));
-  if (left == 0) return read_all(descriptor);  // empty, or made as it is read, as the files of /proc are
-  make_room(left + 1);                         // a byte more shows that it has grown
+  if (left == 0) return read_all(descriptor);  // empty, or generated as it is read, like the files of /proc
+  make_room(left + 1);                         // one byte more shows whether the file has grown
   meshops::prefer_large_pages(data_.get(), room_);
   posix_fadvise(descriptor, 0, 0, POSIX_FADV_SEQUENTIAL);
   while (size_ < room_ && read_some(descriptor)) continue;

@@ -1,4 +1,4 @@
-// What: everything a file or standard input holds, in memory.
+// What: the whole content of a file or of standard input in memory.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@
 
 namespace rbpa::app {
 
-/// The bytes are read, not mapped: a mapped file that somebody shortens kills whoever looks at it. What the difference
-/// costs is in docs/io.md.
+/// The bytes of a file. They are read, not mapped: shortening a mapped file kills the processes that read it.
+/// docs/io.md has the cost of the difference.
 class InputBytes {
  public:
-  /// `name` is a path, or "-" for standard input; `expected` is what it should hold. Of a gzip file the bytes are those that
-  /// were compressed, unless the claim excludes it: its header and memory limit how many those are, and `way_out` ends the
-  /// message that memory does not suffice. Throws BadInput when there is no such file, or when a regular file
-  /// changes while it is read; Failure when reading breaks off; Cancelled.
+  /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file unless the claim excludes that. The
+  /// claim of the header and the memory limit the decompressed size. In messages, `expected` says what the file should
+  /// hold, and `way_out` follows the message that memory does not suffice. Throws BadInput if there is no such file or
+  /// if a regular file changes while it is read; Failure if reading fails; Cancelled.
   InputBytes(const std::string& name, const std::string& expected, const Claim& claim = {},
              const std::string& way_out = "");
 
   std::string_view bytes() const { return {data_.get(), size_}; }
-  /// What messages call it.
+  /// Returns the name for messages.
   const std::string& name() const { return name_; }
 
  private:

@@ -11,10 +11,10 @@
 namespace rbpa::app {
 namespace {
 
-/// Three bytes become a copy of at most 264 others.
+/// The greatest ratio of the format: three bytes stand for a copy of at most 264 bytes.
 constexpr std::size_t most_for_each = 88;
 
-/// What was unpacked, and twice as much that reading makes of it: numbers of 4 bytes become some of 8.
+/// Memory per decompressed byte: the byte itself, and two more for the points, as numbers of 4 bytes become 8.
 constexpr double bytes_in_memory = 3;
 
 }  // namespace

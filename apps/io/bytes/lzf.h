@@ -1,4 +1,4 @@
-// What: what LZF has compressed, as the Point Cloud Library compresses points.
+// What: decompression of LZF, with which the Point Cloud Library compresses points.
 // Source: M. Lehmann, liblzf.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace rbpa::app {
 
-/// The `size` bytes that `packed` becomes. Nothing is allocated for a size that it cannot become, or for which memory does not
-/// suffice. Throws BadInput naming `place`, where the data are.
+/// Returns the `size` bytes that were compressed. Throws BadInput naming `place`, where the data are; before anything
+/// is allocated if `packed` is too short for that size or if memory does not suffice.
 std::vector<char> unpack_lzf(std::string_view packed, std::size_t size, const std::string& place);
 
 }  // namespace rbpa::app

@@ -40,7 +40,8 @@ NpyHeader find_header(std::string_view bytes, const std::string& name) {
   return {bytes.substr(start, length), start + length};
 }
 
-/// The text of the value of `key`, up to the comma or brace behind it at the same depth; empty when there is no such key.
+/// Returns the text of the value of `key`, up to the comma or brace behind it at the same depth; empty without such a
+/// key.
 std::string_view value_of(std::string_view dictionary, std::string_view key) {
   for (const char quote : {'\'', '"'}) {
     const std::string wanted = quote + std::string(key) + quote;
@@ -135,7 +136,7 @@ std::string npy_header(std::string_view type, std::uint64_t rows, std::string_vi
   text += std::to_string(rows);
   text += columns;
   text += "), }";
-  constexpr std::size_t before = 10, alignment = 64;  // bytes before the text; where NumPy wants the data
+  constexpr std::size_t before = 10, alignment = 64;  // bytes before the text; the alignment of the data
   text.append(alignment - (before + text.size() + 1) % alignment, ' ');
   text += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);

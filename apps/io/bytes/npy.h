@@ -1,4 +1,4 @@
-// What: the header of NumPy's array format: what an array of a file is, versions 1 to 3, and that of one to write.
+// What: the header of NumPy's array format: reads versions 1 to 3, writes version 1.
 #pragma once
 
 #include <bit>
@@ -12,12 +12,12 @@
 
 namespace rbpa::app {
 
-/// Where the numbers of an array are.
+/// Shape, type and place of the numbers of an array in its file.
 struct NpyLayout {
   std::size_t rows, columns;
   Scalar type;
   std::endian order;
-  bool columns_first;  ///< all x before all y
+  bool columns_first;  ///< Fortran order: all x before all y
   std::size_t data;    ///< offset of the first number
 
   std::size_t item() const { return size_of(type); }
@@ -25,14 +25,14 @@ struct NpyLayout {
   double end() const { return static_cast<double>(data) + static_cast<double>(rows) * static_cast<double>(row()); }
 };
 
-/// Of a file of `size` bytes that begins with `bytes`, all of its header among them. Its columns are as many as one of `fits`,
-/// or any where there are none. Numbers are float32, float64 or integers, in either byte order. Throws BadInput, also when the
-/// file is too short for the shape.
+/// Reads the layout of a file of `size` bytes that begins with `bytes`, which must hold its whole header. Accepts
+/// float32, float64 and integers of either byte order, and a number of columns among `fits`; an empty `fits` accepts
+/// any. Throws BadInput otherwise, also if the file is too short for its shape.
 NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name,
                           std::span<const std::size_t> fits = {});
 
-/// The bytes before the numbers, version 1. `type` is "<u4"; `columns`: what Python writes of a shape behind the number of
-/// rows, ", 3" or ",".
+/// Returns the bytes before the numbers, of version 1. `type` is NumPy's name, such as "<u4". `columns` is the text of
+/// the shape behind the number of rows: ", 3" for three columns, "," for a one-dimensional array.
 std::string npy_header(std::string_view type, std::uint64_t rows, std::string_view columns);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
 // What: decimal text to double and back; whole numbers of a command line.
-// Law:  parse_number(text of x) = x for every finite double x; reading rounds to the nearest double, but for integers,
+// Law:  parse_number(text of x) = x for every finite double x. Reading rounds to the nearest double, except integers,
 //       which are read exactly or refused.
 #pragma once
 
@@ -22,16 +22,19 @@ struct ParsedNumber {
   NumberFault fault;
 };
 
-/// What from_chars() calls out of range: larger than any double is a fault, smaller than any is rounded.
+/// Parses a number that from_chars() calls out of range: one beyond the largest double is a fault, one closer to zero
+/// than any double is rounded.
 ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
 
-/// Doubles have every integer up to it, from one side of zero to the other.
+/// Doubles represent every integer from -exact_integers to exact_integers.
 constexpr double exact_integers = 0x1p53;
 
-/// Of the same, that is beyond exact_integers: an integer that `value`, the nearest double, is not is a fault.
+/// Checks a number beyond exact_integers, of which `value` is the nearest double: an integer that differs from `value`
+/// is a fault.
 ParsedNumber parse_large_number(const char* first, const char* end, double value);
 
-/// The number that begins at `first`, an optional sign included. Reading rounds to the nearest double, but no integer.
+/// Parses the number that begins at `first`, perhaps with a sign, and rounds to the nearest double; an integer that
+/// would be rounded is a fault.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
@@ -43,24 +46,24 @@ inline ParsedNumber parse_number(const char* first, const char* last) {
   return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
 }
 
-/// The number that is the whole of `text`.
+/// Parses a number that is the whole of `text`.
 ParsedNumber parse_whole_number(std::string_view text);
 
-/// The same, with Fortran's D for E ("1.0D0") or the sign − of typography (U+2212) as well.
+/// Parses a number that is the whole of `text`, and accepts Fortran's D for E ("1.0D0") and the minus sign − (U+2212).
 ParsedNumber parse_written_number(std::string_view text);
 
-/// What had to stand where there is a fault.
+/// Returns what an error message expects in place of a number with this fault.
 const char* expected_instead(NumberFault fault);
 
-/// The characters of the longest, such as -2.2250738585072014e-308.
+/// The length of the longest shortest text of a double, such as -2.2250738585072014e-308.
 constexpr std::size_t number_room = 24;
 
-/// Puts the text of `value`, of a double the shortest that reads back to it, at `at`, where there is number_room.
-/// Returns its end.
+/// Writes `value` as decimal text, a double as the shortest text that reads back to it, and returns the end of the
+/// text. Requires room for number_room characters at `at`.
 inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
 inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
 
-/// A double as the shortest text that reads back to it.
+/// The shortest text that reads back to a double.
 class ShortestText {
  public:
   explicit ShortestText(double value) : end_(put_number(text_.data(), value)) {}
@@ -71,11 +74,11 @@ class ShortestText {
   char* end_;
 };
 
-/// The same as a text of its own; "none" where there is none.
+/// Returns the shortest text that reads back to `value`; "none" for no value.
 inline std::string text_of(double value) { return std::string(ShortestText(value)); }
 inline std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : "none"; }
 
-/// With so many digits, for people: "3819.51" of six.
+/// Returns `value` rounded to `digits` significant digits, for people: "3819.51" has six.
 std::string rounded(double value, int digits);
 
 struct WholeNumbers {
@@ -83,8 +86,8 @@ struct WholeNumbers {
   std::size_t greatest = std::numeric_limits<std::size_t>::max();
 };
 
-/// What `option` was given: decimal digits and nothing else, of a number among `allowed`. Throws WrongUsage naming text
-/// and bounds, of so many `things` ("points").
+/// Parses the argument of `option`: decimal digits and nothing else, a number within `allowed`. Throws WrongUsage with
+/// the text and the bounds; `things` says what is counted ("points").
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things = "");
 

@@ -1,5 +1,6 @@
 // What: a file that appears whole or not at all.
-// Law:  until publish() nothing is seen under its name; without publish() nothing is left behind (temporary_file.h).
+// Law:  until publish() there is nothing new under its name; without publish() nothing is left behind
+//       (temporary_file.h).
 #pragma once
 
 #include <bit>
@@ -18,11 +19,12 @@
 
 namespace rbpa::app {
 
-/// Bytes go to a temporary file in the folder of the file, or of the one that a symbolic link leads to, and publish()
-/// renames it. What exists and is not a regular file (a device, a pipe), and "-", standard output, is written directly.
+/// Writes to a temporary file in the folder of the target, which publish() renames to the target. A symbolic link is
+/// followed, not replaced. Devices, pipes and "-", standard output, are written directly.
 class OutputFile {
  public:
-  /// Throws Failure when it cannot be written; here as below ClosedPipe when nobody reads it, Cancelled.
+  /// Creates the temporary file, or opens a target that is written directly. All members throw Failure if the file
+  /// cannot be written, ClosedPipe if the reader of a pipe is gone, and Cancelled.
   explicit OutputFile(const std::string& path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -31,10 +33,10 @@ class OutputFile {
     if (bytes.size() > buffer_size - used_) return write_far(bytes);
     used_ += bytes.copy(buffer_.get() + used_, bytes.size());
   }
-  void write_number(double value);         ///< shortest text that reads back to it
+  void write_number(double value);         ///< the shortest text that reads back to it
   void write_number(std::uint64_t value);  ///< decimal text
 
-  /// Values as they lie in memory of a little-endian machine.
+  /// Writes values in binary, little-endian.
   template <typename T>
   void write_binary(std::span<const T> values) {
     const char* at = reinterpret_cast<const char*>(values.data());
@@ -43,8 +45,8 @@ class OutputFile {
       for (std::size_t byte = sizeof(T); byte > 0; --byte) write({at + byte - 1, 1});
   }
 
-  /// Where the next bytes belong, with room for `size` of them, at most max_room; written() takes those before `end`.
-  /// For what is put together from pieces so small that a call for each is most of the work.
+  /// Returns where to put the next bytes, with room for `size` of them, at most max_room; written(end) then takes those
+  /// before `end`. Saves calls for data that consist of very small pieces.
   char* room(std::size_t size) {
     if (buffer_size - used_ < size) flush();
     return buffer_.get() + used_;
@@ -52,12 +54,12 @@ class OutputFile {
   void written(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
   static constexpr std::size_t max_room = 4096;
 
-  /// Everything written is on its way to the disk, and no error came up. Call once, before publish().
+  /// Writes everything to the disk and reports any error. Call once, before publish().
   void finish();
-  /// The file takes its name.
+  /// Renames the temporary file to the target.
   void publish();
 
-  /// What messages call it.
+  /// Returns the name for messages.
   const std::string& name() const { return name_; }
 
  private:
@@ -71,18 +73,18 @@ class OutputFile {
   [[noreturn]] void fail(const std::string& doing) const;
 
   std::string name_;
-  std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two
+  std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two is there
   std::optional<Descriptor> direct_ = std::nullopt;
-  int descriptor_ = -1;  // of that
+  int descriptor_ = -1;  // the descriptor of that one
   std::size_t size_ = 0;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
 };
 
-/// The files of one run: all are complete before the first takes its name.
+/// The output files of one run. All are complete before the first takes its name.
 class OutputSet {
  public:
-  /// Throws as OutputFile() does.
+  /// Adds a file. Throws as OutputFile().
   OutputFile& add(const std::string& path);
   void publish() {
     for (const auto& file : files_) file->publish();

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a run reads or writes: a path, or "-" for the stream of this number.
+/// A file that a run reads or writes: a path, or "-" for the standard stream of this number.
 struct Place {
   const std::string& path;
   int stream;
@@ -35,20 +35,20 @@ struct Place {
   std::string name() const {
     return !is_stream() ? path : stream == STDIN_FILENO ? "standard input" : "standard output";
   }
-  /// None when there is nothing yet.
+  /// Returns the status of the file; nothing if it does not exist yet.
   std::optional<struct stat> status() const {
     struct stat found {};
     const int failed = is_stream() ? fstat(stream, &found) : stat(path.c_str(), &found);
     return failed == 0 ? std::optional(found) : std::nullopt;
   }
-  /// Where the file will be, however the path is written.
+  /// Returns the path of the file in one canonical form, also if the file does not exist yet.
   fs::path full() const {
-    std::error_code error;  // Made absolute first: what does not exist yet would stay relative.
+    std::error_code error;  // Made absolute first: the path of a file that does not exist yet would stay relative.
     return fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
   }
 };
 
-/// Whether two are, or will be, the same file.
+/// Whether two paths are, or will be, the same file.
 bool same_file(const Place& a, const Place& b) {
   if (a.is_stream() && b.is_stream() && a.stream == b.stream) return true;
   const auto one = a.status(), other = b.status();

@@ -1,4 +1,5 @@
-// What: the file behind a path; whether a run would write what it reads, one file twice, or where there is no place.
+// What: the file behind a path; refuses runs that would overwrite their input, write one file twice, or write into a
+//       folder that does not exist.
 #pragma once
 
 #include <string>
@@ -6,15 +7,14 @@
 
 namespace rbpa::app {
 
-/// Where `path` leads: its own file, or through one symbolic link after the other to the last, which need not exist. So a
-/// file that takes its name by being renamed does not replace a link. Throws Failure naming a loop.
+/// Follows symbolic links and returns the path of the file behind them, which need not exist. Renaming a file to that
+/// path replaces the file and not a link. Throws Failure for a loop of links.
 std::string behind_links(const std::string& path);
 
-/// Throws WrongUsage when two of `outputs` are, or will be, the same file, or one is `input`, the file of `content`.
-/// Devices may be shared; "-" among the outputs is standard output, and as input standard input, both taken for the
-/// file that they were redirected to.
-/// Throws WrongUsage when a name is empty, and Failure when it has no folder or is one, or is a loop of symbolic links:
-/// before a long run, not after it.
+/// Checks the names of output files before a long run. Throws WrongUsage if a name is empty, if two of `outputs` are,
+/// or will be, the same file, or if one is `input`, the file of `content`; Failure if a name is a folder, its folder
+/// does not exist, or it is a loop of symbolic links. Devices may be shared. "-" is standard output among `outputs` and
+/// standard input as `input`; both stand for the file that they are redirected to.
 void require_different(const std::vector<std::string>& outputs, const std::string& input, const std::string& content);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: numbers as binary files store them.
+// What: the types of numbers in binary files, and reading them.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ namespace rbpa::app {
 
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// Calls use() with a value of the type that `type` stands for.
+/// Calls use(value) with a zero of the type that `type` stands for, and returns its result.
 template <typename Use>
 constexpr auto with_type(Scalar type, const Use& use) {
   switch (type) {
@@ -49,7 +49,7 @@ constexpr std::size_t size_of(Scalar type) {
 
 constexpr bool is_integer(Scalar type) { return type != Scalar::float32 && type != Scalar::float64; }
 
-/// The value of type T stored at `bytes` in the given byte order.
+/// Returns the value of type T that is stored at `bytes` in the given byte order.
 template <typename T>
 T load(const char* bytes, std::endian order) {
   using Bits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
@@ -68,12 +68,12 @@ T load(const char* bytes, std::endian order) {
   return std::bit_cast<T>(bits);
 }
 
-/// The number of the given type at `bytes` as the nearest double.
+/// Returns the number of the given type at `bytes` as the nearest double.
 inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
 }
 
-/// Whether doubles have all integers up to this one.
+/// Whether doubles represent all integers up to this one. True for every value that is not a 64-bit integer.
 template <typename T>
 constexpr bool is_exact_in_double(T value) {
   if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
@@ -84,7 +84,8 @@ constexpr bool is_exact_in_double(T value) {
   return true;
 }
 
-/// The type whose kind is "i", "u" or "f" and whose size in bytes is "1", "2", "4" or "8".
+/// Returns the type of a kind "i", "u" or "f" and a size in bytes "1", "2", "4" or "8"; nothing if there is no such
+/// type.
 constexpr std::optional<Scalar> scalar_of(std::string_view kind, std::string_view size) {
   constexpr std::pair<std::string_view, Scalar> known[] = {
       {"i1", Scalar::int8},    {"u1", Scalar::uint8},  {"i2", Scalar::int16}, {"u2", Scalar::uint16},

@@ -25,7 +25,7 @@ std::string name_beside(const std::string& path, int attempt) {
          std::string(ending);
 }
 
-/// ".rbpa-NUMBER-NUMBER.tmp".
+/// Whether `name` is of the form ".rbpa-NUMBER-NUMBER.tmp".
 bool is_temporary(std::string_view name) {
   if (!name.starts_with(beginning) || !name.ends_with(ending)) return false;
   name.remove_prefix(beginning.size());
@@ -37,7 +37,7 @@ bool is_temporary(std::string_view name) {
   return dash != name.end() && is_number(name.begin(), dash) && is_number(dash + 1, name.end());
 }
 
-/// Whether `name` is a name of the open file.
+/// Whether `name` still names the open file.
 bool names(const std::string& name, int descriptor) {
   struct stat named {
   }, opened{};
@@ -53,12 +53,12 @@ TemporaryFile::TemporaryFile(const std::string& path) : path_(path) {
   for (int attempt = 0; !create(name_beside(path, attempt)); ++attempt) continue;
 }
 
-/// Creates and locks the file, or returns false when there is one of this name.
+/// Creates and locks the file, or returns false if there is already one of this name.
 bool TemporaryFile::create(const std::string& name) {
   const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == EEXIST) return false;
   if (descriptor < 0) fail("cannot create");
-  // Before it was locked somebody may have taken it for abandoned, and be about to remove it, or have done so.
+  // Before it was locked, another process may have taken it for abandoned and removed it, or be about to do so.
   const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   struct stat status {};
   if (taken || fstat(descriptor, &status) != 0 || status.st_nlink == 0) {
@@ -72,7 +72,7 @@ bool TemporaryFile::create(const std::string& name) {
 
 TemporaryFile::~TemporaryFile() {
   if (!name_.empty()) unlink(name_.c_str());
-  close(descriptor_);  // and with it the lock goes
+  close(descriptor_);  // also releases the lock
 }
 
 void TemporaryFile::take_place() {
@@ -87,10 +87,10 @@ void clear_abandoned(const std::string& path) {
   for (const std::filesystem::directory_iterator end; !error && entry != end; entry.increment(error)) {
     if (!is_temporary(entry->path().filename().native())) continue;
     const std::string name = entry->path().string();
-    // Some disks lock only what is open for writing. A pipe of this name must not be waited for.
+    // Some file systems lock only files that are open for writing. Opening a pipe of this name must not wait.
     const Descriptor file(open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
-    // Its writer may have finished after it was opened here: then it has another name now.
+    // If its writer finished after it was opened here, the file now has another name.
     struct stat status {};
     if (fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) && names(name, file.number()))
       unlink(name.c_str());

@@ -1,14 +1,13 @@
-// What: a file under construction, beside the one whose place it takes at the end.
-// Law:  without take_place() nothing is left of it; what a process that was killed has left, the next one that writes
-//       into the folder removes, and never what a living one is writing.
+// What: a file under construction, beside the one that it replaces at the end.
+// Law:  without take_place() nothing is left of it. The file of a killed process is removed by the next process that
+//       writes into the folder; the file of a living process never is.
 //
-// Its writer holds an advisory lock (flock) on it as long as it lives, and the system lets go of the lock when the
-// process ends in whatever way. So whoever gets the lock knows that the writer is dead. The number of the process in the
-// name does not show that: numbers are used again, each container and each host counts its own, and another host may be
-// writing into the folder over the network, where Linux passes the lock on to the server. Where there are no locks
-// nothing is removed; where they do not reach other hosts, the worst is that a writer there finds its file gone at the
-// end, and says so. (A file without a name, O_TMPFILE, would vanish by itself, but it cannot take the place of a file
-// that exists, and many network disks know none.)
+// The writer holds an advisory lock (flock) on the file, which the system releases when the process ends in any way. A
+// process that gets the lock knows that the writer is dead. The process number in the name would not show that: numbers
+// are reused, each container and each host counts its own, and another host may write into the folder over the network,
+// where Linux passes the lock on to the server. Without locks nothing is removed. Where locks do not reach other hosts,
+// a writer there may find its file gone at the end, and reports a failure. (A file without a name, O_TMPFILE, would
+// vanish by itself, but it cannot replace an existing file, and many network file systems do not support it.)
 #pragma once
 
 #include <string>
@@ -17,7 +16,7 @@ namespace rbpa::app {
 
 class TemporaryFile {
  public:
-  /// In the folder of `path`, under a name that begins with a dot. Throws std::system_error.
+  /// Creates the file in the folder of `path`, under a name that begins with a dot. Throws std::system_error.
   explicit TemporaryFile(const std::string& path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -25,18 +24,18 @@ class TemporaryFile {
 
   int descriptor() const { return descriptor_; }
 
-  /// It becomes the file at `path`, at once. Throws std::system_error. Call at most once.
+  /// Renames the file to `path`, atomically. Throws std::system_error. Call at most once.
   void take_place();
 
  private:
   bool create(const std::string& name);
 
   std::string path_;
-  std::string name_ = {};  // empty when it is gone
+  std::string name_ = {};  // empty once the file is renamed or removed
   int descriptor_ = -1;
 };
 
-/// Removes what writers that are dead have left in the folder of `path`. Nothing that fails here matters.
+/// Removes the files that dead writers have left in the folder of `path`. Ignores every error.
 void clear_abandoned(const std::string& path);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: JSON into a file, part by part, so that Ctrl-C is heard between two, and no text of the whole is in memory.
+// What: writes JSON to a file part by part: Ctrl-C is noticed in between, and the whole text is never in memory.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// The output of nlohmann's serializer.
+/// Passes the output of nlohmann's serializer to a file.
 class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
  public:
   explicit JsonToFile(OutputFile& file) : file_(file) {}
@@ -20,7 +20,7 @@ class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
   OutputFile& file_;
 };
 
-/// Writes what dump(indent) returns, and a line end. Throws: as OutputFile::write().
+/// Writes the text of json.dump(indent) and a line end. Throws as OutputFile::write().
 inline void write_json(OutputFile& file, const nlohmann::ordered_json& json, unsigned indent) {
   nlohmann::detail::serializer<nlohmann::ordered_json> serializer(std::make_shared<JsonToFile>(file), ' ');
   serializer.dump(json, true, false, indent);
