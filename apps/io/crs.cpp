@@ -12,14 +12,14 @@
 namespace rbpa::app {
 namespace {
 
-/// Systems of longitude and latitude that are common: WGS 84, ETRS89, NAD83, NAD27 and those of nations. Of any other
-/// the file itself must say that it is one.
+/// Codes of common geographic systems: WGS 84, ETRS89, NAD83, NAD27 and national ones. Any other system counts as
+/// geographic only if the file says so.
 constexpr std::string_view geographic_codes[] = {
     "4326", "4979", "4258", "4937", "4269", "4267", "4283", "7844", "4171", "4230", "4277", "4289", "4313", "4314",
     "4149", "4150", "4167", "4152", "4612", "6668", "4490", "4610", "4214", "4674", "4618", "4617", "6318", "4275",
     "4231", "4148", "4222", "4164", "4166", "4737", "4756", "4759", "4740", "4284", "4200", "7683", "4124", "4619"};
 
-/// Codes of EPSG from the first to the last, of which those that are given out are systems of heights or depths.
+/// Ranges of EPSG codes, first and last, whose assigned codes are all systems of heights or depths.
 /// Source: EPSG dataset 10.076, as PROJ 9.1.1 has it.
 // clang-format off
 constexpr std::pair<std::uint16_t, std::uint16_t> vertical_codes[] = {
@@ -89,7 +89,8 @@ namespace {
 /// Returns the system that a name stands for, also one of heights.
 std::optional<Crs> system_of_name(std::string_view name) {
   const std::string folded = upper(name);
-  // Of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", the first is that of the plane.
+  // The first part of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", is the
+  // horizontal one.
   const auto before = [](std::string_view text, char sign) {
     return text.substr(0, std::min(text.find(sign), text.size()));
   };
@@ -140,7 +141,7 @@ namespace {
 
 /// KEYWORD[items].
 struct WktNode {
-  std::string keyword = {};                  ///< in capitals; empty of what is none
+  std::string keyword = {};                  ///< in capitals; empty if the text is no such item
   std::vector<std::string_view> items = {};  ///< between the commas in its brackets
 };
 
@@ -186,7 +187,7 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Returns the code of its own AUTHORITY or ID, of none deeper.
+/// Returns the code of the AUTHORITY or ID directly in the node, not deeper.
 std::optional<Crs> own_crs(const WktNode& node) {
   for (const std::string_view item : node.items) {
     const WktNode inner = node_of(item);
@@ -196,7 +197,8 @@ std::optional<Crs> own_crs(const WktNode& node) {
   return std::nullopt;
 }
 
-/// Of longitudes and latitudes; a geodetic one may be of earth-centered coordinates, with three axes of lengths.
+/// Whether the system has longitudes and latitudes. A geodetic system may instead have earth-centered Cartesian
+/// coordinates.
 bool is_in_degrees(const WktNode& node) {
   if (is_among(node.keyword, {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS"})) return true;
   return is_among(node.keyword, {"GEODCRS", "GEODETICCRS"}) &&
@@ -206,9 +208,9 @@ bool is_in_degrees(const WktNode& node) {
          });
 }
 
-/// The system of the plane among these items and in what is made of systems.
+/// The horizontal system among items, also within compound and bound systems.
 struct PlaneSystem {
-  WktNode node = {};  ///< without a keyword where there is none
+  WktNode node = {};  ///< has no keyword if there is no such system
   std::optional<Crs> crs = std::nullopt;
 };
 PlaneSystem find_plane(const std::vector<std::string_view>& items, int depth = 0) {
@@ -238,7 +240,7 @@ std::optional<Crs> crs_of_wkt(std::string_view text) { return find_plane(items_o
 std::optional<double> unit_of_wkt(std::string_view text) {
   const WktNode system = find_plane(items_of(text)).node;
   if (!system.keyword.starts_with("PROJ")) return std::nullopt;
-  // That of all axes, or of the first.
+  // The unit of all axes, or of the first.
   for (const std::string_view item : system.items) {
     WktNode node = node_of(item);
     if (node.keyword == "AXIS")
@@ -259,7 +261,7 @@ Crs parse_crs(const std::string& text) {
   if (is_vertical(*crs))
     throw WrongUsage("--crs: found " + in_quotes(text) +
                      ", a system of heights, expected one of the plane: EPSG:28992");
-  // Codes of systems are given out from this range. Which of them there are only EPSG's tables know.
+  // EPSG assigns the codes of systems from this range. Only its tables know which of them are assigned.
   constexpr int least = 1024, greatest = 32767;
   if (crs->authority == "EPSG" &&
       (crs->code.size() > 5 || std::stoi(crs->code) < least || std::stoi(crs->code) > greatest))

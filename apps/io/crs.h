@@ -9,42 +9,42 @@
 namespace rbpa::app {
 
 struct Crs {
-  std::string authority;  ///< "EPSG"; "OGC" of CRS84
+  std::string authority;  ///< "EPSG", or "OGC" for CRS84
   std::string code;       ///< "28992"
   bool degrees = false;   ///< geographic: x is a longitude and y a latitude
 
-  /// "EPSG:28992".
+  /// Returns "EPSG:28992".
   std::string text() const { return authority + ":" + code; }
-  /// "urn:ogc:def:crs:EPSG::28992".
+  /// Returns "urn:ogc:def:crs:EPSG::28992".
   std::string urn() const;
-  /// "28992", the number that PostGIS knows it by; nothing where it has none.
+  /// Returns "28992", the number that PostGIS uses; nothing if there is none.
   std::optional<std::string> srid() const;
-  /// Longitude and latitude of WGS 84, which GeoJSON means by itself.
+  /// Whether the system is longitude and latitude of WGS 84, which is GeoJSON's default.
   bool is_wgs84() const;
 };
 
-/// What GeoJSON and GPS receivers have.
+/// Returns longitude and latitude of WGS 84, the system of GeoJSON and of GPS receivers.
 Crs wgs84();
 
-/// "EPSG:28992", or the same as a URN or URL of the OGC. Letters may be of either case. A system of heights, such as
-/// EPSG:5703, is none.
+/// Returns the horizontal system of a name: "EPSG:28992", or its URN or URL of the OGC, in letters of either case.
+/// Returns nothing for any other name and for systems of heights, such as EPSG:5703.
 std::optional<Crs> crs_of_name(std::string_view name);
 
-/// The system of the plane in well-known text of the OGC, of either version, or of ESRI: the horizontal part of a compound
-/// system, by its own AUTHORITY or ID; nothing when it has none. A system of heights is none.
+/// Returns the horizontal system of well-known text, of either version of the OGC's or of ESRI's, by its own AUTHORITY
+/// or ID; of a compound system the horizontal part. Returns nothing if that has none, and for systems of heights.
 std::optional<Crs> crs_of_wkt(std::string_view text);
 
-/// The factor to meters that well-known text names as the unit of its projected system; nothing when it has none.
+/// Returns the meters in a unit of the projected system of well-known text; nothing if the text names no unit.
 std::optional<double> unit_of_wkt(std::string_view text);
 
-/// Why a file's name of a system, which crs_of_name() does not know, is not carried over.
+/// Returns the warning that a file's name of a system, which crs_of_name() does not know, is dropped.
 std::string remark_on_crs(std::string_view name);
 
-/// Throws BadInput unless two files name one system, or neither does: coordinates of two have nothing in common.
+/// Throws BadInput unless two files name the same system, or neither names one.
 void require_same_crs(const std::optional<Crs>& crs, const std::string& name, const std::optional<Crs>& first,
                       const std::string& first_name);
 
-/// `--crs`. Throws WrongUsage naming the value.
+/// Parses the value of `--crs`. Throws WrongUsage naming the value.
 Crs parse_crs(const std::string& text);
 
 }  // namespace rbpa::app

@@ -47,8 +47,8 @@ struct Character {
   std::size_t size;  // in bytes
 };
 
-/// What `text` begins with; a size of 0 when that is no UTF-8: a stray byte, a sequence that is cut off or longer than
-/// it need be, a surrogate, a number beyond Unicode.
+/// Decodes the first character of `text`. The size is 0 if it is not UTF-8: a stray byte, a truncated or overlong
+/// sequence, a surrogate, or a number beyond Unicode.
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -108,7 +108,7 @@ std::string printable(std::string_view text) {
       text.remove_prefix(size);
       continue;
     }
-    // A stray byte stands for itself alone: what follows it may be a character.
+    // Only the stray byte is escaped: a character may follow it.
     for (std::size_t i = 0; i < (size == 0 ? 1 : size); ++i) append_escaped(result, text[i]);
     text.remove_prefix(size == 0 ? 1 : size);
   }
@@ -116,7 +116,7 @@ std::string printable(std::string_view text) {
 }
 
 void say(std::string_view program, std::string_view message) {
-  // At once, so that lines of several programs at one terminal do not mix.
+  // One write, so that lines of several programs on one terminal do not mix.
   const std::string line = std::string(program) + ": " + printable(message) + "\n";
   std::fputs(line.c_str(), stderr);
 }

@@ -1,6 +1,6 @@
-// What: how a program of ours ends without a result, and what it says on standard error: one line, without its name and
-//       without anything that a terminal would obey.
-// Law:  whatever is in a name or in a piece of input, a message is one line of text.
+// What: exceptions that end a program without a result, and the messages on standard error: one line, without control
+//       characters that a terminal would obey.
+// Law:  a message is one line of text, whatever bytes are in a file name or in a piece of input.
 #pragma once
 
 #include <stdexcept>
@@ -9,25 +9,25 @@
 
 namespace rbpa::app {
 
-/// The input is not what it should be (exit code 3).
+/// Invalid input (exit code 3).
 class BadInput : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The command line asks for something that does not exist (exit code 2).
+/// An invalid command line (exit code 2).
 class WrongUsage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Something outside went wrong while running, such as a full disk (exit code 1).
+/// An error of the environment, such as a full disk (exit code 1).
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Nobody reads what is written any more (exit code 141). Nothing is said about it: `rbpa alpha --csv | head` is no failure.
+/// The reader of the output has closed it (exit code 141). No message follows: `rbpa alpha --csv | head` is no failure.
 class ClosedPipe : public std::runtime_error {
  public:
   ClosedPipe() : std::runtime_error("the reader of the output is gone") {}
@@ -36,22 +36,22 @@ class ClosedPipe : public std::runtime_error {
 /// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
 
-/// "FILE:LINE", the way compilers name a place in a text.
+/// Returns "FILE:LINE", as compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 
-/// The text printable() and clipped when long: a piece of input in a message, which a zero byte would cut off.
+/// Returns a piece of input for a message: printable(), and clipped if long.
 std::string shown(std::string_view text);
-/// The same in single quotes.
+/// Returns shown(text) in single quotes.
 std::string in_quotes(std::string_view text);
 
-/// "1 column", "2 columns".
+/// Returns a count with its noun: "1 column", "2 columns".
 std::string counted(std::size_t count, std::string_view noun);
 
-/// The text with everything that is no visible character written out: \n \r \t, and \x1b for other bytes. Those are
-/// control characters, what is no UTF-8, other ends of lines, and marks that turn the direction of writing.
+/// Returns the text with escapes in place of invisible characters: \n, \r, \t, and \x1b for each other byte. Invisible
+/// are control characters, bytes that are not UTF-8, line separators, and marks that change the direction of writing.
 std::string printable(std::string_view text);
 
-/// "PROGRAM: MESSAGE" on standard error, printable.
+/// Writes "PROGRAM: MESSAGE", made printable, to standard error.
 void say(std::string_view program, std::string_view message);
 
 }  // namespace rbpa::app

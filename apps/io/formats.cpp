@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// `known` is in small letters.
+/// Whether `name`, in letters of either case, is among the lower-case names of `known`.
 bool same(std::string_view name, std::string_view known) {
   const auto same_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
   return std::equal(name.begin(), name.end(), known.begin(), known.end(), same_letter);
@@ -69,7 +69,7 @@ bool is_among(std::string_view name, std::string_view names) {
   return false;
 }
 
-/// The command that makes of a file with that ending one that is read; empty when there is none.
+/// Returns a command that converts a file with that ending to a format that is read; empty if none is known.
 std::string conversion(std::string_view ending, const std::string& path) {
   if (const std::string command = cloud_conversion(path); !command.empty()) return command;
   if (is_among(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))

@@ -1,4 +1,4 @@
-// What: the file formats by their names and endings, and what each is for.
+// What: the file formats with their names, endings and uses.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 namespace rbpa::app {
 
 enum class Format {
-  text,  // a table, a point a line
-  pts,   // one that may begin with the number of points
+  text,  // a table, one point per line
+  pts,   // a table that may begin with the number of points
   xyzn,
   xyzrgb,
   npy,
-  npy_edges,  // beside the .npy of the triangles of a full complex
+  npy_edges,  // written beside the .npy of the triangles of a full complex
   npy_points,
   raw,
   las,
@@ -35,22 +35,22 @@ enum class Format {
   ewkt,
   geojson,
   poly,
-  csv,  // as it is written
+  csv,  // output only; input of this ending is text
   json,
-  ogr,  // whatever GDAL reads
+  ogr,  // any format that GDAL reads
   gpkg,
   fgb,
   shp,
-  by_content  // of standard input, until it is read
+  by_content  // standard input, until its content shows the format
 };
 
-/// What is read from a file or written to it.
+/// The data that are read from a file or written to it.
 enum class Use : unsigned {
-  points = 1U << 0U,     ///< of the plane
-  space = 1U << 1U,      ///< points of space
+  points = 1U << 0U,     ///< in: points in the plane
+  space = 1U << 1U,      ///< in: points in space
   mesh = 1U << 2U,       ///< in or out
   polygons = 1U << 3U,   ///< in
-  triangles = 1U << 4U,  ///< out, or with all of a full complex
+  triangles = 1U << 4U,  ///< out: triangles of the plane, or all simplices of a full complex
   surface = 1U << 5U,    ///< out, in space
   shape = 1U << 6U,      ///< out
   levels = 1U << 7U,     ///< out
@@ -60,33 +60,33 @@ enum class Use : unsigned {
   cycles = 1U << 11U     ///< out: representatives of pairs in space
 };
 
-/// The format that a name stands for: "npy", or the ending of "points.npy". Letters may be of either case.
+/// Returns the format of a name, "npy", or of the ending of a path, "points.npy", in letters of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
-/// Whether it is a table, of which --columns and --skip-invalid choose columns and lines; or may be one.
+/// Whether the format is, or may turn out to be, a table, to which --columns and --skip-invalid apply.
 constexpr bool is_table(Format format) {
   return format == Format::by_content || format == Format::text || format == Format::pts || format == Format::xyzn ||
          format == Format::xyzrgb;
 }
 
-/// The ending of the last part of a path, without its dot; empty when there is none.
+/// Returns the ending of a file name, without its dot; empty if there is none.
 std::string_view ending(std::string_view path);
 
 /// Whether the name of a file ends in .gz.
 bool is_gzip_name(std::string_view path);
 
-/// The same of a file that is read, which .gz may follow.
+/// Returns the ending of an input file, before any .gz.
 std::string_view input_ending(std::string_view path);
 
-/// Throw WrongUsage: `option` was given a name, `path` has an ending, that is none of `known`.
+/// Throw WrongUsage: the name given to `option`, or the ending of `path`, is not among `known`.
 [[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
-/// The command that makes points that are read of a point cloud in a format that is not, by the ending; empty of others.
+/// Returns a command that converts a point cloud in a format that is not read, by its ending; empty for other endings.
 std::string cloud_conversion(const std::string& path);
-/// The same of a file that is read: where a program is known that makes something of it that we read, it is named.
+/// Throws WrongUsage for an input file, as refuse_ending(), and names a command that converts the file if one is known.
 [[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
 
-/// What there is, for messages and help; what GDAL adds is beside it.
+/// Lists of endings for messages and help, without those that GDAL adds.
 constexpr std::string_view point_formats =
     "xy, txt, csv, tsv, xyz, pts, xyzn, xyzrgb, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
 constexpr std::string_view space_formats =

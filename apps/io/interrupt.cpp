@@ -9,7 +9,7 @@
 namespace rbpa::app {
 namespace {
 
-// Set in one thread and read in any: beyond what sig_atomic_t promises.
+// Set in one thread and read in any, which sig_atomic_t does not allow.
 std::atomic<bool> signal_came = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
 
@@ -26,7 +26,7 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // else by nohup, to go on
+  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup ignores SIGHUP: leave it so
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
   sigaction(SIGXFSZ, &action, nullptr);

@@ -1,15 +1,16 @@
-// What: Ctrl-C, a polite kill and the end of the terminal as something the program notices between two steps, so that it can tidy up.
+// What: stops a run between two steps after Ctrl-C (SIGINT), SIGTERM or SIGHUP, so that it can clean up.
 #pragma once
 
 #include <functional>
 
 namespace rbpa::app {
 
-/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, and a pipe closed by its reader, or a file as large as may
-/// be, is an error of write().
+/// Installs handlers: SIGINT, SIGTERM and SIGHUP only set a flag from then on; a pipe closed by its reader, or a file
+/// at its greatest permitted size, becomes an error of write().
 void catch_interrupts();
 
-/// While it lives its thread is interrupted as well once `go_on` is false: for a program that catches signals by itself.
+/// Interrupts its own thread as well while it exists, once go_on() returns false. For programs that catch signals
+/// themselves.
 class Interruption {
  public:
   explicit Interruption(std::function<bool()> go_on);
@@ -21,13 +22,13 @@ class Interruption {
   std::function<bool()> go_on_;
 };
 
-/// In any thread.
+/// Whether a signal has arrived. Callable from any thread.
 bool interrupted();
 
-/// For a computation to ask whether to go on: false once a signal has come.
+/// Returns a progress function for computations: it returns false once a signal has arrived.
 std::function<bool()> until_interrupted();
 
-/// Throws Cancelled once a signal has come. Cost: two loads.
+/// Throws Cancelled once a signal has arrived. Cost: two loads.
 void stop_if_interrupted();
 
 }  // namespace rbpa::app

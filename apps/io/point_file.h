@@ -1,4 +1,4 @@
-// What: points of the plane as a file has them, and what the file says about them.
+// What: points in the plane, read from a file, with the facts that the file states about them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Heights {
     if (others.first_) take(*others.first_);
     differ_ = differ_ || others.differ_;
   }
-  /// A constant is none.
+  /// Whether there are at least two different heights.
   bool differ() const { return differ_; }
 
  private:
@@ -31,19 +31,21 @@ class Heights {
 
 struct PointFile {
   std::vector<Point> points = {};         ///< in the order of the file, all finite
-  std::vector<std::uint32_t> index = {};  ///< of each among all points of the file; none where it is its number here
-  std::size_t all_points = 0;             ///< of the file: with those that are left out
+  std::vector<std::uint32_t> index = {};  ///< of each among all points of the file; empty if points[i] has index i
+  std::size_t all_points = 0;             ///< number of points of the file, including those that are left out
   std::optional<Crs> crs = std::nullopt;  ///< where the file names one
-  std::vector<std::vector<double>> fields = {};  ///< a column of each that the condition's columns() ask for
-  /// Of each column of texts: these, which `fields` has the numbers of, from 0 on. As the name of a group an empty one is none.
+  std::vector<std::vector<double>> fields =
+      {};  ///< one column for each of the condition's columns(), a value per point
+  /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
+  /// empty text is no name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
-  bool keys_are_texts = false;  ///< some are texts where others may be numbers, whatever they look like
-  /// Third coordinates, of each point, where they were asked for and any point has one; NaN where one has none.
+  bool keys_are_texts = false;  ///< keys of groups are texts even if they look like numbers, since some are no numbers
+  /// Third coordinates, one per point, if they were requested and any point has one; NaN for points without.
   std::vector<double> z = {};
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
-  /// That they have heights, which differ and are left out. Never of LAS, of which footprints are what is wanted.
+  /// Third coordinates that were dropped, to warn if they differ. Never set for LAS, whose users want footprints.
   Heights heights = {};
-  /// What was found by itself and might be meant otherwise, or was left out: a sentence each, for people.
+  /// Warnings, one sentence each: guesses that may be wrong, and data that were left out.
   std::vector<std::string> remarks = {};
 };
 

@@ -12,7 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-/// While it lives, new threads leave signals to those that wait for files: a read() must return.
+/// Blocks signals in threads that are started while it exists, so that threads that wait for files get them and their
+/// read() returns.
 class WithoutSignals {
  public:
   WithoutSignals() {
@@ -60,7 +61,7 @@ ProgressLine::ProgressLine(std::string program, bool wanted, const std::string& 
     const WithoutSignals block;
     thread_.emplace([this] { run(); });
   } catch (const std::system_error&) {
-    return;  // no thread to be had: the work matters more
+    return;  // no thread is available: run without the line
   }
   show();
 }

@@ -1,4 +1,4 @@
-// What: how far a run has come, said on a terminal.
+// What: one line on the terminal that shows the progress of a run.
 #pragma once
 
 #include <chrono>
@@ -12,25 +12,25 @@
 
 namespace rbpa::app {
 
-/// Three digits and a unit: "950", "1.23 k", "45.6 M".
+/// Returns three digits and a unit: "950", "1.23 k", "45.6 M".
 std::string short_number(double value);
-/// "3 s", "12 min", "5 h".
+/// Returns a duration as text: "3 s", "12 min", "5 h".
 std::string short_duration(double seconds);
 
-/// One line on standard error, rewritten a few times a second, and gone with this object. It goes on by itself, also
-/// while the program waits for a disk or is in a library that reports nothing.
+/// One line on standard error, rewritten a few times a second by its own thread, and erased with this object. It also
+/// runs while the program waits for a disk or for a library that reports no progress.
 class ProgressLine {
  public:
-  /// What the line says after so many seconds.
+  /// Returns the text of the line after a time in seconds.
   using Text = std::function<std::string(double)>;
 
-  /// Silent unless `wanted` and standard error is a terminal. Begins with "PROGRAM: DOING, 0 s".
+  /// Shows "PROGRAM: DOING, 0 s" if `wanted` and standard error is a terminal; otherwise nothing, ever.
   ProgressLine(std::string program, bool wanted, const std::string& doing);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// From now on the line says `text`, which is called in this and in another thread, one at a time.
+  /// Shows `text` from now on. It is called from this and from another thread, never from both at once.
   void say(Text text);
 
  private:
@@ -41,14 +41,15 @@ class ProgressLine {
 
   std::string program_;
   Clock::time_point start_ = Clock::now();
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable wake_;
   Text text_;
   bool ended_ = false;
-  std::optional<std::thread> thread_ = std::nullopt;  // none: nothing is shown
+  std::optional<std::thread> thread_ = std::nullopt;  // absent if nothing is shown
 };
 
-/// Whether "-" is among what is read, among what is written, and is a terminal: a line would be in the way there.
+/// Whether a path to read, or one of the paths to write, is "-" and that stream is a terminal, where a progress line
+/// would disturb.
 bool read_from_terminal(const std::string& path);
 bool written_to_terminal(const std::vector<std::string>& paths);
 

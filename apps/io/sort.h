@@ -1,4 +1,4 @@
-// What: std::sort() for many values, which Ctrl-C ends.
+// What: std::sort() that Ctrl-C can interrupt.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Throws Cancelled after a signal, with the values in any order.
+/// Sorts `values`. Throws Cancelled after a signal, and leaves the values in any order.
 template <typename Values, typename Less = std::less<>>
 void sort(Values& values, Less less = {}) {
   std::size_t compared = 0;

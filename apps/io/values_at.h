@@ -1,4 +1,4 @@
-// What: the values of some items, out of those of all.
+// What: selection and renumbering of items.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace rbpa::app {
 
-/// None where there are no values: nothing is known of any item then.
+/// Returns values[i] for each i of `items`; nothing if `values` is empty, that is, unknown.
 template <std::ranges::random_access_range Values>
 std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, std::span<const std::uint32_t> items) {
   std::vector<std::ranges::range_value_t<Values>> result;
@@ -18,7 +18,7 @@ std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, 
   return result;
 }
 
-/// Items as others number them: `number` has the number of each; none: they stay.
+/// Return `number[i]` in place of each item i; if `number` is empty, the items as they are.
 inline std::uint32_t renumbered(std::uint32_t item, std::span<const std::uint32_t> number) {
   return number.empty() ? item : number[item];
 }

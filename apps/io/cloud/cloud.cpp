@@ -41,7 +41,7 @@ constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, claimed_text
                                          {Format::off, open_off, claimed_off_size},
                                          {Format::obj, open_obj, claimed_text_size}};
 
-/// Of the format that it is found to be, where that claims anything.
+/// Returns the claim of the format that the content shows, or any_size if that claims nothing.
 double claimed_by_content(std::string_view first, const std::string& name) {
   const std::string_view known = ending_of_content(first);
   std::optional<Format> format = find_format(Use::space, known);

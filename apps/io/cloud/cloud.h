@@ -1,8 +1,8 @@
-// What: the points of a file as blocks of columns: x and y, or x, y, z, normals and colors. One reader for each format.
-// Law:  all blocks of a file together are its points in its order, whether it is in memory or read as it goes. Coordinates and
-//       normals are finite. Who reads selects what to make of the columns (read_points.h, read_space_points.h,
-//       point_blocks.h).
-// Cost: one pass over the file; only columns that are wanted are made.
+// What: the interface of point readers, one for each format: a file becomes blocks of columns x, y, or x, y, z, normals
+//       and colors. read_points.h, read_space_points.h and point_blocks.h make points of the columns.
+// Law:  the blocks of a file in their order are its points in its order, whether the file is in memory or streamed.
+//       Coordinates and normals are finite.
+// Cost: one pass over the file; only requested columns are filled.
 #pragma once
 
 #include <array>
@@ -25,65 +25,65 @@
 
 namespace rbpa::app {
 
-/// The choice about atoms of water in the file of a molecule.
+/// The treatment of water atoms in the file of a molecule.
 enum class Waters {
-  counted,   ///< they are atoms as all others
-  noted,     ///< the same, and a remark says how many
-  left_out,  ///< where the condition does not name residues
+  counted,   ///< read them like all other atoms
+  noted,     ///< read them, and warn how many they are
+  left_out,  ///< leave them out, unless the condition names residues
 };
 
-/// What is wanted of a file.
+/// The data that are requested from a file.
 struct CloudRequest {
-  bool in_space = false;  ///< x, y, z, normals and colors; else x and y, and whether heights differ
-  /// Of a table: x, y, or geometries, or x, y, z, or these and the normal's. Absent: as its header names them, else the
-  /// first.
+  bool in_space = false;  ///< read x, y, z, normals and colors; otherwise x and y, and whether heights differ
+  /// The columns of a table: of x, y; of geometries; of x, y, z; or of x, y, z and the normal. Absent: those that the
+  /// header names, or the first ones.
   std::optional<std::vector<Column>> columns = std::nullopt;
-  std::optional<Condition> where = std::nullopt;  ///< which points count, by fields beside them
-  bool heights = false;                           ///< in the plane: z as well, where there is one
-  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no point
-  bool vertices = false;                          ///< those of lines and polygons in a column of geometries
+  std::optional<Condition> where = std::nullopt;  ///< selects points by their fields
+  bool heights = false;                           ///< in the plane: also read z, if there is one
+  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no points
+  bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
-  bool last_are_normals = false;  ///< columns 4 to 6 of a table that nothing names, whatever is in them
+  bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values
 };
 
-/// Points in a row. Columns that a cloud does not have are empty.
+/// Consecutive points of a file, by columns. Columns that the file does not have are empty.
 struct CloudBlock {
   static constexpr std::size_t x = 0, y = 1, z = 2, normal = 3, color = 6, columns = 9;
   std::size_t count = 0;
   std::array<std::vector<double>, columns> column = {};
-  std::vector<double> heights = {};  ///< as CloudRequest::heights has it: of each point, NaN where it has none
-  std::vector<std::vector<double>> fields = {};  ///< of the columns() of CloudRequest::where
-  /// Of each point among all of the file, where some of these may be left out: records of LAS, vertices, atoms, lines of a table behind
-  /// its header, of which one that is left out counts as a point. Else none.
+  std::vector<double> heights = {};              ///< one per point for CloudRequest::heights; NaN for a point without
+  std::vector<std::vector<double>> fields = {};  ///< the values of the columns() of CloudRequest::where
+  /// The number of each point among all of the file, if some may be left out: among records of LAS, vertices, atoms, or
+  /// lines of a table behind its header, where a line that is left out counts as a point. Otherwise empty.
   std::vector<std::uint64_t> index = {};
 };
 
-/// Points that a reader makes at a time: few enough that their columns stay in the cache.
+/// The number of points in a block: few enough that their columns stay in the cache.
 constexpr std::size_t points_at_once = 4096;
 
-/// What a channel of a color is of.
+/// The range of a channel of a color.
 enum class Channels {
   bytes,  ///< 0 to 255
   unit,   ///< 0 to 1
   wide    ///< 0 to 65535
 };
 
-/// The box that a file says its points repeat in.
+/// The box in which the points of a file repeat.
 struct UnitCell {
-  std::optional<std::array<double, 3>> sides = std::nullopt;  ///< along x, y and z, where all its angles are right
-  std::string fault =
-      {};  ///< why there are none: "CRYST1 with angles of 90, 90 and 120 degrees"; empty where none is named
+  std::optional<std::array<double, 3>> sides = std::nullopt;  ///< lengths along x, y and z, if all angles are right
+  /// Why there are no sides: "CRYST1 with angles of 90, 90 and 120 degrees"; empty if the file names no cell.
+  std::string fault = {};
 };
 
-/// What a file says about its points; whole at the end.
+/// Facts that a file states about its points; complete once all points are read.
 struct CloudFacts {
   PointFile file = {};  ///< without the points
   UnitCell cell = {};
-  std::size_t expected = 0;                       ///< points at most, as far as that is known
-  bool normals = false;                           ///< the block has them
-  std::optional<Channels> colors = std::nullopt;  ///< of the columns of colors; nothing where there are none
-  bool last_are_colors = false;         ///< what was taken for normals: the columns of the block are red, green, blue
-  bool last_have_no_direction = false;  ///< read again with last_are_normals: a line is to be refused
+  std::size_t expected = 0;                       ///< greatest number of points, if known
+  bool normals = false;                           ///< whether blocks have normals
+  std::optional<Channels> colors = std::nullopt;  ///< range of the columns of colors; absent without colors
+  bool last_are_colors = false;                   ///< the columns that were taken for normals are red, green, blue
+  bool last_have_no_direction = false;  ///< the file must be read again with last_are_normals, which refuses a line
 };
 
 class Cloud {
@@ -93,12 +93,12 @@ class Cloud {
   Cloud(const Cloud&) = delete;
   Cloud& operator=(const Cloud&) = delete;
 
-  /// Replaces `block` by the next points, at least one; false at the end. Throws BadInput naming the line or the point, what
-  /// was found and what was expected; Failure; Cancelled.
+  /// Replaces `block` by the next points, at least one; returns false at the end. Throws BadInput with the line or
+  /// point, what was found and what was expected; Failure; Cancelled.
   virtual bool next(CloudBlock& block) = 0;
-  /// Adds what there is to remark on all points, once there are no more. Throws BadInput.
+  /// Adds warnings about all points. Call after the last block. Throws BadInput.
   virtual void finish() {}
-  /// Of the file, so far.
+  /// Returns how many bytes of the file have been read so far.
   virtual std::uint64_t bytes_read() const { return 0; }
 
   CloudFacts& facts() { return facts_; }
@@ -107,47 +107,48 @@ class Cloud {
   CloudFacts facts_ = {};
 };
 
-/// Before the fields of a block are appended: `columns` of them, empty.
+/// Makes `columns` empty fields in the block.
 void clear_fields(CloudBlock& block, std::size_t columns);
 
-/// Appends those of one point.
+/// Appends the fields of one point to a block.
 void append_fields(std::span<const double> values, CloudBlock& block);
 
-/// Appends those of a block behind those of other blocks.
+/// Appends the fields of a block to those of earlier blocks.
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
 
-/// Likewise for the indices. Throws BadInput for one beyond 32 bits.
+/// Appends the indices of a block to those of earlier blocks. Throws BadInput for an index beyond 32 bits.
 void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
 
-/// Without any where each is its place.
+/// Returns `index`, or nothing if index[i] = i for all i.
 std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index);
 
-/// How points of a format are read.
+/// The reader of a format.
 struct CloudFormat {
   Format format;
-  /// Throws BadInput, and WrongUsage when two columns turn out to be one.
+  /// Opens a file. Throws BadInput, and WrongUsage if two requested columns are one.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);
   double (*claim)(std::string_view first, const std::string& name) = nullptr;  ///< Claim::size
-  FieldNames (*fields)() = nullptr;  ///< what CloudRequest::where may name; null where points have nothing beside them
-  bool streams = false;              ///< reads a file as it goes; else it has to be in memory
+  FieldNames (*fields)() = nullptr;  ///< fields that CloudRequest::where may name; null if points have no fields
+  bool streams = false;              ///< reads a file piece by piece; otherwise it has to be in memory
 };
 
-/// Null where points of the format are no columns, as geometries and pixels are not.
+/// Returns the reader of a format; null for formats whose points are no columns, such as geometries and pixels.
 const CloudFormat* cloud_format(Format format);
 
-/// What `--where` may name; nothing where points of the format have no fields beside them.
+/// Returns the fields that `--where` may name; nothing if points of the format have no fields.
 std::optional<FieldNames> fields_of(Format format);
 
-/// What a packed file of the format says of its size, of points or of a mesh.
+/// Returns the claim of the size that a compressed file of the format makes, a file of points or of a mesh.
 Claim claim_of(Format format, bool skip_invalid = false);
 
 /// Throws BadInput unless all coordinates and normals are finite; the block's first point is point `first` of its file.
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name);
 
-/// Throws BadInput: doubles do not have that integer, or not its neighbors.
+/// Throws BadInput: the integer is beyond 2^53, so that doubles do not represent it or its neighbors.
 [[noreturn]] void refuse_integer(const std::string& where, const std::string& integer);
 
-/// The number of the given type at `at`, which place(), a text, names. Throws BadInput for an integer beyond 2^53.
+/// Returns the number of the given type at `at`; place() returns its place as text for messages. Throws BadInput for an
+/// integer beyond 2^53.
 template <typename Place>
 double load_exactly(Scalar type, const char* at, std::endian order, const Place& place) {
   return with_type(type, [&](auto value) {
@@ -158,12 +159,12 @@ double load_exactly(Scalar type, const char* at, std::endian order, const Place&
 }
 
 /// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before. Throws BadInput
-/// for an integer beyond 2^53; the column's first number is of point `first` of its file.
+/// for an integer beyond 2^53, naming its point: the first number is that of point `first` of the file.
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order, std::size_t first, const std::string& name);
 
-/// Keeps those points of a block of which the condition is true, and requires that these are finite. `fields`: a column of each
-/// field of the condition.
+/// Keeps the points of a block for which the condition is true. `fields` has a column for each field of the condition;
+/// the block's first point is point `first` of its file. Throws BadInput if a kept point is not finite.
 void select_points(Selection& selection, CloudBlock& block, std::span<const std::vector<double>> fields,
                    std::size_t first, const std::string& name);
 

@@ -1,5 +1,5 @@
-// What: points that lie in rows of numbers: the vertices of PLY and OFF, the points of PCD.
-// Law:  nothing is read that the layout does not name; in a binary file all elements have to be there.
+// What: points that are rows of numbers: the vertices of PLY and OFF, the points of PCD.
+// Law:  only properties that the layout names are read; a binary file must nevertheless hold all elements.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,24 @@
 
 namespace rbpa::app {
 
-/// Which properties of an element are what of a point.
+/// Maps the properties of an element to the columns of a point.
 struct PointLayout {
-  std::size_t element = 0;                                        ///< which of the header's
-  std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< of a block, each with its property
+  std::size_t element = 0;                                        ///< index among the header's elements
+  std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< column of the block and its property
   std::vector<std::size_t> condition = {};                        ///< properties that the condition reads
-  std::optional<std::size_t> height = std::nullopt;               ///< z where it is no column
+  std::optional<std::size_t> height = std::nullopt;               ///< property z, if it is no column
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
-  bool colors_behind = false;                                     ///< of text, three words behind these
+  bool colors_behind = false;                                     ///< text: three words behind the properties
   bool has_room = false;                                          ///< the data are known to be long enough
-  bool by_columns = false;          ///< of binary data without lists, all of one property before all of the next
-  std::vector<char> unpacked = {};  ///< what the header's data are of, where they were compressed
+  bool by_columns = false;          ///< binary without lists: all values of one property before those of the next
+  std::vector<char> unpacked = {};  ///< decompressed data, which the header's data view
   CloudFacts facts = {};
 };
 
-/// Adds the columns of the normal when all of `names` are there, and a remark when only some are.
+/// Adds the columns of the normal if all of `names` are there, and a warning if only some are.
 void lay_out_normal(const PlyElement& element, const std::string_view (&names)[3], PointLayout& layout);
 
-/// The points of `header`, which is that of `content`.
+/// Returns a reader of the points of `content`, whose header is `header`.
 std::unique_ptr<Cloud> open_elements(Content content, PlyHeader header, PointLayout layout,
                                      const CloudRequest& request);
 

@@ -1,6 +1,6 @@
-// What: the figure of an image as points: PNG, and the portable gray map of Netpbm.
-// Law:  the foreground is what the ground is not, and the ground is what most pixels of the border are; a transparent
-//       pixel is never foreground.
+// What: the foreground pixels of an image as points: PNG, and the portable gray map (PGM) of Netpbm.
+// Law:  the background is the shade of most pixels of the border; all others are foreground, but never a transparent
+//       pixel.
 #pragma once
 
 #include <cstddef>
@@ -16,45 +16,46 @@ namespace rbpa::app {
 
 enum class Foreground { dark, light };
 
-/// How gray values become a figure.
+/// The rule that decides from gray values which pixels are foreground.
 struct PixelRule {
-  std::optional<Foreground> foreground = std::nullopt;  ///< none: the one that the border is not
-  double threshold = 0.5;                               ///< share of white from which on a pixel is light
+  std::optional<Foreground> foreground = std::nullopt;  ///< absent: the shade that the border is not
+  double threshold = 0.5;                               ///< least share of white, 0 to 1, of a light pixel
 };
 
 enum class Shade : std::uint8_t { clear, dark, light };
 
-/// A pixel by its gray value, which is at most `white`.
+/// Returns the shade of a gray value, which is at most `white`.
 inline Shade shade_of(double grey, double white, double threshold) {
   return grey >= threshold * white ? Shade::light : Shade::dark;
 }
 
-/// An image of three values.
+/// An image of three shades.
 struct Shades {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<Shade> pixels = {};  ///< rows from the top, each from the left
 };
 
-/// Throws BadInput when a side is zero, or when there are as many pixels as rbpa() refuses as points.
+/// Throws BadInput if a side is zero, or if there are more pixels than rbpa() accepts points.
 void require_image_size(std::size_t width, std::size_t height, const std::string& name);
 
-/// The centers of the foreground pixels, (column + ½, height − row − ½), row by row from the top: y goes up, and the
-/// origin is the lower left corner of the image. Of equally many pixels on the border, clear comes before light and light
-/// before dark as the ground; on a clear ground all other pixels are foreground. Throws Cancelled.
+/// Returns the centers of the foreground pixels, (column + ½, height − row − ½), row by row from the top: y points up,
+/// and the origin is the lower left corner of the image. If shades are equally frequent on the border, clear is
+/// preferred to light, and light to dark, as the background. On a clear background all other pixels are foreground.
+/// Throws Cancelled.
 std::vector<Point> foreground_points(const Shades& image, const std::optional<Foreground>& foreground);
 
-/// The first image of the file, in text (P2) or in bytes (P5) of 8 or 16 bits; what follows it is left alone, as Netpbm
-/// does. Throws BadInput naming the file, and of text the line, before anything is allocated when the file is too short
-/// for the size it claims; Cancelled.
+/// Reads the first image of a PGM file, in text (P2) or in binary (P5) of 8 or 16 bits; ignores what follows it, as
+/// Netpbm does. Throws BadInput naming the file, and the line of a text, before anything is allocated if the file is
+/// too short for the size it claims; Cancelled.
 std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule);
 
-/// A Claim: the bytes of all pixels, or as many numbers.
+/// Returns the size that a PGM header claims, for Claim::size: the bytes of all pixels, or of as many shortest numbers.
 double claimed_pgm_size(std::string_view first, const std::string& name);
 
-/// Of an image of any kind: gray, color or palette, 1 to 16 bits, interlaced or not. Values are taken as they stand in
-/// the file, without gamma; the gray value of a color is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
-/// opaque is clear. Throws BadInput naming the file, before the pixels are allocated when no file of this size can hold
+/// Reads a PNG image of any kind: gray, color or palette, 1 to 16 bits, interlaced or not. Uses the values as stored,
+/// without gamma; the gray value of a color is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
+/// opaque is clear. Throws BadInput naming the file, before the pixels are allocated if no file of this size can hold
 /// as many as it claims; Cancelled.
 std::vector<Point> read_png_points(std::string_view bytes, const std::string& name, const PixelRule& rule);
 

@@ -1,4 +1,4 @@
-// What: the fields of LAS point records, formats 0 to 10, by their names; coordinates; `--where` on them.
+// What: the fields of LAS point records, formats 0 to 10, by name, for `--where`; and their coordinates.
 // Source: ASPRS, LAS specification 1.4 R15, section 2.6.
 #pragma once
 
@@ -17,30 +17,30 @@ namespace rbpa::app {
 
 constexpr unsigned last_las_format = 10;
 
-/// Bytes of a record of the format.
+/// Returns the size in bytes of a record of the format.
 std::size_t las_record_size(unsigned format);
 
-/// Where a field is: a number at an offset, or some bits of it.
+/// The place of a field in a record: a number at an offset in bytes, or some bits of the number.
 struct LasField {
   std::size_t offset;
   Scalar type;
-  unsigned first_bit = 0, bits = 0;  ///< all of it where bits is 0
-  double unit = 1;                   ///< by which the number is multiplied
+  unsigned first_bit = 0, bits = 0;  ///< bits is 0 for the whole number
+  double unit = 1;                   ///< factor of the number
 
   double value(const char* record) const;
 };
 
-/// The field of that name, in whose letters case and underscores do not count: "ReturnNumber" is return_number. Nothing
-/// where the format, of a file of version 1.minor, has no such field.
+/// Returns the field of that name; case and underscores do not count: "ReturnNumber" is return_number. Returns nothing
+/// if the format, in a file of version 1.minor, has no such field.
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor);
 
-/// Whether any format has a field of that name; x, y and z are names, and no fields: they need scale and offset.
+/// Whether any format has a field of that name. x, y and z are no fields, as they need scale and offset.
 bool is_las_field(std::string_view name);
 
-/// 0, 1 or 2 of x, y and z.
+/// Returns 0, 1 or 2 for x, y or z; nothing for other names.
 std::optional<std::size_t> las_axis(std::string_view name);
 
-/// All names for messages: "x, y, z, intensity, ...".
+/// Returns all names for messages: "x, y, z, intensity, ...".
 std::string las_field_names();
 
 class ScaledInteger {
@@ -59,20 +59,21 @@ class ScaledInteger {
   double divisor_ = 1;
 };
 
-/// Those of all formats, and x, y and z.
+/// Returns the fields of all formats, and x, y and z.
 FieldNames names_of_las_fields();
 
-/// Where a value that a condition asks for is in a record.
+/// The place in a record of a value that a condition reads.
 struct LasPlace {
   LasField field;
-  std::optional<std::size_t> axis = std::nullopt;  ///< of x, y or z, which need scale and offset
+  std::optional<std::size_t> axis = std::nullopt;  ///< 0, 1, 2 for x, y, z, which need scale and offset
 
   double value(const char* record, std::span<const ScaledInteger> axes) const {
     return axis ? axes[*axis](load<std::int32_t>(record + field.offset, std::endian::little)) : field.value(record);
   }
 };
 
-/// Those of the condition's fields. Throws BadInput when records of the format, of a file of version 1.minor, lack one.
+/// Returns the places of the condition's fields. Throws BadInput if records of the format, in a file of version
+/// 1.minor, lack one.
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
                                       const std::string& name);
 

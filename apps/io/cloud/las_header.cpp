@@ -54,7 +54,8 @@ void require_version(std::string_view bytes, const std::string& name) {
     bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
 }
 
-/// How many points there are. Version 1.4 counts beyond 32 bits, and leaves the older place zero where it cannot.
+/// Returns the number of points. Version 1.4 counts in 64 bits, and leaves the older 32-bit field zero if it cannot
+/// hold the count.
 std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   const std::size_t legacy = las_value<std::uint32_t>(bytes.data() + 107);
   if (header.minor < 4 || header.size < header_size_of_4) return legacy;
@@ -62,7 +63,7 @@ std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   return count == 0 ? legacy : count;
 }
 
-/// Version 1.0 has a signature before the points. Some writers count it among them.
+/// Whether the data begin with the signature that version 1.0 has before the points. Some writers count it among them.
 bool begins_with_signature(std::string_view data) {
   return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
 }
@@ -78,7 +79,7 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   constexpr std::size_t signature = 2;
   const bool is_signed =
       header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
-  // It is counted among them where only so they fit.
+  // The signature counts as part of the points if they fit into the file only in this way.
   const bool fits_only_with_it = claimed <= left / header.length && claimed > (left - signature) / header.length;
   if (is_signed && !fits_only_with_it) {
     header.begin += signature;
@@ -93,7 +94,8 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   header.count = {claimed, std::min(whole, left / header.length), header.length};
 }
 
-/// Of so many extended variable length records, as far as they are there: each begins with its length.
+/// Returns the offset of the end of the extended variable length records, as far as their headers, which have their
+/// lengths, are in `first`.
 double end_of_extended(std::string_view first, std::size_t begin, std::size_t records) {
   constexpr double header_size = 60;
   auto end = static_cast<double>(begin);
@@ -159,7 +161,7 @@ void require_las_axis(const LasHeader& header, std::size_t axis, const std::stri
 
 namespace {
 
-/// What the records say. Text is newer, and says more.
+/// The systems that the records name. Well-known text is newer and more precise than GeoTIFF keys.
 struct Found {
   std::optional<LasCrs> text = std::nullopt, keys = std::nullopt;
 };

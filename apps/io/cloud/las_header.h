@@ -1,6 +1,6 @@
-// What: the public header block of a LAS file, versions 1.0 to 1.4: how many points there are, where, and in which system.
-// Law:  the number of records is only to be had from LasCount::settle(), which refuses or remarks where the header and the
-//       file differ; records it counts lie within the file.
+// What: the public header block of a LAS file, versions 1.0 to 1.4: number and place of the points, and their system.
+// Law:  the number of records comes from LasCount::settle() only, which refuses or warns if the header and the file
+//       differ; the records that it counts lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.
 #pragma once
 
@@ -22,19 +22,19 @@ namespace rbpa::app {
 class LasCount {
  public:
   LasCount() = default;
-  /// `claimed` by the header; `room` for so many whole records of `length` bytes there is.
+  /// `claimed`: the number of points by the header; `room`: the number of whole records of `length` bytes in the file.
   LasCount(std::size_t claimed, std::size_t room, std::size_t length)
       : claimed_(claimed), room_(room), length_(length) {}
 
-  /// How many there are to read. Throws BadInput when the header counts more points than the file has whole records, or
-  /// fewer. With `skip_invalid` it is the smaller of the two, but all records where the header counts none, as an
-  /// interrupted writer leaves it; `remarks` lists what was left out or counted.
+  /// Returns the number of points to read. Throws BadInput if the header counts more or fewer points than the file has
+  /// whole records. With `skip_invalid` returns the smaller number instead, or the number of records if the header
+  /// counts none, as an interrupted writer leaves it, and adds a warning to `remarks`.
   std::size_t settle(bool skip_invalid, const std::string& name, std::vector<std::string>& remarks) const;
 
-  /// Of a file whose end is not known yet: how many to look for, and for how many the header leaves room.
+  /// For a file whose end is not known yet: the number of points to look for, and the number for which there is room.
   std::size_t sought(bool skip_invalid) const { return takes_all(skip_invalid) ? room_ : claimed_; }
   std::size_t room() const { return room_; }
-  /// The same file when its end was found behind so many whole records.
+  /// Returns the count of the same file after its end was found behind `room` whole records.
   LasCount with_room(std::size_t room) const { return {claimed_, room, length_}; }
 
  private:
@@ -53,33 +53,36 @@ struct LasHeader {
   unsigned minor;   ///< of version 1.minor
   unsigned format;  ///< of point records, 0 to 10
   std::size_t size;
-  std::size_t records;                           ///< variable length records, which begin behind the header
-  LasCount count;                                ///< of points, as it says and up to what follows them
-  std::size_t length;                            ///< of a point record, with whatever follows the fields of its format
-  std::size_t begin;                             ///< of the first
-  std::size_t extended_begin, extended_records;  ///< variable length records behind the points, from 1.4 on
-  std::size_t waveforms;                         ///< where such a record with waveforms begins, from 1.3 on; 0: nowhere
+  std::size_t records;                           ///< number of variable length records, which begin behind the header
+  LasCount count;                                ///< of points, by the header and by the room up to what follows them
+  std::size_t length;                            ///< of a point record in bytes, with any extra bytes
+  std::size_t begin;                             ///< offset of the first point record
+  std::size_t extended_begin, extended_records;  ///< offset and number of records behind the points, from 1.4 on
+  std::size_t waveforms;                         ///< offset of the record with waveforms, from 1.3 on; 0: none
   std::array<double, 3> scale, offset;
 };
 
-/// Of a file of `size` bytes of which `bytes` are the first: its header, or all before its points and two more. Throws BadInput
-/// when they are no LAS file that can be read, naming what is wrong.
+/// Reads the header of a file of `size` bytes. `bytes` begin the file and hold at least its header; to recognize the
+/// signature of version 1.0, all before its points and two bytes more. Throws BadInput naming the fault if the file
+/// cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
-/// A Claim: the points, and the records behind them that the header speaks of. Those say how long they are.
+/// Returns the size that a LAS header claims, for Claim::size: up to the end of the points and of the records behind
+/// them that the header names.
 double claimed_las_size(std::string_view first, const std::string& name);
 
-/// Throws BadInput when the scale or the offset of x, y or z (0, 1, 2) gives no coordinates. read_las_header() has looked
-/// at x and y; the height matters where it is requested.
+/// Throws BadInput if the scale or the offset of x, y or z (axis 0, 1, 2) gives no coordinates. read_las_header()
+/// checks x and y; z matters only if it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
 
 struct LasCrs {
   std::optional<Crs> crs = std::nullopt;  ///< by its EPSG code
-  std::string remark = {};                ///< why there is none although the file has one
+  std::string remark = {};                ///< warning that the file's system is not understood
 };
 
-/// That of well-known text, else of GeoTIFF keys. `before`: the file up to its points at least; `behind`: from its extended
-/// records on. Records that claim more than there is end the search: they are about the points, and none of them.
+/// Returns the system by well-known text, or else by GeoTIFF keys. `before`: the file up to its points at least;
+/// `behind`: the file from its extended records on. Records that claim more bytes than there are end the search without
+/// an error.
 LasCrs las_crs(std::string_view before, std::string_view behind, const LasHeader& header);
 
 }  // namespace rbpa::app

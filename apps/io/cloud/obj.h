@@ -1,4 +1,4 @@
-// What: the lines and the numbers of a Wavefront OBJ file.
+// What: lines and numbers of Wavefront OBJ files.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// The current line with all that continue it, which are joined in `room`, without a comment behind.
+/// Returns the current line, joined in `room` with the lines that continue it, without the comment behind it.
 std::string_view take_obj_line(Lines& lines, std::string& room);
 
 /// Calls visit(word, rest, line) for each line with content: its first word, what follows it, and its number.
@@ -18,19 +18,20 @@ template <typename Visit>
 void for_each_obj_line(Lines& lines, const Visit& visit) {
   std::string room;
   while (lines.next_with_content()) {
-    const std::size_t line = lines.number();  // the first of those that are continued
+    const std::size_t line = lines.number();  // the first of joined lines
     std::string_view rest = take_obj_line(lines, room);
     const std::string_view word = take_word(rest);
     visit(word, rest, line);
   }
 }
 
-/// `rest`, behind the coordinates of a vertex, is a weight, a color or both. Throws BadInput naming `line` of `name`,
-/// for another vertex in the same line, say.
+/// Throws BadInput, naming `line` of `name`, unless `rest`, which follows the coordinates of a vertex, is empty, a
+/// weight, a color or both. Refuses, for example, two vertices in one line.
 void require_end_of_vertex(std::string_view rest, const std::string& name, std::size_t line);
 
-/// `text`, a part of the corner `word`, as the index of one of the things called `noun`, of which `before` are there
-/// already: they count from 1, or from −1 back. It may be of one that comes later. Throws BadInput naming `line` of `name`.
+/// Returns the index, from 0, that `text`, a part of the corner `word`, stands for: numbers count from 1, or from −1
+/// back from the last of the `before` items that are there already. The item may come later in the file. Messages call
+/// an item `noun`. Throws BadInput naming `line` of `name`.
 std::uint32_t take_obj_number(std::string_view word, std::string_view text, std::string_view noun, std::size_t before,
                               const std::string& name, std::size_t line);
 

@@ -1,4 +1,4 @@
-// What: the beginning of an ASCII OFF file: how many vertices and faces follow it.
+// What: the header of an ASCII OFF file: the number of vertices and faces that follow it.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,21 @@ namespace rbpa::app {
 
 struct OffHeader {
   bool normals;  ///< N is among the prefixes: three numbers behind the coordinates of a vertex
-  bool colors;   ///< C is: red, green, blue and mostly opacity behind these
+  bool colors;   ///< C is among the prefixes: red, green, blue and mostly opacity behind the normal
   std::size_t vertices, faces;
-  std::size_t line;  ///< that says so
+  std::size_t line;  ///< with these counts
   Lines lines;       ///< the vertices are next
 
-  /// Vertices of so many numbers, and faces, as elements.
+  /// Returns vertices of `numbers` numbers, and faces, as elements of PLY.
   PlyHeader elements(std::size_t numbers) const;
 };
 
-/// OFF with any of the prefixes ST, C, N, or none; the counts in the line of the word, also right behind it, or in the
-/// next; the vertices may follow them in that line. Throws BadInput naming the line, also when the file is too short
-/// for so many vertices of at least two coordinates. `text` are the first of `size` bytes, all of the header among
-/// them.
+/// Reads a header: OFF with any of the prefixes ST, C, N, or none; then the counts, in the same line or in the next.
+/// The vertices may follow the counts in their line. `text` begins a file of `size` bytes and holds the whole header.
+/// Throws BadInput naming the line, also if the file is too short for so many vertices of at least two coordinates.
 OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name);
 
-/// A Claim: so many lines of vertices and faces.
+/// Returns the size that an OFF header claims, for Claim::size: that of the shortest lines of its vertices and faces.
 double claimed_off_size(std::string_view first, const std::string& name);
 
 }  // namespace rbpa::app

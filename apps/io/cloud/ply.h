@@ -1,6 +1,6 @@
-// What: the header of a PLY file, and the elements behind it, passed over one kind after the other. PCD and OFF describe their
-//       points as one kind of elements.
-// Law:  each step stays inside the data, or throws BadInput naming the element and what the header announces.
+// What: the header of a PLY file, and one pass over its elements, one kind after the other. The readers of PCD and OFF
+//       describe their points as elements, too.
+// Law:  each step stays inside the data, or throws BadInput naming the element and the count in the header.
 #pragma once
 
 #include <cstddef>
@@ -20,68 +20,71 @@ struct PlyProperty {
   std::string name;
   Scalar type;                                      ///< of the value, or of each value of the list
   std::optional<Scalar> count_type = std::nullopt;  ///< of the length before the values, when it is a list
-  std::size_t count = 1;                            ///< of the values, when it is none; of PLY always one
+  std::size_t count = 1;                            ///< of the values, if it is no list; 1 in PLY, any number in PCD
 
-  /// Bytes that it takes in a binary file, as a list when it is empty.
+  /// Returns its size in a binary file, in bytes; that of an empty list if it is a list.
   std::size_t least_size() const { return count_type ? size_of(*count_type) : count * size_of(type); }
 };
 
 struct PlyElement {
   std::string name;
-  std::string noun;  ///< what messages call one: "vertex element"
+  std::string noun;  ///< the name of one in messages: "vertex element"
   std::size_t count = 0;
-  std::size_t line = 0;  ///< of the header, that says so
+  std::size_t line = 0;  ///< of the header, with that count
   std::vector<PlyProperty> properties = {};
 
   bool has_lists() const;
-  /// Bytes that one takes in a binary file, with every list empty.
+  /// Returns the size of one element in a binary file, in bytes, with every list empty.
   std::size_t least_size() const;
-  /// Words that one takes in text.
+  /// Returns the number of words of one element in text, with every list empty.
   std::size_t least_words() const;
 };
 
 struct PlyHeader {
-  std::optional<std::endian> binary = std::nullopt;  ///< the byte order; none when the file is ASCII
+  std::optional<std::endian> binary = std::nullopt;  ///< the byte order; absent if the file is ASCII
   std::vector<PlyElement> elements = {};
   std::size_t lines = 0;       ///< of the header
   std::string_view data = {};  ///< what follows it
 };
 
-/// Throws BadInput naming the line.
+/// Reads the header of a PLY file. Throws BadInput naming the line.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
-/// "3 vertex elements as line 3 says".
+/// Returns the count of an element for messages: "3 vertex elements as line 3 says".
 std::string announced(const PlyElement& element);
 
-/// The element "vertex". Throws BadInput when there is none.
+/// Returns the element "vertex". Throws BadInput if there is none.
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
 
-/// Where the property that is one number lies among those of `element`; nothing when there is none.
+/// Returns the index, among the properties of `element`, of the one with that name; nothing if there is none or if it
+/// is not a single number.
 std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
 
-/// The same of those of `names` that are there.
+/// Returns the indices of those properties of `names` that `element` has as single numbers.
 std::vector<std::size_t> number_places(const PlyElement& element, std::span<const std::string_view> names);
 
-/// Where the property that is one number lies among those of `element`. Throws BadInput when there is none, naming the
-/// `wanted` properties.
+/// Returns the index of a property as number_place(). Throws BadInput, listing the `wanted` properties, if there is
+/// none.
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name);
 
-/// For a Claim: the bytes of all elements, or as many lines. A binary list says how long it is where it stands. `header` is that of
+/// Return the size in bytes that a header claims, for Claim::size: that of all elements, or of their shortest lines in
+/// text; lists of a binary file count with their lengths as far as they are in `first`. `header` is the header of
 /// `first`.
 double claimed_size(const PlyHeader& header, std::string_view first);
 double claimed_ply_size(std::string_view first, const std::string& name);
 
-/// The data of a binary file.
+/// A pass over the data of a binary file.
 class PlyBinary {
  public:
   PlyBinary(const PlyHeader& header, const std::string& name)
       : order_(*header.binary), at_(header.data.data()), end_(at_ + header.data.size()), name_(name) {}
 
-  /// What comes next is long enough for `element` with every list empty.
+  /// Throws BadInput unless the remaining data are long enough for all of `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over `element`, which has room, from one to another. `visit(index, offsets)` gets where each property begins.
+  /// Passes over the items `first` to `last` of `element` and calls visit(index, offsets), where offsets[k] points to
+  /// the data of property k. Requires require_room(element).
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     std::vector<const char*> offsets(element.properties.size());
@@ -94,10 +97,11 @@ class PlyBinary {
       visit(i, offsets);
     }
   }
-  /// Passes over all of `element`, which has room.
+  /// Skips all of `element`. Requires require_room(element).
   void skip(const PlyElement& element);
 
-  /// Where `count` of `element` lie, which has no lists; passes over them.
+  /// Skips `count` items of `element` and returns where they begin. Requires that it has no lists and that there is
+  /// room.
   const char* take_rows(const PlyElement& element, std::size_t count) {
     const char* const first = at_;
     at_ += count * element.least_size();
@@ -125,19 +129,19 @@ class PlyBinary {
   const std::string& name_;
 };
 
-/// The data of an ASCII file: one element a line, with more words behind it or not; or, where there are too few lines
-/// for that, as many words one behind the other as all elements have.
+/// A pass over the data of an ASCII file: one element per line, and ignored words behind it; or, if there are too few
+/// lines, the words of all elements one behind the other.
 class PlyText {
  public:
-  /// Keeps the header.
+  /// Refers to the header, which must outlive this object.
   PlyText(const PlyHeader& header, const std::string& name)
       : header_(header), lines_(header.data, header.lines), name_(name) {}
 
-  /// What comes next is long enough for `element` with every list empty.
+  /// Throws BadInput unless the remaining data are long enough for all of `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over `element`, from one to another. `visit(index, rest)` gets the words from its first on, of which it
-  /// takes those of all properties.
+  /// Passes over the items `first` to `last` of `element` and calls visit(index, rest); visit() removes the words of
+  /// all properties from the front of `rest`.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     for (std::size_t i = first; i < last; ++i) {
@@ -154,11 +158,11 @@ class PlyText {
     });
   }
 
-  /// Passes over the words of one property in `rest`, of which so many have been read.
+  /// Removes the words of one property from `rest`; `read` of them have been removed already.
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
-  /// Goes to what is behind all elements; false when there is nothing.
+  /// Whether anything but blank lines and comments follows the elements; moves there.
   bool has_more() { return !rest_.empty() || lines_.next_with_content(); }
 
  private:
@@ -168,9 +172,9 @@ class PlyText {
 
   const PlyHeader& header_;
   Lines lines_;
-  std::string_view rest_ = {};  // of the line, where elements follow each other in it
+  std::string_view rest_ = {};  // of the line, if elements follow each other in it
   bool is_by_words_ = false;
-  bool is_by_lines_ = false;  // for sure
+  bool is_by_lines_ = false;  // both false: not decided yet
   const std::string& name_;
 };
 

@@ -1,7 +1,7 @@
-// What: the points of a file, a block at a time.
-// Law:  all blocks of a file together are what read_points() makes of it, point by point and in its order.
-// Cost: that of reading the file once. Of raw numbers, .npy, LAS and text, packed by gzip or not, some megabytes are in
-//       memory at a time; of all other formats the whole file.
+// What: the points of a file in the plane, a block at a time.
+// Law:  the blocks of a file in their order are the points of read_points() in their order.
+// Cost: one pass over the file. Raw numbers, .npy, LAS and text, compressed by gzip or not, take some megabytes of
+//       memory; files of all other formats are wholly in memory.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,22 @@ class PointBlocks {
   PointBlocks(const PointBlocks&) = delete;
   PointBlocks& operator=(const PointBlocks&) = delete;
 
-  /// Replaces `block` by the next points, at least one; false at the end. Throws as read_points().
+  /// Replaces `block` by the next points, at least one; returns false at the end. Throws as read_points().
   virtual bool next(std::vector<Point>& block) = 0;
-  /// How many bytes of the file were read so far.
+  /// Returns how many bytes of the file have been read so far.
   virtual std::uint64_t bytes_read() const = 0;
-  /// What the file says about its points, which are not there: whole at the end.
+  /// Returns the facts that the file states about its points, without the points; complete after the last block.
   const PointFile& about() const { return about_; }
 
  protected:
   PointFile about_ = {};
 };
 
-/// Points in a block, about.
+/// The approximate number of points in a block.
 constexpr std::size_t points_in_block = 1U << 16U;
 
-/// Requires a source whose path is not "-". Throws as read_points(), and BadInput where the path is no regular file: it
-/// could not be read twice.
+/// Opens a file. Requires a path other than "-". Throws as read_points(), and BadInput if the path is no regular file,
+/// which could not be read twice.
 std::unique_ptr<PointBlocks> open_point_blocks(const PointSource& source);
 
 }  // namespace rbpa::app

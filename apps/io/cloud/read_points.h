@@ -1,4 +1,4 @@
-// What: points of the plane from a file of any format we read.
+// What: reads points in the plane from a file of any supported format.
 #pragma once
 
 #include <optional>
@@ -18,44 +18,45 @@ namespace rbpa::app {
 struct PointSource {
   std::string path = {};  ///< "-" is standard input
   Format format = Format::text;
-  std::optional<std::vector<Column>> columns =
-      std::nullopt;                                 ///< of text; absent: as its header says, else the first two
-  PixelRule pixels = {};                            ///< of images
-  bool heights = false;                             ///< PointFile::z
-  bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no point
-  bool vertices = false;                            ///< take those of lines and polygons as points
-  std::optional<Condition> where = std::nullopt;    ///< of formats with fields: which points count
-  GroupColumns properties = {};                     ///< of GeoJSON: what of its Features points in groups have
-  std::optional<Crs> crs = std::nullopt;            ///< of the points, whatever the file says
-  std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several
+  /// Columns of a table; absent: those that the header names, or the first two.
+  std::optional<std::vector<Column>> columns = std::nullopt;
+  PixelRule pixels = {};                            ///< for images
+  bool heights = false;                             ///< fill PointFile::z
+  bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no points
+  bool vertices = false;                            ///< take the vertices of lines and polygons as points
+  std::optional<Condition> where = std::nullopt;    ///< selects points, in formats with fields
+  GroupColumns properties = {};                     ///< GeoJSON: properties of Features that group points
+  std::optional<Crs> crs = std::nullopt;            ///< of the points; overrides the file's
+  std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several layers
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };
 
-/// Whether a file that begins as a gzip file does is one: numbers may begin like it.
+/// Whether a file that begins like a gzip file is decompressed. False for raw numbers, which may begin so by chance.
 bool may_be_packed(const PointSource& source);
 
-/// The points in the order of the file, all finite. A gzip file is read as what was compressed. Throws BadInput naming
-/// the file, the line or the point, what was found and what was expected; Failure; Cancelled.
+/// Reads the points in the order of the file, all finite. A gzip file is decompressed. Throws BadInput with the file,
+/// the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
-/// Of standard input whose content has shown its format. Throws WrongUsage where an option asks for what it does not
-/// have.
+/// Checks options once the content of standard input has shown its format. Throws WrongUsage if an option asks for data
+/// that the format does not have.
 void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
                       const std::optional<Condition>& where);
 
-/// What the command line says of the system of the points counts more than what the file says.
+/// Sets the system of the points: the command line, `said`, overrides the file, and a difference gives a warning.
 void settle_crs(PointFile& file, const std::optional<Crs>& said);
 
-/// The same of the content of a file, which messages call `name`: the path does not count.
+/// Reads points from the content of a file; `name` stands for it in messages, and the path of `source` is ignored.
+/// Throws as read_points().
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source);
 
-/// Of a format that cloud_format() knows. Throws as read_points(); where there are no bytes at all as well.
+/// Opens content in a format that cloud_format() knows. Throws as read_points(), and BadInput if the content is empty.
 std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& source);
 
-/// All its points and what there is to remark on them.
+/// Reads all points, and the warnings about them.
 PointFile read_plane_points(Cloud& cloud);
 
-/// Appends those of a block.
+/// Appends the points of a block.
 void append_points(const CloudBlock& block, std::vector<Point>& points);
 
 }  // namespace rbpa::app

@@ -26,7 +26,7 @@ std::array<std::uint8_t, 3> bytes_of(double red, double green, double blue, Chan
   return {channel_byte(red, channels), channel_byte(green, channels), channel_byte(blue, channels)};
 }
 
-/// Nothing where the file has to be read with last_are_normals.
+/// Reads all points; returns nothing if the file must be read again with last_are_normals.
 std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   CloudFacts& facts = cloud.facts();
   SpacePoints space;

@@ -1,6 +1,6 @@
-// What: what a table begins with before its first point: "sep=;", the number of points, a comment with names, a header,
-//       or the count and the comment of atoms.
-// Law:  where lines that are no point may be left out, the first lines are left out until the others go on as one does.
+// What: the beginning of a table, before its first point: "sep=;", the number of points, a comment with names, a
+//       header, or the count and the comment of atoms.
+// Law:  if lines that are no points may be left out, so are the first lines, up to one that the other lines match.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@
 
 namespace rbpa::app {
 
-/// The number of points, as a line before them announces it.
+/// The number of points that a line before them announces.
 struct AnnouncedPoints {
   std::size_t count, line;
-  bool atoms = false;  ///< others may follow, in which case these are the first of them
+  bool atoms = false;  ///< of the first model of a molecule; others may follow
 };
 
 struct TableStart {
   TableLayout layout = {};
   char separator = blanks;     ///< of the data
   std::string header = {};     ///< the line; empty without one
-  std::size_t first_line = 0;  ///< which says how many columns there are
+  std::size_t first_line = 0;  ///< the line that sets the number of columns
   bool has_line = false;       ///< the current line is the first of data
   bool any_table = false;      ///< there is a layout
   std::optional<AnnouncedPoints> announced = std::nullopt;
 };
 
-/// Goes to the first line of data, and lets `selection` find its columns. Throws BadInput.
+/// Goes to the first line of data, and finds the columns of `selection`. Throws BadInput.
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
                        std::vector<std::string>& remarks);
 

@@ -1,9 +1,9 @@
-// What: which columns of a table are which, by its first line and by the request.
-// Law:  a first line with nothing that is nearly a number in a column that counts, and no number elsewhere, is a
-//       header; where its names are known, such as lat and lon, they say which columns are x and y, or that there is
-//       one of geometries in well-known text. A comment right before the first line of numbers is a header as well, if
-//       it has as many names and x, y, in space also z, are among them. Where nothing is known by name, a column whose
-//       first value is a geometry is one of them.
+// What: the meaning of the columns of a table, by its first line and by the request.
+// Law:  a first line is a header if no requested column of it looks like a number and no other column is one. Known
+//       names, such as lat and lon, give the columns of x and y, or the column of geometries in well-known text. A
+//       comment right before the first line of numbers is a header as well, if it has as many names and x, y, in space
+//       also z, are among them. Without known names, a column whose first value is a geometry is the column of
+//       geometries.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// What the ending of its name says of a table without a header.
+/// The columns of a table without a header, by the ending of the file's name.
 enum class TableKind {
   any,
   pts,    ///< x y z, with an intensity, with red green blue, or with both
@@ -28,15 +28,15 @@ enum class TableKind {
 };
 
 struct TableLayout {
-  bool header = false;                    ///< the first line is one
-  FieldCount width = {};                  ///< its fields
-  std::vector<std::size_t> numbers = {};  ///< the columns of x, y; or of x, y, z and, if it has six, of the normal
-  std::vector<std::size_t> colors = {};   ///< none, or those of red, green and blue
-  std::optional<std::size_t> wkt = std::nullopt;  ///< that of geometries, in place of x and y
+  bool header = false;                            ///< the first line is a header
+  FieldCount width = {};                          ///< number of fields in a line
+  std::vector<std::size_t> numbers = {};          ///< the columns of x, y; or of x, y, z; or of x, y, z and the normal
+  std::vector<std::size_t> colors = {};           ///< none, or the columns of red, green and blue
+  std::optional<std::size_t> wkt = std::nullopt;  ///< the column of geometries, in place of x and y
   std::optional<std::size_t> height = std::nullopt;
   bool degrees = false;                      ///< x is a longitude and y a latitude
   bool unnamed = false;                      ///< six columns without names: the last three may be normals or colors
-  std::vector<std::string_view> names = {};  ///< of all columns, where they are known
+  std::vector<std::string_view> names = {};  ///< of all columns, if they are known
 };
 
 /// The beginning of a table: its first line, the comment right before it, and the form of the lines behind it.
@@ -45,21 +45,22 @@ struct TableBeginning {
   std::vector<std::string_view> fields = {};  ///< of the current line, without empty ones at its end
   FieldCount width = {};
   std::string_view comment;
-  std::vector<std::string_view> names = {};  ///< its fields
+  std::vector<std::string_view> names = {};  ///< the fields of the comment
   SeparatorChoice choice;
 };
 
-/// Adds what there is to remark. Throws BadInput naming the line, and WrongUsage when two columns turn out to be one.
+/// Returns the layout of a table, and adds warnings to `remarks`. Throws BadInput naming the line, and WrongUsage if
+/// two requested columns are one.
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& remarks);
 
-/// What a table of a kind, or of such names, has where its first line is of numbers.
+/// Sets the columns of `layout` by `names`, for a table whose first line is numbers.
 void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space, TableLayout& layout);
 
-/// "2 columns ('1 2')".
+/// Returns "2 columns ('1 2')".
 std::string found_columns(std::size_t count, std::string_view line);
 
-/// Whether a column is requested by its name, which a header has to have.
+/// Whether a column is requested by its name, so that the table needs a header.
 bool is_by_name(const std::optional<std::vector<Column>>& columns);
 
 }  // namespace rbpa::app

@@ -1,6 +1,6 @@
-// What: the lines of a table, of a text in memory or of a file of which some is read at a time.
-// Law:  blank lines and those that begin with '#' or "//" are passed over, and counted. A text in quotes may go on in
-//       lines behind the one it begins in, which are then one line, wherever pieces of the file end.
+// What: the lines of a table, in memory or read piece by piece.
+// Law:  blank lines and lines that begin with '#' or "//" are skipped, and counted in line numbers. A quoted text may
+//       span several lines, which are then one line, wherever the pieces of the file end.
 #pragma once
 
 #include <cstddef>
@@ -17,25 +17,27 @@ class TableLines {
  public:
   explicit TableLines(Content content) : content_(std::move(content)) {}
 
-  /// Goes to the next line with content; false at the end. Throws BadInput for UTF-16, and where a line is too long for memory.
+  /// Goes to the next line with content; returns false at the end. Throws BadInput for UTF-16, and if a line is too
+  /// long for memory.
   bool next();
-  /// The next line was read elsewhere, up to `behind` its last character.
+  /// Skips the next line, which the caller has read up to `behind`, the end of its last character.
   void pass_line(const char* behind) { lines_.pass_line(behind); }
 
-  /// From the current line on: how its fields are apart, and how many there are at least. Before that, no text goes on.
+  /// Sets the separator and the least number of fields, from the current line on. Before the call no text spans lines.
   void set_layout(char separator, std::size_t least_fields);
 
   std::string_view line() const { return line_; }
-  /// The number of the line, from 1; the first of a record of several lines.
+  /// Returns the number of the line, from 1; the first number of a line that spans several.
   std::size_t number() const { return lines_.number() - spanned_; }
-  /// Whether a text in quotes begins in the line and ends nowhere.
+  /// Whether a quoted text begins in the line and has no end.
   bool is_open() const { return is_open_; }
-  /// What is there behind the line: of a file that is read not all.
+  /// Returns the text behind the line that is in memory.
   std::string_view rest() const { return lines_.rest(); }
-  /// The text from the beginning of the current line on: whole lines of `size` bytes or more, fewer at the end only.
+  /// Returns the text from the beginning of the current line: whole lines of `size` bytes or more, fewer at the end
+  /// only.
   std::string_view ahead(std::size_t size);
   const Lines& lines() const { return lines_; }
-  /// What the line right before the current one has behind its '#' or "//"; nothing where it is no comment.
+  /// Returns the comment in the line right before the current one, behind its '#' or "//"; empty if it is no comment.
   std::string_view comment_before() const;
 
   const Content& content() const { return content_; }
@@ -49,11 +51,11 @@ class TableLines {
 
   Content content_;
   Lines lines_ = Lines({});
-  std::string_view text_ = {};  // which lines_ are of
+  std::string_view text_ = {};  // the text of lines_
   std::string_view line_ = {};
-  std::string room_ = {};  // of text_, where CR ended a line
-  std::size_t taken_ = 0;  // of the content, for that
-  std::size_t mark_ = 0;   // bytes before text_, which are no text
+  std::string room_ = {};  // holds text_ if CR ended a line
+  std::size_t taken_ = 0;  // bytes of the content that are in room_
+  std::size_t mark_ = 0;   // bytes before text_: the byte-order mark
   char separator_ = '\0';  // not known yet
   std::size_t least_fields_ = 0;
   std::size_t spanned_ = 0;  // lines behind the first of the current one

@@ -1,7 +1,8 @@
-// What: by which sign the fields of a table are apart.
-// Law:  what "sep=" says; else that which makes lines of data of most of the first lines, with as many fields as the
-//       first line: one that is a header counts more than the ending of the name, and that more than how many lines
-//       there are. Commas that are decimal in all of them separate nothing.
+// What: the separator of the fields of a table.
+// Law:  "sep=" decides. Otherwise the separator is the one that makes lines of data, with as many fields as the first
+//       line, of most of the first lines; a first line that is a header with it counts more than the ending of the
+//       file's name, and that more than the number of lines. Commas that are decimal signs in all lines separate
+//       nothing.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +16,18 @@ namespace rbpa::app {
 
 struct SeparatorChoice {
   char separator = blanks;
-  std::size_t lines = 0;                               ///< of data that have fields so; 0: the first line alone decided
+  std::size_t lines = 0;                               ///< of data with that separator; 0: only the first line decided
   FieldCount fields = {};                              ///< of these lines
-  bool first_fits = true;                              ///< the first line has as many
-  std::optional<std::size_t> geometry = std::nullopt;  ///< the field that is one, in these lines
+  bool first_fits = true;                              ///< the first line has as many fields
+  std::optional<std::size_t> geometry = std::nullopt;  ///< the field of these lines that is a geometry
   bool begin_with_atoms = false;                       ///< the first field of each may be the number of an element
 };
 
-/// The text that is looked at.
+/// The size of the text, in bytes, by which the separator is chosen.
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
-/// For the table in `text`, of which nothing but its beginning counts. `said`: by "sep="; `by_most`: the first line may
-/// be none of it.
+/// Returns the separator of the table that begins with `text`, of which the first separator_sample bytes count. `said`:
+/// the separator by "sep="; `by_most`: the first line may be no line of the table.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 

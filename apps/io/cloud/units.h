@@ -1,4 +1,4 @@
-// What: the unit that coordinates are in: feet, meters, or degrees, and what is to be said of these.
+// What: the unit of coordinates: feet, meters or degrees, and the warnings about degrees.
 // Source: EPSG dataset 10.076, as PROJ 9.1.1 has it.
 #pragma once
 
@@ -12,21 +12,22 @@
 
 namespace rbpa::app {
 
-/// The unit of EPSG that the coordinates of system `code` are in: 9003, the US survey foot, or 9002, the foot; nothing
-/// where it is no foot, or the code was not given out yet.
+/// Returns EPSG's code of the unit of the system `code`: 9003, the US survey foot, or 9002, the foot; nothing if it is
+/// no foot, or if the code was not assigned yet.
 std::optional<unsigned> feet_of_epsg(unsigned code);
 
-/// "metre", "foot", "US survey foot" or "degree"; nothing where neither the file nor its system says which.
+/// Returns "metre", "foot", "US survey foot" or "degree"; nothing if neither the file nor its system says which.
 std::optional<std::string_view> unit_of(const PointFile& file);
 
-/// `--shift-longitude`: adds 360 to longitudes below 0, so that what lies around the antimeridian hangs together.
-/// Throws BadInput when a longitude is none: beyond -180 to 360.
+/// Adds 360 to longitudes below 0 (`--shift-longitude`), so that points around the antimeridian are neighbors. Throws
+/// BadInput for a longitude outside -180 to 360.
 void shift_longitude(std::vector<Point>& points, const std::string& name);
 
-/// What is to be said of points of space of which x and y are degrees and z is none; nothing where there are no such.
+/// Returns the warning that x and y of points in space are degrees and z is not; empty if they are not.
 std::string remark_on_degrees(const std::vector<Point3>& points);
 
-/// Adds remarks: what a degree is in the plane; that the points are on both sides of the antimeridian, or no degrees.
+/// Adds warnings: that degrees are lengths of different size in the plane; that points are on both sides of the
+/// antimeridian, or are no degrees.
 void remark_on_degrees(PointFile& file);
 
 }  // namespace rbpa::app

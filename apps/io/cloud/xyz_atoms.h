@@ -1,5 +1,5 @@
-// What: the .xyz of chemistry as a table: the number of atoms, a line of comment, and a line for each atom: its element
-//       and x, y, z.
+// What: the .xyz format of chemistry as a table: the number of atoms, a comment line, and a line for each atom with its
+//       element and x, y, z.
 // Source: extended XYZ, https://github.com/libAtoms/extxyz: "Properties=species:S:1:pos:R:3:..." in the comment names
 //         the columns.
 #pragma once
@@ -15,14 +15,14 @@ namespace rbpa::app {
 struct XyzAtoms {
   std::size_t count = 0;                 ///< of atoms
   std::vector<std::string> names = {};   ///< of columns, "element", "x", "y" and "z" among them
-  const char* behind_comment = nullptr;  ///< its end in the text
+  const char* behind_comment = nullptr;  ///< the end of the comment in the text
 };
 
-/// What `text` begins with, of which the first line is the number of atoms: nothing where no line of an atom is the
-/// third. `by_number`: elements may be numbers.
+/// Returns the beginning of a list of atoms, whose first line is the number of atoms; nothing if the third line of
+/// `text` is no atom. `by_number`: elements may be numbers.
 std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number);
 
-/// Whether a line is an atom's: the symbol of an element, or a label that begins with a letter, and three numbers.
+/// Whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three numbers.
 bool is_atom_line(std::string_view line, bool by_number);
 
 }  // namespace rbpa::app
