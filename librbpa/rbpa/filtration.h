@@ -47,8 +47,8 @@ inline Filtration filtration(const Triangulation& delaunay, std::span<const Poin
   return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
 }
 
-/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of triangulate(points, alpha, {.neighbors =
-/// true}), without another triangulation.
+/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of triangulate(points, alpha,
+/// {.neighbors = true}), without triangulating again.
 /// Requires: the filtration is that of the triangulation.
 /// Throws:   ContractViolation when the filtration is visibly of another triangulation, or alpha is no radius.
 /// Cost:     linear.

@@ -90,8 +90,8 @@ struct GroupProblem {
 struct GroupShapes {
   std::vector<double> alphas;     ///< the given or chosen radius; NaN if the points have no triangle at any radius
   std::vector<Polygon> polygons;  ///< of all groups, in their order, each sorted as by polygons(); input indices
-  std::vector<std::uint64_t> polygon_begin = {
-      0};  ///< polygons polygon_begin[g] to polygon_begin[g + 1] − 1 are those of group g
+  /// The polygons of group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
+  std::vector<std::uint64_t> polygon_begin = {0};
   std::vector<PolygonTotals> totals;
   std::vector<std::uint64_t> triangle_begin = {0};  ///< likewise for triangles, also if these are not kept
   std::vector<Triangle> triangles;     ///< only on request: of all groups, each as triangulate() returns its own

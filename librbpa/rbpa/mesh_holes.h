@@ -1,6 +1,6 @@
-// What: holes of a halfedge mesh in space filled in place, so that nothing crosses.
-// Law:  the triangles that fill_holes() of the same triangles finds (fill_holes.h). Old elements keep their handles and
-//       properties; vertices at one place that a filling makes one are marked deleted but for one.
+// What: fills holes of a halfedge mesh in space in place; no new triangle crosses another.
+// Law:  the new triangles are those of fill_holes() of the same triangles (fill_holes.h). Old elements keep their
+//       handles and properties. If a filling merges vertices at one place, all of them but one are marked deleted.
 // Cost: that of fill_holes(), and linear.
 #pragma once
 
@@ -18,14 +18,14 @@
 namespace rbpa {
 
 struct FilledMesh {
-  std::vector<HoleFill> holes;       ///< of each curve
-  std::vector<meshops::Face> faces;  ///< that are new
+  std::vector<HoleFill> holes;       ///< for each given curve
+  std::vector<meshops::Face> faces;  ///< the new faces
 };
 
-/// Fills some of the boundary curves of a mesh; boundary_curves(mesh) has all, the outer rim of a sheet among them.
-/// Requires: the mesh is sound, has status of every kind, triangles only, and a finite place of each vertex, by index;
-///           no two edges join the same vertices; curves of it, none twice.
-/// Throws:   as fill_holes(), mesh untouched.
+/// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.
+/// Requires: the mesh is sound, has status of every kind, triangles only, and a finite place for each vertex, by index;
+///           no two edges join the same vertices; curves of this mesh, none twice.
+/// Throws:   as fill_holes(); the mesh is then unchanged.
 RBPA_API FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                                std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options = {});
 template <meshops::HasPoints AnyMesh>

@@ -1,5 +1,5 @@
-// What: which pairs of a persistence are chosen, as they are many: those that last long.
-// Cost: linear, and a sort of those that are chosen.
+// What: chooses the most persistent among many persistence pairs.
+// Cost: linear, and a sort of the chosen pairs.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,20 @@
 namespace rbpa {
 
 struct PairChoice {
-  double min_persistence = 0;  ///< death − birth is at least this
-  std::size_t top =
-      std::numeric_limits<std::size_t>::max();  ///< of each dimension at most so many, those that last longest
+  double min_persistence = 0;  ///< lower bound of death − birth
+  /// Maximum number of pairs of each dimension; the most persistent are kept.
+  std::size_t top = std::numeric_limits<std::size_t>::max();
 };
 
-/// How long a pair lasts; infinity where it never ends.
+/// Returns death − birth of a pair; infinity if it never dies.
 template <typename Pair>
 double persistence_of(const Pair& pair) {
   return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
 }
 
-/// In their order, which is by dimension. What never ends lasts longest; of those that last as long the first.
-/// Requires: PersistencePair, SolidPair, or what has dimension, birth and death as they do.
+/// Returns the chosen pairs in their order, which is by dimension. Pairs that never die are the most persistent; of
+/// equally persistent pairs the first is preferred.
+/// Requires: PersistencePair, SolidPair, or a type that has dimension, birth and death as they do.
 template <typename Pair>
 std::vector<Pair> chosen(const std::vector<Pair>& pairs, const PairChoice& choice) {
   const auto lasts_longer = [&](std::uint32_t i, std::uint32_t j) {

@@ -1,5 +1,5 @@
-// What: a Partial as bytes that any machine reads.
-// Law:  the bytes do not depend on the order in which regions were merged; bytes that are cut off or changed are refused.
+// What:   writes a Partial as bytes, and reads them on any machine.
+// Law:    the bytes do not depend on the order in which regions were merged; truncated or changed bytes are refused.
 // Source: docs/partial.md, section 6, has the format.
 #pragma once
 
@@ -12,11 +12,13 @@
 
 namespace rbpa {
 
+/// Returns the bytes of `partial`.
 /// Cost: linear, and that of a sort of the polygons.
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 
-/// Throws: InvalidInput that names the place and what was found: not such bytes, of another version, cut off, changed, or bytes that
-///         to_bytes() does not write.
+/// Returns the Partial that to_bytes() wrote.
+/// Throws: InvalidInput that names the place and what was found: bytes of another kind or version, truncated, changed,
+///         or such as to_bytes() does not write.
 RBPA_API Partial partial_from_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace rbpa

@@ -1,9 +1,10 @@
-// What:   the solid alpha complex of points in a box that repeats along its three sides, as under the periodic boundary conditions of a simulation:
-//         tetrahedra, of whose corners each is a point of the box or an image of one.
-// Law:    a function of the set of points, the box and alpha. Along each axis, the side and the coordinates modulo the side are rounded to multiples
-//         of 2⁻⁵¹ of the power of two above the side, so that all images are doubles; for these points everything is exact,
-//         ties as in solid(). Moving all points by such multiples changes nothing.
-// How:    points with the images around the box are one solid, of which one tetrahedron of each class is kept. docs/solid.md, section 13.
+// What:   the solid alpha complex of points in a periodic box, as in a simulation under periodic boundary conditions:
+//         tetrahedra whose corners are points of the box or images of them.
+// Law:    a function of the set of points, the box and alpha. Along each axis, the side and the coordinates modulo the
+//         side are rounded to multiples of 2⁻⁵¹ of the power of two above the side, so that all images are doubles. For
+//         these points everything is exact, ties as in solid(). Moving all points by such multiples changes nothing.
+// How:    the points with their images around the box form one solid, of which one tetrahedron of each class is kept.
+//         docs/solid.md, section 13.
 // Cost:   that of solid() for the points and the images that are within twice the largest radius of the box.
 // Source: Caroli and Teillaud, Computing 3D periodic triangulations (2009).
 #pragma once
@@ -22,7 +23,7 @@
 
 namespace rbpa {
 
-/// The image of a point of the box, so many boxes away along each axis.
+/// The image of a point of the box, moved by `offset` boxes along each axis.
 struct PeriodicVertex {
   std::uint32_t point = 0;
   std::array<std::int8_t, 3> offset = {0, 0, 0};
@@ -32,35 +33,39 @@ struct PeriodicVertex {
   }
 };
 
-/// Tetrahedra, each once of all its images: that whose corner of the least index is in the box. Its corners are four different points.
+/// The tetrahedra, one of all images of each: the one whose corner of the least index is in the box. Its corners are
+/// four different points.
 struct PeriodicSolid {
-  Point3 box;                            ///< its sides, rounded
-  std::vector<PeriodicVertex> vertices;  ///< those that are corners, ascending
-  std::vector<Point3> positions;         ///< of the vertices: point modulo box, plus offset times box; exact
-  /// Corners are vertices; otherwise these are as those of a Solid.
+  Point3 box;                            ///< the sides, rounded
+  std::vector<PeriodicVertex> vertices;  ///< all corners, ascending
+  std::vector<Point3> positions;         ///< positions of the vertices: point modulo box, plus offset times box; exact
+  /// The tetrahedra as in Solid, with vertices for corners.
   std::vector<std::array<std::uint32_t, 4>> simplices;
-  /// Across from each corner, the tetrahedron one of whose images is there, or Solid::none.
+  /// The tetrahedron one of whose images lies across from each corner, or Solid::none.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
   std::vector<Duplicate> duplicates;    ///< points that are equal modulo the box; ascending by index
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// The Delaunay tetrahedra of circumradius at most alpha, of points and all their images. At infinity, all of them.
-/// Requires: as solid(); sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰; alpha below half of the least side, or no empty ball of that radius.
+/// Computes the Delaunay tetrahedra of circumradius at most alpha, of points and all their images. At infinity, all of
+/// them.
+/// Requires: as solid(); sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰; alpha below half of the least side, or no empty ball of
+///           that radius.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, double alpha,
                                       const SolidOptions& options = {});
 
-/// The same tetrahedra by their points alone, offsets left out. What needs neighbors and radii, but no positions, can be computed of it:
-/// min_alpha(), auto_alpha().
+/// Returns the same tetrahedra by their points alone, without offsets. It serves functions that need neighbors and
+/// radii, but no positions: min_alpha(), auto_alpha().
 RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 
-/// The triangles that have a tetrahedron on one side only, each where that tetrahedron is; corners are vertices, counter-clockwise seen from outside.
-/// They close when images of an edge are one. Requires: neighbors.
+/// Returns the triangles that have a tetrahedron on one side only, each at the place of that tetrahedron; corners are
+/// vertices, counter-clockwise seen from outside. They form a closed surface if images of an edge count as one.
+/// Requires: neighbors.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);
 
-/// As within() of a Solid.
+/// Returns the tetrahedra of radius at most alpha, like within() of a Solid.
 RBPA_API PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

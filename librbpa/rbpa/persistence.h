@@ -1,6 +1,7 @@
 // What:   births and deaths of components and holes while alpha grows from 0 to infinity.
-// Law:    components at alpha = pairs of dimension 0 with birth ≤ alpha < death; holes = those of dimension 1. For the
-//         solid complex these are the numbers of the filtration's steps. A pair never has birth = death.
+// Law:    the components at alpha are the pairs of dimension 0 with birth ≤ alpha < death; the holes are those of
+//         dimension 1. For the solid complex these are the numbers in the steps of filtration(). A pair never has birth
+//         = death.
 // Cost:   sorts the edges; the rest is near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002): the elder rule;
 //         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
@@ -21,12 +22,13 @@ namespace rbpa {
 
 enum class ComplexKind {
   solid,  ///< triangles of circumradius ≤ alpha, with their edges and vertices
-  full    ///< the alpha complex: moreover every point from 0 on, and edges whose ends a ball of radius alpha can touch
-          ///< with no point inside, triangle or not
+  /// The alpha complex: also every point from alpha 0 on, and every edge whose ends an empty ball of radius alpha can
+  /// touch, whether in a triangle or not.
+  full
 };
 
-/// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death.
-/// Of two components that meet the younger dies. Both are double radii, rounded up from the exact ones.
+/// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death. When two components meet,
+/// the younger one dies. Birth and death are double radii, rounded up from the exact ones.
 struct PersistencePair {
   int dimension = 0;
   double birth = 0;
@@ -34,14 +36,16 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
-/// Sorted by dimension, birth, death, those without a death last. A function of the set of points alone.
+/// Returns the pairs sorted by dimension, birth and death; those without a death come last. A function of the set of
+/// points alone.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called every few
-///           milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid,
                                                   const std::function<bool()>& go_on = {});
-/// The same of triangulate(points, infinity, {.neighbors = true}), which is checked first, as by Delaunay.
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// first.
 inline std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
                                                 const std::function<bool()>& go_on = {}) {

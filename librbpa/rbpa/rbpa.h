@@ -1,8 +1,8 @@
 // What:   the solid alpha complex of points in the plane, by restricted ball pivoting.
-// Law:    the set of triangles is a function of the set of points and alpha alone, not of the order of the input, the
-//         method of search or the compiler. rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and
-//         rbpa(S, infinity) is the Delaunay triangulation.
-// Cost:   about linear in the number of points for samplings of bounded variation, see docs/performance.md.
+// Law:    the triangles are a function of the set of points and alpha alone, not of the order of the input, the method
+//         of search or the compiler. rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and rbpa(S, infinity) is the
+//         Delaunay triangulation.
+// Cost:   about linear in the number of points for samplings of bounded variation: docs/performance.md.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3 and 4 (Theorem 1).
 #pragma once
 
@@ -18,25 +18,24 @@
 namespace rbpa {
 
 struct Options {
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. The result is the
-  /// same.
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. The result does
+  /// not depend on it.
   unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it. Less
-  /// often while points are sorted before the first triangle, while triangles that tiles leave over are inserted, and while
-  /// the mesh is finished: intervals are up to about 0.1 s per million points there, or 0.5 s on sets where tiles find no
-  /// triangle. Empty: never called.
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
+  /// The intervals are longer while points are sorted before the first triangle, while triangles that tiles leave over
+  /// are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on sets where tiles
+  /// find no triangle. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// The solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`.
-/// Cocircular points are triangulated by the symbolic perturbation that docs/predicates.md defines.
-/// Requires: 0 < alpha ≤ infinity, a radius; finite points, at most 357,913,941 of them, as
-///           OpenMesh numbers halfedges in int.
+/// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
+/// are triangulated by the symbolic perturbation that docs/predicates.md defines.
+/// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them, as OpenMesh numbers halfedges in int.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Returns: the most threads that rbpa() or hrbpa() uses on so many points if its option `threads` is `wanted`: no more
-///          than there are processors, and one for a few points.
+/// Returns the number of threads that rbpa() or hrbpa() uses on `points` points when its option `threads` is `wanted`:
+/// at most the number of processors, and one for few points.
 RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 
 }  // namespace rbpa

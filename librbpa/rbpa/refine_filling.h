@@ -1,13 +1,15 @@
-// What:   the fillings of holes as fine as the surface around them, and as smooth: points are added inside them.
-// How:    triangles that are large for the edges at their corners are split, and edges flipped until they are Delaunay (Liepa
-//         2003); then the new points are moved, the old ones lying still, to where the mean curvature at them and along the rim is that of
-//         the two rings outside, harmonic in between: the least sum of squared differences, by up to twenty rounds of a sparse system.
-// Law:    a function of the points and triangles, of no order and no number of threads. Nothing new crosses anything, which
-//         is tested exactly: where it would, the new points of that filling are not moved, and where that crosses as well,
-//         there are none.
+// What:   refines the fillings of holes until they are as fine and as smooth as the surface around them, by adding
+//         points.
+// How:    splits triangles that are large for the edges at their corners, and flips edges until they are Delaunay
+//         (Liepa 2003). Then moves the new points, not the old ones: the mean curvature at them and along the rim is to
+//         be that of the two rings outside, harmonic in between. This is the least sum of squared differences, by up to
+//         twenty rounds of a sparse system.
+// Law:    a function of the points and triangles, not of any order or number of threads. No new triangle crosses
+//         another, which is tested exactly: if one would, the new points of its filling are not moved; if they still
+//         cross then, the filling gets none.
 // Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
-// Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for free-form surface
-//         design (2001).
+// Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for
+//         free-form surface design (2001).
 #pragma once
 
 #include <array>
@@ -23,24 +25,26 @@
 namespace rbpa {
 
 struct RefinedSurface {
-  std::vector<Point3> points;  ///< that are added; their numbers go on where the points' end
-  /// Of each the three points between which it was put, all of less number: for what points have besides coordinates.
+  std::vector<Point3> points;  ///< the added points; they are numbered from the number of given points on
+  /// For each added point, the three points between which it was put, all of lower numbers; for interpolation of
+  /// attributes besides coordinates.
   std::vector<std::array<std::uint32_t, 3>> between;
   Surface surface;           ///< without levels
   std::vector<bool> is_new;  ///< of each triangle, whether it fills a hole
-  std::size_t smooth = 0;    ///< fillings whose new points are moved
-  std::size_t flat = 0;      ///< that have new points where the filling was
-  std::size_t coarse = 0;    ///< that stay as they are
+  std::size_t smooth = 0;    ///< number of fillings with new points that were moved
+  std::size_t flat = 0;      ///< number of fillings with new points that were not moved
+  std::size_t coarse = 0;    ///< number of fillings without new points
 };
 
-/// A filling is what is connected of the triangles with is_new[t].
-/// Requires: an indexable_surface() of the points; fewer than 2^31 points and triangles together with those that are added.
+/// Refines each filling: each connected set of triangles with is_new[t].
+/// Requires: an indexable_surface() of the points; fewer than 2^31 points and triangles, the added ones included.
 /// Throws:   InvalidInput; ContractViolation; Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 
-/// Normals of points that are added behind others: of each the mean direction of those at the three points between which it was put,
-/// a unit vector; where these cancel each other, the first. Requires: normals of the others, none of length 0.
+/// Returns unit normals for the added points: the mean direction of the normals at the three points between which each
+/// was put, or the first of them if they cancel each other.
+/// Requires: normals of the other points, none of length 0.
 RBPA_API std::vector<Point3> normals_between(std::span<const Point3> normals,
                                              std::span<const std::array<std::uint32_t, 3>> between);
 

@@ -1,7 +1,7 @@
-// What: a part of the plane that owns points, and the points that its computation requires.
-// Law:  regions that share no point of the plane share no item of the complex: a triangle belongs to the region that
-//       contains its lexicographically least corner, an edge to the one that contains its lesser end, a vertex to the one
-//       that contains it.
+// What:   a region of the plane that owns points, and the points that its computation requires.
+// Law:    disjoint regions share no item of the complex: a triangle belongs to the region that contains its
+//         lexicographically least corner, an edge to the one that contains its lesser end, a vertex to the one that
+//         contains it.
 // Source: docs/partial.md.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace rbpa {
 
-/// The half-open box [x0, x1) × [y0, y1); by default the whole plane. Bounds may be infinite; where x0 = x1 or y0 = y1 it
-/// has no point. −0 equals +0.
+/// The half-open box [x0, x1) × [y0, y1); by default the whole plane. Bounds may be infinite; the box is empty if x0 =
+/// x1 or y0 = y1. −0 equals +0.
 struct Region {
   double x0 = -std::numeric_limits<double>::infinity();
   double y0 = -std::numeric_limits<double>::infinity();
@@ -26,16 +26,16 @@ struct Region {
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// A box that contains every point at a distance of at most 2 alpha from a point of the region. It is rounded outward, and
-/// contains some points that are farther.
+/// Returns a box that contains every point at a distance of at most 2 alpha from a point of the region. It is rounded
+/// outward, and contains some points that are farther.
 /// Throws: InvalidInput unless 0 < alpha < ∞ and the region's bounds are numbers in ascending order.
 RBPA_API Region halo(const Region& region, double alpha);
 
-/// The input of a region: all points in it, and all others in its halo. Further points do no harm.
+/// The input of a region: all points in it, and all others in its halo. Further points are allowed.
 struct RegionPoints {
   std::span<const Point> points;
-  /// For each point its index in the whole input, in any order, all different. Equal points count as one, under the lowest
-  /// index; all of them are given.
+  /// For each point its index in the whole input, in any order, all different. Equal points count as one, under the
+  /// lowest index; all of them must be given.
   std::span<const std::uint64_t> indices;
 };
 

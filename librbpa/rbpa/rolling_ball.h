@@ -1,7 +1,7 @@
-// What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for code that traverses the
-//         exposed triangles in an order of its own, as an advancing front does.
-// Law:    exact, on any finite input. Each result is a function of the set of points and the radius, and not of earlier
-//         queries. Rolling back returns. docs/surface_derivation.md.
+// What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for code that
+//         traverses the exposed triangles in its own order, as an advancing front does.
+// Law:    exact, on any finite input. Each result is a function of the set of points and the radius, not of earlier
+//         queries. Rolling back returns to the same triangle. docs/surface_derivation.md.
 // Cost:   each query reads the points within two radii; surface() answers all queries together, which is faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once
@@ -18,13 +18,15 @@
 
 namespace rbpa {
 
-/// Points are input indices; of equal points the lowest stands for all, and the others are in no triangle. Queries may come
-/// from several threads.
+/// A ball of fixed radius on fixed points. Points are input indices; of equal points only the lowest is in triangles.
+/// Queries may be made from several threads.
 class RBPA_API RollingBall {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise as the ball sees it
 
-  /// Copies the points. Requires, throws: as surface(); without normals as exposed_triangles().
+  /// Copies the points.
+  /// Requires: as surface(); without normals as exposed_triangles().
+  /// Throws:   likewise.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
   RollingBall(std::span<const Point3> points, double radius);
   RollingBall(RollingBall&&) noexcept;
@@ -34,25 +36,27 @@ class RBPA_API RollingBall {
   /// All input points.
   std::span<const Point3> points() const;
 
-  /// The ball rests on the exposed triangle (a, b, c) and rolls over the side from a to b until it touches a point.
-  /// Returns: that point p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. Nothing when it
+  /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until it touches a point p.
+  /// Returns: p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. Nothing when the ball
   ///          does not rest on (a, b, c), or an index is that of no point or of a duplicate.
   std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
-  /// From the exposed triangle (a, b, from) to (b, a, to).
+  /// A roll from the exposed triangle (a, b, from) to (b, a, to).
   struct Roll {
     std::uint32_t from, to;
     friend bool operator==(const Roll&, const Roll&) = default;
   };
-  /// All results of roll(a, b, …), by ascending `from`: the exposed triangles (a, b, from) and (b, a, to) of each are those
-  /// with a side between these points. Empty when an index is that of no point or of a duplicate.
+  /// Returns all results of roll(a, b, …), by ascending `from`. Their triangles (a, b, from) and (b, a, to) are all
+  /// exposed triangles with a side between a and b. Empty when an index is that of no point or of a duplicate.
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
-  /// The exposed triangles whose least corner is `first`, in lexicographic order. Over all points, each triangle comes once.
+  /// Returns the exposed triangles whose least corner is `first`, in lexicographic order. Over all points, each
+  /// triangle is returned once.
   /// Throws: ContractViolation when there is no such point.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
-  /// The triangle's own normal has a positive product with the normals of all points at its corners; true without normals.
+  /// Returns whether the triangle's own normal has a positive product with the normals of all points at its corners;
+  /// true without normals.
   /// Throws: ContractViolation when there are no such points.
   bool agrees(const Triangle& triangle) const;
 

@@ -1,12 +1,12 @@
-// What:   the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha, as arrays of indices
-//         in canonical order. At infinity, the Delaunay triangulation.
-// Law:    a function of the set of points and alpha, and of no order or thread. Every decision is exact, on any finite input; ties
-//         are decided by the symbolic perturbation that CGAL uses, so that its Delaunay_triangulation_3 has the same tetrahedra.
-//         docs/solid.md.
-// Cost:   about 7 tetrahedra a point for points that fill a volume, and as much time as docs/solid.md has measured; quadratic in the worst case, as the number
-//         of tetrahedra is (points of the moment curve).
-// Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and Mücke,
-//         Three-dimensional alpha shapes (1994).
+// What:   the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha, as
+//         arrays of indices in canonical order. At infinity, the Delaunay triangulation.
+// Law:    a function of the set of points and alpha, not of any order or thread. Every decision is exact, on any finite
+//         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
+//         same tetrahedra. docs/solid.md.
+// Cost:   about 7 tetrahedra a point for points that fill a volume, and the time that docs/solid.md measures; quadratic
+//         in the worst case, as the number of tetrahedra is (points on the moment curve).
+// Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and
+//         Mücke, Three-dimensional alpha shapes (1994).
 #pragma once
 
 #include <array>
@@ -24,32 +24,33 @@
 namespace rbpa {
 
 struct SolidOptions {
-  /// Also fill in the neighbors.
+  /// Whether Solid::neighbors are filled in.
   bool neighbors = true;
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped. Tiles, triples and sorting
-  /// use all of them; where points are inserted, one does it (docs/solid.md).
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. Tiles, triples
+  /// and sorting use all of them; points are inserted by one thread (docs/solid.md).
   unsigned threads = 0;
-  /// Called repeatedly with the number of points done so far in place of triangles. Returning false cancels the run. Empty:
-  /// never called.
+  /// Called repeatedly with the number of finished points in place of triangles. Returning false cancels the run.
+  /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Tetrahedra, and those across their faces. Corners are input indices, of equal points the lowest.
+/// Tetrahedra with their neighbors. Corners are input indices; of equal points the lowest.
 struct Solid {
-  /// In `neighbors`, stands for no neighbor.
+  /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d. a is the least, b the next, and the rows are in
-  /// lexicographic order.
+  /// The tetrahedra. Each is positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d; a is the
+  /// least corner, b the second least. Rows are in lexicographic order.
   std::vector<std::array<std::uint32_t, 4>> simplices;
-  /// Neighbor k of a tetrahedron is the one across from corner k, or none. Empty unless requested.
+  /// The tetrahedron across from each corner, or none. Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
   std::vector<Duplicate> duplicates;    ///< ascending by index
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// The Delaunay tetrahedra of circumradius at most alpha. Fewer than four points, and points of one plane, have none.
+/// Computes the Delaunay tetrahedra of circumradius at most alpha. The result is empty for fewer than four points and
+/// for points of one plane.
 /// Requires: 0 < alpha ≤ infinity; finite points, fewer than 2^32 − 1, of at most 2^30 tetrahedra.
 /// Throws:   InvalidInput that names the violated requirement, before anything is computed except that for too many
 ///           tetrahedra; Cancelled.

@@ -1,4 +1,4 @@
-// What: the pieces of a solid with their sizes.
+// What: the components of a solid with their sizes.
 // Law:  all numbers are functions of the set of points: the same to the last bit in any order of them.
 // Cost: union–find over the tetrahedra, and the measures of their boundary.
 #pragma once
@@ -15,27 +15,28 @@
 
 namespace rbpa {
 
-/// What connects tetrahedra.
+/// The relation that connects tetrahedra to components.
 enum class Connection {
   triangles,  ///< a common triangle: solid components, bodies whose interior is connected
-  points,     ///< a common point, edge or triangle: components of the space
+  points,     ///< a common point, edge or triangle: components of the union as a topological space
 };
 
 struct SolidComponent {
   std::size_t tetrahedra = 0;
   std::size_t boundary_triangles = 0;
-  double volume = 0, area = 0;  ///< as accurate as measure() of a boundary
+  double volume = 0, area = 0;  ///< with the accuracy of measure() of a boundary
   Point3 low, high;             ///< opposite corners of its box
 };
 
 struct SolidComponents {
-  std::vector<SolidComponent>
-      all;  ///< the largest volume first; of equal ones that with the lexicographically least triangle
-  std::vector<std::uint32_t> number;  ///< of each tetrahedron: its component in `all`
+  /// The components, the largest volume first; of equal ones the one with the lexicographically least triangle first.
+  std::vector<SolidComponent> all;
+  std::vector<std::uint32_t> number;  ///< for each tetrahedron, its component in `all`
 };
 
+/// Computes the components of a solid.
 /// Requires: a solid of these points with neighbors, and its boundary.
-/// Throws:   ContractViolation where they visibly are not.
+/// Throws:   ContractViolation when they visibly are not.
 RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,
                                           const SolidBoundary& boundary, Connection through = Connection::triangles);
 

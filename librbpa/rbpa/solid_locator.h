@@ -1,9 +1,9 @@
-// What:   in which tetrahedron of a Delaunay triangulation does a point lie?
-// Law:    exact, and a function of the point and the triangulation: where the point is on a face, an edge or a corner of several tetrahedra, the
-//         first of them.
-// How:    a walk from tetrahedron to tetrahedron toward the point, from one at a point in the same cell of a grid. Such a walk ends in every
-//         Delaunay triangulation.
-// Cost:   of a SolidLocator linear in the tetrahedra; of a query a few steps where the points are dense.
+// What:   finds the tetrahedron of a Delaunay triangulation that contains a point.
+// Law:    exact, and a function of the point and the triangulation: of several tetrahedra that share the face, edge or
+//         corner on which the point lies, the first is found.
+// How:    a walk from tetrahedron to tetrahedron toward the point, from one at an input point in the same cell of a
+//         grid. Such a walk ends in every Delaunay triangulation.
+// Cost:   a SolidLocator takes linear time in the tetrahedra; a query takes a few steps where the points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
 #pragma once
 
@@ -21,22 +21,23 @@
 namespace rbpa {
 
 struct SolidLocateOptions {
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called repeatedly, one call at a time but from any thread; returning false ends the work. Empty: never called.
+  /// Called repeatedly, one call at a time but from any thread; returning false cancels the work. Empty: never called.
   std::function<bool()> go_on = {};
 };
 
 class RBPA_API SolidLocator {
  public:
-  /// Keeps the spans.
-  /// Requires: finite points, and all tetrahedra of their Delaunay triangulation with neighbors, as solid() gives them at infinity.
-  /// Throws:   ContractViolation where a corner or a neighbor does not exist.
+  /// Prepares queries in a triangulation. Keeps the spans.
+  /// Requires: finite points, and all tetrahedra of their Delaunay triangulation with neighbors, as solid() returns
+  ///           them at infinity.
+  /// Throws:   ContractViolation when a corner or a neighbor does not exist.
   SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                std::span<const std::array<std::uint32_t, 4>> neighbors);
 
-  /// For each query the first tetrahedron that contains it, faces, edges and corners included, or Solid::none; none for a query that is
-  /// not finite.
+  /// Returns for each query the first tetrahedron that contains it, faces, edges and corners included, or Solid::none
+  /// if there is none or the query is not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point3> queries, const SolidLocateOptions& options = {}) const;
 
@@ -49,7 +50,7 @@ class RBPA_API SolidLocator {
   std::span<const std::array<std::uint32_t, 4>> simplices_, neighbors_;
   Point3 low_, high_;
   std::array<std::size_t, 3> cells_{1, 1, 1};
-  std::vector<std::uint32_t> start_;  // of each cell, where a walk begins
+  std::vector<std::uint32_t> start_;  // for each cell, the tetrahedron at which a walk begins
 };
 
 }  // namespace rbpa

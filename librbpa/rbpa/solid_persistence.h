@@ -1,10 +1,13 @@
-// What:   births and deaths of components, tunnels and voids of the alpha complex in space while alpha grows from 0 to infinity.
-// Law:    components at alpha = pairs of dimension 0 with birth ≤ alpha < death, tunnels those of dimension 1, voids those of dimension 2: the Betti numbers of
-//         the full alpha complex. A pair never has birth = death. Exact, with coefficients in Z/2: simplices are in one order, by alpha, dimension and
-//         number. A function of the set of points alone, but for the simplices that make pairs where radii are equal.
+// What:   births and deaths of components, tunnels and voids of the alpha complex in space while alpha grows from 0 to
+//         infinity.
+// Law:    the pairs with birth ≤ alpha < death are the components (dimension 0), tunnels (dimension 1) and voids
+//         (dimension 2) at alpha: the Betti numbers of the full alpha complex. A pair never has birth = death. Exact,
+//         with coefficients in Z/2: simplices are ordered by alpha, dimension and number. A function of the set of
+//         points alone, except for the simplices that make pairs if radii are equal.
 // Cost:   union–find for dimensions 0 and 2; for dimension 1 a reduction that is nearly linear in practice.
-// Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002); Delfinado, Edelsbrunner (1995): dimension 2 by duality;
-//         Chen, Kerber, Persistent homology computation with a twist (2011); docs/persistence_in_space.md.
+// Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002); Delfinado,
+//         Edelsbrunner (1995): dimension 2 by duality; Chen, Kerber, Persistent homology computation with a twist
+//         (2011); docs/persistence_in_space.md.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +21,9 @@
 
 namespace rbpa {
 
-/// What exists for birth ≤ alpha < death, and the simplices that make it and end it, by their numbers: of dimension 0 a point and an edge, of dimension 1 an edge
-/// and a triangle, of dimension 2 a triangle and a tetrahedron.
+/// A component, tunnel or void that exists for birth ≤ alpha < death, and the numbers of the simplices that create and
+/// destroy it: for dimension 0 a point and an edge, for dimension 1 an edge and a triangle, for dimension 2 a triangle
+/// and a tetrahedron.
 struct SolidPair {
   int dimension = 0;
   double birth = 0;
@@ -29,9 +33,10 @@ struct SolidPair {
   friend bool operator==(const SolidPair&, const SolidPair&) = default;
 };
 
-/// Sorted by dimension, birth, death, those without a death last, then by what makes them.
-/// Throws: ContractViolation where it visibly is no filtration; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
-///         called.
+/// Returns the pairs, sorted by dimension, birth and death, those without a death last, then by the simplex that
+/// creates them.
+/// Throws: ContractViolation when the argument visibly is no filtration; Cancelled when `go_on`, which is called every
+///         few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration,
                                                   const std::function<bool()>& go_on = {});
 

@@ -1,10 +1,13 @@
-// What:   for pairs of solid_persistence(), cells of the alpha complex that show where each is: the edge at which a component ends, a cycle of edges around a
+// What:   locates the pairs of solid_persistence(): the edge at which a component ends, a cycle of edges around a
 //         tunnel, the triangles around a void with the tetrahedra in it.
-// Law:    a tunnel's cycle is in the complex at its birth, has the edge that makes it, and becomes the boundary of triangles exactly when it ends. A void's triangles
-//         bound its tetrahedra: all of it at its birth. Every surface that is homologous there has these tetrahedra within, so that none has less volume.
-//         A function of the set of points alone where no radii and lengths are equal.
-// Cost:   that of solid_persistence(); beside it, a search for a shortest path for each tunnel, and as much as it has tetrahedra for each void.
-// Source: Obayashi, Volume-optimal cycle (2018): voids; Dijkstra (1959), Hart, Nilsson, Raphael (1968): shortest paths; docs/persistence_in_space.md.
+// Law:    a tunnel's cycle is in the complex at its birth, contains the edge that creates the tunnel, and becomes the
+//         boundary of triangles exactly when the tunnel ends. A void's triangles bound its tetrahedra: all of it at its
+//         birth. Every homologous surface there encloses these tetrahedra, so none encloses less volume. A function of
+//         the set of points alone if no radii and lengths are equal.
+// Cost:   that of solid_persistence(); also a search for a shortest path for each tunnel, and linear time in the
+//         tetrahedra of each void.
+// Source: Obayashi, Volume-optimal cycle (2018): voids; Dijkstra (1959), Hart, Nilsson, Raphael (1968): shortest paths;
+//         docs/persistence_in_space.md.
 #pragma once
 
 #include <cstdint>
@@ -21,20 +24,24 @@
 namespace rbpa {
 
 struct SolidRepresentative {
-  /// Dimension 0: the edge that ends it; none where there is no death. 1: edges of the cycle, one after the other, from the one that makes it on; if it has several
-  /// loops, the others follow. 2: triangles around it, ascending.
+  /// Dimension 0: the edge that ends it; none if it never dies. Dimension 1: the edges of the cycle, one after the
+  /// other, beginning with the one that creates the tunnel; if the cycle has several loops, the others follow.
+  /// Dimension 2: the triangles around the void, ascending.
   std::vector<std::uint32_t> cells;
-  std::vector<std::uint32_t> tetrahedra;  ///< dimension 2: those in it, ascending
-  std::vector<Triangle>
-      faces;          ///< dimension 2: corners of its triangles, in their order, counter-clockwise seen from around
-  double length = 0;  ///< of the edges
+  std::vector<std::uint32_t> tetrahedra;  ///< dimension 2: the tetrahedra in the void, ascending
+  /// Dimension 2: the corners of the triangles in `cells`, in the same order, counter-clockwise seen from outside the
+  /// void.
+  std::vector<Triangle> faces;
+  double length = 0;            ///< sum over the edges
   double area = 0, volume = 0;  ///< of the triangles, and of the tetrahedra
-  bool is_shortest = false;     ///< dimension 1: it is known that no cycle of which the law is true is shorter
+  bool is_shortest = false;  ///< dimension 1: whether the cycle is known to be the shortest one for which the law holds
 };
 
-/// One for each pair. Where a cycle is not known to be the shortest, shortest paths between its points, half of it apart, a quarter, an eighth and so on, were tried
-/// in place of its own; it is never longer than that of the reduction.
-/// Requires: these points' filtration, and pairs of it. Throws: ContractViolation where they visibly are not; Cancelled as solid_persistence().
+/// Returns one representative for each pair. If a cycle is not known to be the shortest, shorter ones were sought:
+/// shortest paths between its points, half of the cycle apart, a quarter, an eighth and so on, were tried in place of
+/// parts of it. The cycle is never longer than that of the reduction.
+/// Requires: the filtration of these points, and pairs of it.
+/// Throws:   ContractViolation when they visibly are not; Cancelled as solid_persistence().
 RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
                                                                 const SolidFiltration& filtration,
                                                                 std::span<const SolidPair> pairs,

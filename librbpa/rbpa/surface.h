@@ -1,10 +1,10 @@
-// What:   ball pivoting of points in space, as arrays of indices in canonical order.
-// Law:    a function of the set of points, their normals and the radius, and of no order, seed or thread. Every decision is
-//         exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses. docs/surface.md;
-//         docs/surface_derivation.md.
-// Cost:   linear in the number of points; for each, it grows slowly with the number of points within two radii.
-// Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha shapes
-//         (Edelsbrunner and Mücke, 1994).
+// What:   ball pivoting of points in space; the surface is returned as arrays of indices in canonical order.
+// Law:    a function of the set of points, their normals and the radius, not of any order, seed or thread. Every
+//         decision is exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses.
+//         docs/surface.md; docs/surface_derivation.md.
+// Cost:   linear in the number of points; the cost of a point grows slowly with the number of points within two radii.
+// Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha
+//         shapes (Edelsbrunner and Mücke, 1994).
 #pragma once
 
 #include <array>
@@ -22,39 +22,39 @@
 namespace rbpa {
 
 struct SurfaceOptions {
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called repeatedly with the number of exposed triangles, one call at a time but from any thread of the run. Returning false
   /// cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Oriented triangles, and the triangle on which the ball comes to rest when it rolls over each side. Corners are input
-/// indices, of equal points the lowest.
+/// Oriented triangles, and for each side the triangle on which the ball comes to rest when it rolls over the side.
+/// Corners are input indices; of equal points the lowest.
 struct Surface {
-  /// In `neighbors`, stands for no neighbor.
+  /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three points may form two
-  /// triangles, one for each side.
+  /// The triangles, counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three
+  /// points may form two triangles, one for each side.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Neighbor k of a triangle is the one to which the ball rolls over the side across from corner k, or none. Rolling back
-  /// returns.
+  /// Neighbor k of a triangle is the triangle to which the ball rolls over the side across from corner k, or none.
+  /// Rolling back returns to the same triangle.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
-  /// For each triangle, the number of the radius that made it (surface_levels.h). Empty after one radius.
+  /// For each triangle, the number of the radius that created it (surface_levels.h). Empty for a single radius.
   std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };
 
-/// The exposed triangles E_r: those on whose positive side an open ball of the radius rests that holds no point. They are a
-/// closed surface: no neighbor is none.
+/// Computes the exposed triangles E_r: those on whose positive side an open ball of the radius rests that contains no
+/// point. They form a closed surface: no neighbor is none.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
-/// The surface A_r: the exposed triangles whose own normal has a positive product with the normals of all points at their
-/// corners. Two sides are glued where each pivots to the other.
+/// Computes the surface A_r: the exposed triangles whose own normal has a positive product with the normals of all
+/// points at their corners. Two sides are glued if each pivots to the other.
 /// Requires: as exposed_triangles(); a normal for each point, finite, of any length but 0.
 /// Throws:   as exposed_triangles().
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,

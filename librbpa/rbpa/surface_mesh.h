@@ -1,6 +1,6 @@
-// What: a surface of points in space as a halfedge mesh, and a halfedge mesh as a surface.
-// Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex of its
-//       own. The surface of a mesh is glued as the mesh is: surface_mesh() of it is the mesh again, up to handles.
+// What: converts a surface of points in space to a halfedge mesh, and a halfedge mesh to a surface.
+// Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex
+//       of its own. The surface of a mesh is glued as the mesh is: its surface_mesh() is the mesh again, up to handles.
 // Cost: linear, and a sort of the vertices.
 #pragma once
 
@@ -24,14 +24,15 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> input_index;  ///< the input point of each vertex; ascending
 };
 
+/// Builds the halfedge mesh of a surface.
 /// Requires: a surface of these points.
-/// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number; ContractViolation
-///           when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
+/// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
+///           ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
-/// The same for a surface that is no longer needed: its memory is freed on the way.
+/// Builds the same from a surface that is no longer needed, whose memory is freed on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
-/// The place of each vertex of a mesh of OpenMesh, by index; of those marked deleted the origin.
+/// Returns the place of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
 template <meshops::HasPoints AnyMesh>
 std::vector<Point3> places_of(const AnyMesh& mesh) {
   std::vector<Point3> places(mesh.n_vertices());
@@ -43,8 +44,8 @@ std::vector<Point3> places_of(const AnyMesh& mesh) {
   return places;
 }
 
-/// The triangles of a mesh; points are its vertices, by index, and `given` are its faces, by index. Corners of vertices
-/// at one place become the lowest of them, glued or not.
+/// Returns the triangles of a mesh as a surface; its points are the vertices, by index, and `given` holds the faces, by
+/// index. Vertices at one place become the lowest of them, glued or not.
 /// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; the corners of a face at different
 ///           places.
 /// Throws:   ContractViolation on other faces or fewer places; InvalidInput as surface_of() of triangles.

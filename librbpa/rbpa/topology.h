@@ -1,4 +1,4 @@
-// What: the counts of a solid alpha complex as a topological space.
+// What: counts of a solid alpha complex as a topological space: its simplices, components and holes.
 // Law:  components − holes = points − edges + triangles (the Euler characteristic; in the plane b₂ = 0).
 #pragma once
 
@@ -14,7 +14,7 @@ namespace rbpa {
 
 struct SolidAlphaComplex;  // rbpa/complex.h
 
-/// Components are counted in two ways: solid ones are connected through edges, and are the components of the mesh; those of
+/// Counts of a complex. Solid components are connected through edges, and are the components of the mesh; components of
 /// the space are connected through pinches as well.
 struct ComplexCounts {
   std::size_t points_covered = 0;  ///< distinct input points in triangles: the vertices of the space
@@ -27,16 +27,19 @@ struct ComplexCounts {
   friend bool operator==(const ComplexCounts&, const ComplexCounts&) = default;
 };
 
+/// Counts the simplices and components of a complex.
 /// Cost: about linear.
 RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 
-/// The same of arrays: by their boundary where it is there, else by the neighbors. Nothing else is looked at, since in the plane
-/// curves around components run left and curves around holes right. So `.boundary` alone costs least.
-/// Of a full complex, edges in no triangle are counted as well; the points covered are those in a triangle or an edge, every
-/// other distinct point is a component, and components − holes = distinct points − edges + triangles.
+/// Counts the same in arrays: by their boundary if it was computed, otherwise by the neighbors. Nothing else is read,
+/// since in the plane curves around components have the opposite direction of curves around holes. So `.boundary` alone
+/// costs least.
+///
+/// In a full complex, edges in no triangle are counted as well. The points covered are those in a triangle or an edge,
+/// every other distinct point is a component, and components − holes = distinct points − edges + triangles.
 /// Requires: triangles that lie side by side, on these points.
-/// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled when `go_on`, which is called every few
-///           milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled when `go_on`, which is
+///           called every few milliseconds, returns false. Empty: never called.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const Triangulation& complex, Complex kind = Complex::solid,
                              const std::function<bool()>& go_on = {});

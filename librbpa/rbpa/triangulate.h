@@ -1,8 +1,8 @@
-// What:   the alpha complex of points in the plane as plain arrays of indices, in canonical order.
-// Law:    the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads, or
-//         on the compiler.
-// Cost:   less than that of rbpa(), as no mesh is made: docs/performance.md.
-// Note:   independent of OpenMesh.
+// What: the alpha complex of points in the plane as plain arrays of indices, in canonical order.
+// Law:  the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads,
+//       or on the compiler.
+// Cost: less than that of rbpa(), as no mesh is made: docs/performance.md.
+// Note: independent of OpenMesh.
 #pragma once
 
 #include <array>
@@ -20,51 +20,54 @@
 
 namespace rbpa {
 
-/// Which simplices belong to the complex of a radius.
+/// The simplices that belong to the complex of a radius.
 enum class Complex {
   solid,  ///< the Delaunay triangles of circumradius ≤ alpha, with their edges and corners
-  full    ///< these, and the edges and points of the alpha complex that are in none: Triangulation::edges and points
+  full    ///< also the edges and points of the alpha complex that are in no triangle: Triangulation::edges and points
 };
 
 struct TriangulationOptions {
   Complex complex = Complex::solid;
   bool neighbors = false;  ///< fills in Triangulation::neighbors
   bool boundary = false;   ///< fills in Triangulation::boundary
-  /// Threads that work at most, the calling one included. 0 = all processors; larger values are capped.
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels it.
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
   /// Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 
-/// Indices are those of the input points, of equal points the lowest.
+/// A complex as arrays. Indices are those of the input points; of equal points the lowest.
 struct Triangulation {
-  /// In `neighbors`, stands for no neighbor.
+  /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
-  /// Counter-clockwise, the smallest index first, in lexicographic order.
+  /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
-  /// Of each triangle, neighbor k is the triangle across from corner k, or none.
+  /// The triangle across from each corner, or none.
   std::vector<Triangle> neighbors;
-  /// The sides at which no other triangle lies, each as it runs around its triangle, in lexicographic order.
+  /// The boundary: the sides at which no other triangle lies, each directed as in its triangle, in lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
   std::vector<Duplicate> duplicates;    ///< ascending by index
   std::size_t distinct = 0;             ///< number of distinct points
 
-  // Of the full complex only.
+  // In a full complex only:
   /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha whose
-  /// diametral circle is empty. Of points on one line, those between neighbors.
+  /// diametral circle is empty. For points on one line, the edges between neighbors.
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
 
-  /// Requires that neighbors were computed, where the function called uses them.
+  /// Converts to a view. Requires: neighbors were computed, if the called function uses them.
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Requires and throws: as rbpa().
-/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors or
-///           boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with neighbors.
+/// Computes the complex.
+/// Requires: as rbpa().
+/// Throws:   as rbpa().
+/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors
+///           or boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with
+///           neighbors.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});
 

@@ -13,21 +13,22 @@
 namespace rbpa {
 
 enum class UnusedCause : std::uint8_t {
-  no_ball_rests,  ///< empty balls touch the point, and none touches two others as well: they are too far, or on a line
-  hidden,         ///< every ball of the largest radius that touches the point holds another one
-  normals_disagree,  ///< the point is on exposed triangles, and none agrees with the normals at all its corners
-  blocked,           ///< one agrees, and touches the interior of the surface of smaller radii
+  no_ball_rests,  ///< empty balls touch the point, but none touches two others as well: they are too far, or on a line
+  hidden,         ///< every ball of the largest radius that touches the point contains another point
+  normals_disagree,  ///< the point is on exposed triangles, but none agrees with the normals at all its corners
+  blocked,           ///< an exposed triangle agrees, but touches the interior of the surface of smaller radii
 };
 
 struct UnusedPoint {
-  std::uint32_t index;  ///< in the input; of equal points the lowest
+  std::uint32_t index;  ///< input index; of equal points the lowest
   UnusedCause cause;
   friend bool operator==(const UnusedPoint&, const UnusedPoint&) = default;
 };
 
-/// The distinct points that are in no triangle, ascending; for the others that are equal see Surface::duplicates. Where radii
-/// give several causes, the last one in the list above.
-/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one radius.
+/// Returns the distinct points that are in no triangle, ascending; Surface::duplicates lists the points equal to them.
+/// If radii give several causes, the last one in the list above is returned.
+/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one
+///           radius.
 /// Throws:   InvalidInput as they do; ContractViolation when a corner is none of the points; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,

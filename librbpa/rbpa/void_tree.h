@@ -1,10 +1,11 @@
-// What:   all voids of points in space at every radius, as a tree: each with the radius at which it closes, the one at which it is filled, and the void, or the
-//         outside, that it is parted from when it closes. What closes only above a radius is a pocket there, with the triangle that closes it for its mouth.
-// Law:    a void of the complex at alpha is one node with closes ≤ alpha < filled, and nodes other than these are none. A function of the set of points, but for the
-//         simplices where radii are equal.
-// Cost:   a sort of the tetrahedra, and union–find; with full walls moreover the radius of each triangle.
-// Source: Delfinado, Edelsbrunner (1995); Edelsbrunner, Facello, Liang, On the definition and the construction of pockets in macromolecules (1998);
-//         docs/persistence_in_space.md.
+// What:   all voids of points in space at every radius, as a tree: each void with the radii at which it closes and is
+//         filled, and with the larger void, or the outside, from which it separates when it closes. Below the radius at
+//         which it closes, a void is a pocket, with the triangle that closes it for its mouth.
+// Law:    a void of the complex at alpha is one node with closes ≤ alpha < filled, and every such node is a void. A
+//         function of the set of points, except for the simplices if radii are equal.
+// Cost:   a sort of the tetrahedra, and union–find; with full walls also the radius of each triangle.
+// Source: Delfinado, Edelsbrunner (1995); Edelsbrunner, Facello, Liang, On the definition and the construction of
+//         pockets in macromolecules (1998); docs/persistence_in_space.md.
 #pragma once
 
 #include <cstdint>
@@ -22,22 +23,24 @@
 namespace rbpa {
 
 struct VoidNode {
-  double closes = 0, filled = 0;  ///< a void for closes ≤ alpha < filled
-  double volume = 0;              ///< when it closes
-  Triangle mouth =
-      {};  ///< ascending corners of the triangle that closes it; of VoidWalls::solid the last one of a tetrahedron
-  std::uint32_t last = 0;    ///< the tetrahedron that fills it at last
-  std::uint32_t parent = 0;  ///< the void that it is parted from, by number, or none: the outside
+  double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
+  double volume = 0;              ///< volume when it closes
+  /// The corners of the triangle that closes it, ascending; with VoidWalls::solid, the last triangle of the tetrahedron
+  /// that closes it.
+  Triangle mouth = {};
+  std::uint32_t last = 0;    ///< the last tetrahedron that fills it
+  std::uint32_t parent = 0;  ///< the node from which it separates, or none: the outside
 };
 
 struct VoidTree {
   static constexpr std::uint32_t none = 0xffffffff;
 
-  std::vector<VoidNode> nodes;  ///< by `closes`, parents before what is parted from them
-  /// Of each tetrahedron, the node that it is in just below its radius; none: the outside, or one that is filled as it closes.
+  std::vector<VoidNode> nodes;  ///< sorted by `closes`; parents come before children
+  /// For each tetrahedron, the node that contains it just below its radius; none if it is then in the outside, or in a
+  /// void that is filled as it closes.
   std::vector<std::uint32_t> node_of;
 
-  /// The void that a tetrahedron is in at a radius below its own, or none. Cost: its depth.
+  /// Returns the void that contains a tetrahedron at a radius below its own, or none. Cost: its depth.
   std::uint32_t void_at(double alpha, std::uint32_t tetrahedron) const {
     std::uint32_t node = node_of[tetrahedron];
     while (node != none && nodes[node].closes > alpha) node = nodes[node].parent;
@@ -45,15 +48,19 @@ struct VoidTree {
   }
 };
 
-/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or those of solid_filtration(), which are near
-///           each other in memory. Threads, as in SolidOptions, share the radii of triangles.
-/// Throws:   ContractViolation where they visibly are not; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Builds the tree. Threads, as in SolidOptions, share the radii of triangles.
+/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or those of
+///           solid_filtration(), which are near each other in memory.
+/// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
+///           milliseconds, returns false. Empty: never called.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                             VoidWalls walls = VoidWalls::full, unsigned threads = 0,
                             const std::function<bool()>& go_on = {});
 
-/// Of each of the voids at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of the same walls.
-/// Requires: the triangulation of the tree, and its radii. Throws: ContractViolation where a void is not found.
+/// Returns for each void at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of
+/// the same walls.
+/// Requires: the triangulation of the tree, and its radii.
+/// Throws:   ContractViolation when a void is not found.
 RBPA_API std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                              double alpha, const Surface& boundary, std::span<const SolidVoid> voids);
 
