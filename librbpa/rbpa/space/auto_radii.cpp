@@ -38,8 +38,8 @@ struct Gaps {
   std::vector<double> least;  // circumradii, used if no point has a gap
 };
 
-/// Whether a point is one of a surface, as far as its neighbors show: outliers are farther from their neighbors than these are from
-/// theirs, or have neighbors on all sides.
+/// Whether a point is one of a surface, as far as its neighbors show: outliers are farther from their neighbors than
+/// these are from theirs, or have neighbors on all sides.
 bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
   if (flatness < least_flatness) return false;
   const auto squared = [&](std::uint32_t p, std::uint32_t q) {
@@ -68,7 +68,8 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbors they are the most.
+/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbors they are the
+/// most.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;

@@ -1,4 +1,4 @@
-// What: the places of points within a box, scaled so that neither differences nor products overflow.
+// What: places: coordinates of points relative to a box, scaled so that neither differences nor products overflow.
 // Law:  differences are rounded once, as the scale is a power of two.
 #pragma once
 
@@ -12,18 +12,18 @@ namespace rbpa::space {
 
 class BoxScale {
  public:
-  /// Requires: finite, low <= high.
+  /// Requires: finite corners, low <= high.
   BoxScale(const Point3& low, const Point3& high) : low_(low) {
-    // Halves of extreme coordinates, so that their differences are finite.
+    // Extreme coordinates are halved, so that their differences are finite.
     std::frexp(std::max({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2}), &exponent_);
     ++exponent_;
   }
 
-  /// A unit of places is 2^exponent() of the points' units.
+  /// Returns the exponent of the scale: a unit of places is 2^exponent() units of the points.
   int exponent() const { return exponent_; }
-  /// From the lower corner, each coordinate at most 1.
+  /// Returns the place of a point, relative to the lower corner: each coordinate is at most 1 within the box.
   Vector3<double> place(const Point3& p) const { return {along(p.x, low_.x), along(p.y, low_.y), along(p.z, low_.z)}; }
-  /// The point at a place, rounded.
+  /// Returns the point at a place, rounded.
   Point3 point(const Vector3<double>& place) const {
     return {back(place.x, low_.x), back(place.y, low_.y), back(place.z, low_.z)};
   }

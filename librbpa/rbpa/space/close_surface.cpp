@@ -15,7 +15,8 @@ namespace {
 
 std::ptrdiff_t count_of(const std::vector<bool>& which) { return std::count(which.begin(), which.end(), true); }
 
-/// Some triangles of a surface, without the islands that they make. Requires: all `kept` but of triangles; clears islands there.
+/// Some triangles of a surface, without the islands that they make. Requires: all `kept` but of triangles; clears
+/// islands there.
 Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept,
                 const std::function<bool()>& go_on) {
   for (;;) {

@@ -165,8 +165,8 @@ class Closing {
   Threads threads_;
 };
 
-/// Loops that cannot be closed one by one, as an island lies in the hole: closed together. Strips of two triangles join them to one
-/// loop, which is closed as any other.
+/// Loops that cannot be closed one by one, as an island lies in the hole: closed together. Strips of two triangles join
+/// them to one loop, which is closed as any other.
 class Joining {
  public:
   using Loop = std::vector<std::uint32_t>;

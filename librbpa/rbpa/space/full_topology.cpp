@@ -21,7 +21,8 @@
 namespace rbpa {
 namespace {
 
-/// Which tetrahedra that are not in the complex are connected outside of it, and the outside of all, which comes after them.
+/// Which tetrahedra that are not in the complex are connected outside of it, and the outside of all, which comes after
+/// them.
 meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces,
                                         const std::function<bool()>& go_on) {
   Steps step(go_on);

@@ -180,7 +180,8 @@ class Remedies {
   }
 
  private:
-  /// Calls attempt(hole, remedy, near) for the holes that are wanted and have no remedy yet, with what is near within a radius.
+  /// Calls attempt(hole, remedy, near) for the holes that are wanted and have no remedy yet, with what is near within a
+  /// radius.
   template <typename IsWanted, typename Attempt>
   void for_each_left(double radius, const IsWanted& is_wanted, const Attempt& attempt) {
     Indices left;
@@ -215,8 +216,8 @@ class Remedies {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());
     sort_unique(at);
-    // What a radius adds at a point depends on what smaller ones made at the points that its ball touches there. So each carries
-    // what is changed one neighborhood farther, and as many more make what is there as it is in the whole.
+    // What a radius adds at a point depends on what smaller ones made at the points that its ball touches there. So
+    // each carries what is changed one neighborhood farther, and as many more make what is there as it is in the whole.
     Indices changed = at, input;
     for (std::size_t i = 0; i < radii_.size(); ++i) changed = near.around(changed);
     input = changed;
@@ -279,8 +280,8 @@ class Remedies {
     for_each_left(radius, is_wanted, attempt);
   }
 
-  /// A radius that closes the hole as `radius` does, for triangles that need at least `least`. A ball of that radius may hold a
-  /// further point, or rest on other triangles as well.
+  /// A radius that closes the hole as `radius` does, for triangles that need at least `least`. A ball of that radius
+  /// may hold a further point, or rest on other triangles as well.
   static double least_closing(const LargerBall& ball, const Hole& hole, double too_small, double radius, double least) {
     while (least < radius && radius > too_small * (1 + close_enough)) {
       const double smaller = least > too_small ? least : too_small + (radius - too_small) / 2;

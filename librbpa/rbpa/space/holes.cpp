@@ -96,7 +96,8 @@ class Exposed {
   std::vector<space::ExposedAt> exposed_;
 };
 
-/// Fills in the cause of an edge, and where it is. Requires: edge.next; the interior of the smaller radii, if there are any.
+/// Fills in the cause of an edge, and where it is. Requires: edge.next; the interior of the smaller radii, if there are
+/// any.
 void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);

@@ -46,8 +46,8 @@ class RestingBall {
     }
   }
 
-  /// The distance from the triangle to the center, less what rounding may have made of it: of a triangle that is nearly a line the
-  /// center is anywhere.
+  /// The distance from the triangle to the center, less what rounding may have made of it: of a triangle that is nearly
+  /// a line the center is anywhere.
   Real clearance() const { return clearance_ - 1000 * error_; }
   Point3 centre() const {
     const auto sum = [&](double from, Real at, Real along) { return static_cast<double>(from + at + height_ * along); };
@@ -61,8 +61,8 @@ class RestingBall {
   Real height_ = 0, clearance_ = 0, error_ = 0;
 };
 
-/// Calls visit(component, i) for each component that winds around place i, with places of such coordinates as points have. A triangle is
-/// compared with the places that are in reach of it in y.
+/// Calls visit(component, i) for each component that winds around place i, with places of such coordinates as points
+/// have. A triangle is compared with the places that are in reach of it in y.
 template <typename Visit>
 void for_each_enclosed(std::span<const Point3> points, const Surface& shells, const SurfaceComponents& components,
                        std::span<const Point3> places, Steps& step, const Visit& visit) {

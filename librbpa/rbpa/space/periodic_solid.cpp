@@ -78,8 +78,8 @@ void list_isolated(std::size_t points, PeriodicSolid& solid) {
   });
 }
 
-/// Those of circumradius at most `radius`. Around a corner in the box, all points within twice the radius are there: so tetrahedra with such a
-/// corner are right, and of every class there is one.
+/// Those of circumradius at most `radius`. Around a corner in the box, all points within twice the radius are there: so
+/// tetrahedra with such a corner are right, and of every class there is one.
 PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& torus, double radius,
                           const SolidOptions& options) {
   Images images = images_of(wrapped, torus, 2 * radius);
@@ -137,7 +137,8 @@ PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, 
   wrapped.reserve(points.size());
   for (const Point3& p : points) wrapped.push_back(torus.wrapped(p));
 
-  // Most tetrahedra are small. Where those within a radius fill the space, there are no others, and fewer images are needed than for alpha.
+  // Most tetrahedra are small. Where those within a radius fill the space, there are no others, and fewer images are
+  // needed than for alpha.
   constexpr double first_in_spacings = 2;
   const double spacing = std::cbrt(torus.box().x) * std::cbrt(torus.box().y) * std::cbrt(torus.box().z) /
                          std::cbrt(static_cast<double>(std::max<std::size_t>(points.size(), 1)));

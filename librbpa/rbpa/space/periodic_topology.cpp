@@ -44,7 +44,8 @@ std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangl
   return {corner(0), corner(1), corner(2)};
 }
 
-/// What closes some of the tetrahedra where they are: first the triangles that bound them, then those between two of them that are an image away.
+/// What closes some of the tetrahedra where they are: first the triangles that bound them, then those between two of
+/// them that are an image away.
 class Hull {
  public:
   explicit Hull(const PeriodicSolid& solid) : solid_(solid), measure_(solid.positions) {}

@@ -56,11 +56,13 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
   return rows;
 }
 
-/// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In order:
+/// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In
+/// order:
 ///   1. sort the points into cells, and estimate what it would cost;
 ///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
 ///   3. find neighbors, and sort.
-/// Returns: false if it would cost more than that for each point, in the unit of triples_cost(); then nothing is filled in.
+/// Returns: false if it would cost more than that for each point, in the unit of triples_cost(); then nothing is filled
+/// in.
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
   constexpr double most_exact = 1.0 / 64;  // a share of the points

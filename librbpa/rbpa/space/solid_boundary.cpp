@@ -21,8 +21,8 @@ using space::place_of;
 
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face is known by
-/// 4 t + k: across from corner k of tetrahedron t.
+/// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face
+/// is known by 4 t + k: across from corner k of tetrahedron t.
 class OpenFaces {
  public:
   explicit OpenFaces(const Solid& solid) : solid_(solid) {
@@ -74,8 +74,8 @@ class OpenFaces {
   }
 
  private:
-  /// The tetrahedra around an edge are passed from the triangle on. Every neighbor is known to share its face before it is passed to, so that
-  /// no two have the same next one, and the way ends.
+  /// The tetrahedra around an edge are passed from the triangle on. Every neighbor is known to share its face before it
+  /// is passed to, so that no two have the same next one, and the way ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";
     const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];

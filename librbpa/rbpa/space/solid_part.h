@@ -1,4 +1,4 @@
-// What: some of the tetrahedra of a solid, as a solid.
+// What: some of the tetrahedra of a solid, as a solid of their own.
 // Cost: linear.
 #pragma once
 
@@ -13,7 +13,8 @@
 
 namespace rbpa::space {
 
-/// The tetrahedra `kept`, ascending. They are neighbors across their corner k if keeps(t, k).
+/// Returns the tetrahedra `kept`, which ascend, as a solid. A tetrahedron t keeps its neighbor across from corner k if
+/// keeps(t, k).
 template <typename Keeps>
 Solid part_of(const Solid& solid, const std::vector<std::uint32_t>& kept, const Keeps& keeps) {
   Solid part;

@@ -1,4 +1,4 @@
-// What: brings tetrahedra and their neighbors, found in any order, into the order that is promised of a Solid.
+// What: sorts tetrahedra and their neighbors, found in any order, into the canonical order of a Solid.
 // Law:  the result depends on the set of tetrahedra alone.
 // Cost: a sort of the rows, and a pass over the neighbors.
 #pragma once
@@ -16,17 +16,18 @@
 
 namespace rbpa::space {
 
-/// Rows of a finder's numbers of points, positively oriented, and across from each corner the number of another row, or Solid::none.
+/// Tetrahedra as a finder numbers the points: positively oriented corners, and across from each corner the number of
+/// the neighboring row, or Solid::none.
 struct SolidRows {
-  std::vector<Row> corners;             ///< whose memory the solid's neighbors take over
-  meshops::FreshVector<Row> neighbors;  ///< not looked at unless wanted
+  std::vector<Row> corners;             ///< the solid's neighbors reuse its memory
+  meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted
 };
 
-/// Throws InvalidInput where so many tetrahedra have more faces than 32 bits can number.
+/// Throws InvalidInput where the faces of that many tetrahedra cannot be numbered with 32 bits.
 void check_number_of(std::size_t tetrahedra);
 
-/// Fills in the simplices, and the neighbors if they are wanted. `index` has the input index of each number that is a corner, all below `bound`. Calls
-/// `ask`, if any, between its steps; it may throw.
+/// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the
+/// finder's numbers; all are below `bound`. Calls `ask`, if any, between its steps; it may throw.
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
              const std::function<void()>& ask, Solid& solid);
 

@@ -90,8 +90,8 @@ class EdgeTurn {
  private:
   const Point3& at(const SideInSpace& side) const { return points_[side.apex]; }
   int along(const SideInSpace& side) const { return space::orientation_along(a_, b_, at(side), axis_); }
-  /// Returns the part of the turn that begins in the direction of the first: there, the first half, opposite, the second
-  /// half.
+  /// Returns the part of the turn that begins in the direction of the first: there, the first half, opposite, the
+  /// second half.
   int part(const SideInSpace& side) const {
     const int turned = space::orientation(a_, b_, start_, at(side));
     if (turned != 0) return turned > 0 ? 1 : 3;

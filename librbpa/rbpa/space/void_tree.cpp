@@ -34,7 +34,8 @@ std::vector<double> first_radii(std::span<const double> radii, const space::Numb
   return first;
 }
 
-/// Backwards in alpha, each tetrahedron adds its volume to what its basin is in by then, and each void that closes has what it has by then.
+/// Backwards in alpha, each tetrahedron adds its volume to what its basin is in by then, and each void that closes has
+/// what it has by then.
 void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, Steps& step,
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());
@@ -102,7 +103,8 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // Its basin may belong to a void that closes only above this radius; below it is a part of what that is parted from.
+    // Its basin may belong to a void that closes only above this radius; below it is a part of what that is parted
+    // from.
     while (of != none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);

@@ -48,8 +48,8 @@ bool is_exactly_between(const Point& p, const Point& a, const Point& b) {
   return exact::orientation(a, b, p) == 0 && std::min(a, b) < p && p < std::max(a, b);
 }
 
-/// Whether the ring of input points `passed` goes round `expected`, with nothing between its vertices but other vertices
-/// that lie exactly on its edges. Both begin at the same place.
+/// Whether the ring of input points `passed` goes round `expected`, with nothing between its vertices but other
+/// vertices that lie exactly on its edges. Both begin at the same place.
 bool goes_round(const Points& passed, const Points& expected) {
   std::size_t next = 0;
   for (const Point& p : passed) {

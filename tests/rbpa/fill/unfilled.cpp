@@ -182,7 +182,8 @@ TEST_CASE("whatever was filled and emptied, the triangulation is the same as one
   rbpa_test::Random random(12);
   int one = 0, more = 0;
   for (int turn = 0; turn < 40; ++turn) {
-    // No four places on one circle, nearly surely: so there is one triangulation. Large ones have squares that are infinite.
+    // No four places on one circle, nearly surely: so there is one triangulation. Large ones have squares that are
+    // infinite.
     const double unit = turn % 2 == 1 ? 0x1p300 : 1;
     const auto near = [&](double x, double y) {
       return Point{unit * std::round(x / unit + random.between(-1024, 1024)),

@@ -268,7 +268,8 @@ TEST_CASE("of levels without a triangle a logarithm is looked at, and none beyon
 }
 
 TEST_CASE("many levels between two on which something happens, wherever the next one is") {
-  // A small triangle, and a large one 2 to the power of `apart` times as large: any gap, so any way of closing in on it.
+  // A small triangle, and a large one 2 to the power of `apart` times as large: any gap, so any way of closing in on
+  // it.
   for (int apart = 1; apart < 70; ++apart) {
     CAPTURE(apart);
     const double size = std::ldexp(1.0, apart);

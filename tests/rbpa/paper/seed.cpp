@@ -1,4 +1,5 @@
-// Seeds are ideal: as long as a triangle is missing beyond the front, one is found; and none that the front would come to.
+// Seeds are ideal: as long as a triangle is missing beyond the front, one is found; and none that the front would come
+// to.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -24,7 +24,8 @@ struct Lump {
   Points3 points, normals;
 };
 
-/// Points on a dented sphere with noise, without those near some places; on a grid that is as coarse as they are dense, or not.
+/// Points on a dented sphere with noise, without those near some places; on a grid that is as coarse as they are dense,
+/// or not.
 Lump lump(Random& random, bool on_grid) {
   Lump lump;
   const int count = random.integer(150, 900);

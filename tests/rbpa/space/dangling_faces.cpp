@@ -32,8 +32,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Edge = std::array<std::uint32_t, 2>;
 
-/// By definition, over all points: a face of the triangulation is in the complex if one of what it is a face of is in it, or if its least sphere is
-/// within alpha and has no point inside.
+/// By definition, over all points: a face of the triangulation is in the complex if one of what it is a face of is in
+/// it, or if its least sphere is within alpha and has no point inside.
 DanglingFaces by_definition(const Points3& points, const Solid& delaunay, double alpha) {
   std::map<rbpa::Triangle, bool> triangles;
   std::map<Edge, bool> edges;

@@ -53,8 +53,8 @@ Sample sphere_without_cap(std::size_t count, double highest) {
 
 Point3 turned(const Point3& n) { return {-n.x, -n.y, -n.z}; }
 
-/// All that is computed of a hole's surroundings, from the whole surface: whether no edge of the hole is boundary, nor one of a
-/// triangle of the last level that is connected with it by such triangles.
+/// All that is computed of a hole's surroundings, from the whole surface: whether no edge of the hole is boundary, nor
+/// one of a triangle of the last level that is connected with it by such triangles.
 bool is_closed_by(const Hole& hole, const Surface& before, const Surface& after, std::uint32_t level) {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> number;
   for (std::uint32_t t = 0; t < after.triangles.size(); ++t) number[after.triangles[t]] = t;

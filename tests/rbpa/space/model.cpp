@@ -48,7 +48,8 @@ bool agrees(const Points3& points, const Points3& normals, const Triangle& t) {
 
 bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std::uint32_t apex, std::uint32_t other,
                std::uint32_t third) {
-  // Quarters of a turn from the apex on, counter-clockwise about the direction of the side; all of it for the apex itself.
+  // Quarters of a turn from the apex on, counter-clockwise about the direction of the side; all of it for the apex
+  // itself.
   const auto half = [&](std::uint32_t p) {
     return p == apex ? 2 : -exact::orientation(points[from], points[to], points[apex], points[p]);
   };

@@ -1,4 +1,5 @@
-// What: surfaces of a few points by their definitions to the letter: every triple against every point, every pair of sides.
+// What: surfaces of a few points by their definitions to the letter: every triple against every point, every pair of
+//       sides.
 // Law:  shares with the library nothing but the signs of predicate/exact.h and the ball, which have tests of their own.
 #pragma once
 
@@ -23,16 +24,18 @@ std::vector<std::uint32_t> distinct_of(const Points3& points);
 /// All oriented triples on which an empty ball rests.
 std::set<Triangle> exposed_by_definition(const Points3& points, double radius);
 
-/// The product of the triangle's normal with that of a point equal to its corner k is not positive, for some such point.
+/// The product of the triangle's normal with that of a point equal to its corner k is not positive, for some such
+/// point.
 bool disagrees(const Points3& points, const Points3& normals, const Triangle& triangle, std::size_t k);
 bool agrees(const Points3& points, const Points3& normals, const Triangle& triangle);
 
-/// Of two sides (from, to, apex) and (to, from, other): the turn from one to the other about the edge is less than to a third.
+/// Of two sides (from, to, apex) and (to, from, other): the turn from one to the other about the edge is less than to a
+/// third.
 bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std::uint32_t apex, std::uint32_t other,
                std::uint32_t third);
 
-/// Where the ball comes from the exposed triangle over the side across from its corner k: the first exposed triangle that is
-/// turned toward it, around the edge.
+/// Where the ball comes from the exposed triangle over the side across from its corner k: the first exposed triangle
+/// that is turned toward it, around the edge.
 Triangle next_by_definition(const Points3& points, const std::set<Triangle>& exposed, const Triangle& triangle,
                             std::size_t k);
 

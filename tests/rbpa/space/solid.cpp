@@ -80,8 +80,8 @@ std::vector<WholePoint> whole(const Points3& points) {
   return result;
 }
 
-/// The sign of the in-sphere determinant of five points with heights to which infinitesimals are added, the lexicographically
-/// largest point's outweighing all others: the determinant is linear in each.
+/// The sign of the in-sphere determinant of five points with heights to which infinitesimals are added, the
+/// lexicographically largest point's outweighing all others: the determinant is linear in each.
 int perturbed_sign(const std::array<WholePoint, 5>& p) {
   const auto sign_with_heights = [&](auto height) {
     std::array<std::array<Whole, 4>, 4> m;

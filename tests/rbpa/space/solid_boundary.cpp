@@ -98,7 +98,8 @@ void check_boundary(const Points3& points, const Solid& s, const SolidBoundary& 
   CHECK(fans.point == mesh.input_index);
 }
 
-/// Sides are glued to those that bound the same wedge of what is left out of the triangulation, or the outside of its hull.
+/// Sides are glued to those that bound the same wedge of what is left out of the triangulation, or the outside of its
+/// hull.
 /// Returns: how many ways passed the hull.
 std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const SolidBoundary& b,
                                 const Surface& outside) {
@@ -122,7 +123,8 @@ std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const 
           ++j;
         const std::uint32_t next = delaunay.neighbors[at][j];
         if (next == Solid::none) {
-          // On the other side of the hull: the face at the edge that the way would come to from outside is found by going back.
+          // On the other side of the hull: the face at the edge that the way would come to from outside is found by
+          // going back.
           if (wrapped) break;
           wrapped = true;
           ++hull;

@@ -1,4 +1,5 @@
-// What: solids that are any subset of a Delaunay triangulation, and what bounds them, by sets and by the tetrahedra that are left out.
+// What: solids that are any subset of a Delaunay triangulation, and what bounds them, by sets and by the tetrahedra
+//       that are left out.
 // Law:  by the definitions alone, with no walks: slow.
 #pragma once
 

@@ -78,7 +78,8 @@ class BoundariesOfTriangles {
   std::map<std::uint32_t, std::uint32_t> place_;
 };
 
-/// The shortest cycle through an edge among edges up to it that is a boundary exactly when it should be, by trying all that meet no point twice.
+/// The shortest cycle through an edge among edges up to it that is a boundary exactly when it should be, by trying all
+/// that meet no point twice.
 double shortest_by_trial(const Points3& points, const SolidFiltration& filtration, const SolidPair& pair,
                          const BoundariesOfTriangles& boundaries, const std::vector<std::uint32_t>& edge_place) {
   double least = infinity;

@@ -27,8 +27,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// By slices: on each circle of a slice the arcs that are in no other disc, which bound the slice of the union. By Archimedes a
-/// sphere has the same area between equally distant planes, so that arcs are the surface's share.
+/// By slices: on each circle of a slice the arcs that are in no other disc, which bound the slice of the union. By
+/// Archimedes a sphere has the same area between equally distant planes, so that arcs are the surface's share.
 BallUnion by_slices(const Points3& points, double radius, int slices) {
   std::vector<double> heights;  // between these every ball is met or none of it
   for (const Point3& p : points)

@@ -41,7 +41,8 @@ VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, VoidW
   return rbpa::void_tree(points, filtration.delaunay, filtration.tetrahedron_alpha, walls);
 }
 
-/// Sets of tetrahedra that are left out at a radius, joined through triangles that are not walls; the outside is one more, the last.
+/// Sets of tetrahedra that are left out at a radius, joined through triangles that are not walls; the outside is one
+/// more, the last.
 meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls walls, double alpha) {
   const auto outside = static_cast<std::uint32_t>(filtration.triangles_of.size());
   meshops::DisjointSets sets(outside + 1);

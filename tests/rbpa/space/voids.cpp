@@ -55,8 +55,8 @@ Solid part_on(const Solid& delaunay, std::size_t points, const std::vector<bool>
   return part_of(delaunay, points, kept);
 }
 
-/// Chambers in walls of a unit, with a cube of a unit in the middle of each. Integer points of a multiple of 6, and two more each way; of each,
-/// whether it is in a wall or a cube.
+/// Chambers in walls of a unit, with a cube of a unit in the middle of each. Integer points of a multiple of 6, and two
+/// more each way; of each, whether it is in a wall or a cube.
 bool is_in_chambers(const Point3& p) {
   const auto layer = [](double x) { return static_cast<int>(x) % 6; };
   const std::array at = {layer(p.x), layer(p.y), layer(p.z)};

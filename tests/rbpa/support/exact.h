@@ -1,5 +1,5 @@
-// What: what the predicates must return, by rational numbers and from the textbook definitions, not from the formulas of
-//       the library.
+// What: what the predicates must return, by rational numbers and from the textbook definitions, not from the formulas
+//       of the library.
 #pragma once
 
 #include "rbpa/base/point.h"

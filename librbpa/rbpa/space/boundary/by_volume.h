@@ -1,5 +1,6 @@
-// What: pieces of a boundary, the largest volume first.
-// Law:  of equal volumes that with the least triangle is first, by coordinates: no two closed pieces have the same.
+// What: the order of the pieces of a boundary by volume, the largest first.
+// Law:  among pieces of equal volume the one with the least triangle by coordinates is first: no two closed pieces
+//       share a triangle.
 // Cost: a sort.
 #pragma once
 
@@ -13,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// Their numbers in that order.
+/// Returns the numbers of the pieces, sorted by descending volume.
 inline std::vector<std::uint32_t> by_volume(const std::vector<ClosedMeasures>& pieces) {
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});

@@ -1,4 +1,4 @@
-// What: which tetrahedra of a solid are connected, and whether a boundary is its own.
+// What: connected tetrahedra of a solid, and the check that a boundary belongs to a solid.
 // Cost: linear.
 #pragma once
 
@@ -17,7 +17,8 @@ namespace rbpa::space {
 
 inline constexpr const char* not_its_boundary = "expected a solid of these points with neighbors, and its boundary";
 
-/// Throws ContractViolation unless the boundary is closed, linked, of so many points, and in front of tetrahedra of the solid.
+/// Throws ContractViolation unless the boundary is closed, linked, has only corners below `points`, and each of its
+/// triangles names a tetrahedron of the solid.
 inline void require_boundary(std::size_t points, const Solid& solid, const SolidBoundary& boundary) {
   meshops::require(solid.neighbors.size() == solid.simplices.size() &&
                        boundary.tetrahedra.size() == boundary.surface.triangles.size(),
@@ -28,7 +29,8 @@ inline void require_boundary(std::size_t points, const Solid& solid, const Solid
     for (const std::uint32_t other : neighbors) meshops::require(other != Surface::none, not_its_boundary);
 }
 
-/// Sets of tetrahedra. Throws ContractViolation when a neighbor is none of them.
+/// Returns the sets of tetrahedra connected through faces. Throws ContractViolation where a neighbor is no tetrahedron
+/// of the solid.
 inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
   meshops::DisjointSets sets(solid.simplices.size());
   for (std::uint32_t t = 0; t < solid.neighbors.size(); ++t)
@@ -39,8 +41,9 @@ inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
   return sets;
 }
 
-/// Joins those that meet in a point. Requires: what is connected through faces is joined. Only points of the boundary matter: around any
-/// other, all tetrahedra are connected through faces.
+/// Joins the sets of tetrahedra that meet in a point. Only points of the boundary matter: around any other point, all
+/// tetrahedra are connected through faces.
+/// Requires: tetrahedra connected through faces are joined already.
 inline void connect_through_points(std::size_t points, const SolidBoundary& boundary, meshops::DisjointSets& sets) {
   std::vector<std::uint32_t> first(points, Solid::none);  // tetrahedron at each
   for (std::size_t t = 0; t < boundary.tetrahedra.size(); ++t)

@@ -1,4 +1,4 @@
-// What: the counts of solid_topology.h, from what is known of the outside.
+// What: the counts of solid_topology.h, computed from the components of the outside.
 // Cost: linear.
 #pragma once
 

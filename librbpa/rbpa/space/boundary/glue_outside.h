@@ -1,4 +1,4 @@
-// What: triangles of a boundary glued through what is outside.
+// What: glues the triangles of a boundary through the outside instead of through the solid.
 // Cost: linear, and a sort at edges that several wedges of tetrahedra share.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace rbpa::space {
 
-/// Changes the neighbors of a boundary that is glued through the solid. Returns: how many edges it has less than half of its sides, as some
-/// are those of several wedges.
-/// Requires: closed, linked, on these points.
+/// Changes the neighbors of a boundary that is glued through the solid. Returns the number of edges that are missing
+/// from half of the number of sides, because several wedges of tetrahedra share an edge.
+/// Requires: a closed, linked boundary of these points.
 std::size_t glue_outside(std::span<const Point3> points, Surface& boundary);
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: items in groups, such as triangles by what they bound.
+// What: items in groups, such as triangles by the region that they bound.
 // Cost: linear.
 #pragma once
 
@@ -14,7 +14,8 @@ class Grouped {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Items of one key below `keys` are a group; groups are numbered by their first items. Items whose key is none are in no group.
+  /// Puts items of one key below `keys` into a group, and items whose key is none into no group. Groups are numbered in
+  /// the order of their first items.
   template <typename KeyOf>
   Grouped(std::size_t items, std::size_t keys, const KeyOf& key_of) : group_(items, none) {
     std::vector<std::uint32_t> of_key(keys, none);
@@ -38,7 +39,7 @@ class Grouped {
   std::size_t size() const { return begin_.size() - 1; }
   /// The group of each item, or none.
   const std::vector<std::uint32_t>& number() const { return group_; }
-  /// Ascending.
+  /// Returns the items of a group, ascending.
   std::span<const std::uint32_t> items(std::size_t group) const {
     return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
   }

@@ -17,7 +17,8 @@ namespace {
 using Corners = std::array<Point3, 3>;
 using Integers = std::array<std::int64_t, 3>;
 
-/// Coordinates are below 2^60 as integers, and below 2^500 as doubles, whose products then fit double with their last bits.
+/// Coordinates are below 2^60 as integers, and below 2^500 as doubles, whose products then fit double with their last
+/// bits.
 constexpr int integer_bits = 60, double_bits = 500;
 
 /// The greatest sizes of coordinates.

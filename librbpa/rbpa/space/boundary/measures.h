@@ -1,7 +1,8 @@
-// What: volume, area and box of what closed triangles enclose.
-// Law:  sums are exact and rounded once, so that no order matters; solid_boundary.h has the bounds.
-// How:  the volume is a sum of determinants of corners. Where these are whole multiples of 2⁻⁶⁰ of the greatest coordinate, as they mostly
-//       are, it is one of integers; else a product of two is two doubles, and a product of three four terms of an ExactSum.
+// What: volume, area and bounding box of the region that closed triangles enclose.
+// Law:  sums are exact and rounded once, so that they do not depend on the order; solid_boundary.h has the bounds.
+// How:  the volume is a sum of determinants of corners. Where these are integer multiples of 2⁻⁶⁰ of the greatest
+//       coordinate, which is the usual case, it is a sum of integers; else a product of two numbers is two doubles, and
+//       a product of three is four terms of an ExactSum.
 // Cost: linear; an integer sum takes a tenth of the time.
 #pragma once
 
@@ -17,14 +18,15 @@ namespace rbpa::space {
 struct ClosedMeasures {
   double volume = 0;  ///< negative where the triangles face what they enclose
   double area = 0;
-  Point3 low, high;               ///< opposite corners of the box
-  std::array<Point3, 3> least{};  ///< triangle, from its least corner on: by coordinates, so that no numbering matters
+  Point3 low, high;  ///< opposite corners of the box
+  /// The least triangle by coordinates, from its least corner on: independent of any numbering
+  std::array<Point3, 3> least{};
 };
 
-/// Multiplies by a power of two, in two steps: one factor alone may be beyond the range of double.
+/// Multiplies by a power of two, in two steps, because the factor alone may be beyond the range of double.
 class PowerOfTwo {
  public:
-  /// Brings `size` to between 2^(exponent − 1) and 2^exponent.
+  /// Chooses the factor that brings `size` to between 2^(exponent − 1) and 2^exponent.
   PowerOfTwo(double size, int exponent);
 
   double operator()(double x) const { return x * first_ * second_; }
@@ -40,7 +42,8 @@ class Measures {
   /// Keeps the span.
   explicit Measures(std::span<const Point3> points);
 
-  /// Of some of the triangles, by number. Requires: at least one; together they are closed, and on these points.
+  /// Measures the triangles whose numbers are in `which`. Requires: at least one; together they are closed; their
+  /// corners are points.
   ClosedMeasures of(std::span<const Triangle> triangles, std::span<const std::uint32_t> which) const;
 
  private:

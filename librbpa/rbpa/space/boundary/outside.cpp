@@ -93,8 +93,8 @@ class AtPoints {
     join_fans(v);
   }
 
-  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners by triangle, ascending, and the next triangle
-  /// around it of each.
+  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners by triangle,
+  /// ascending, and the next triangle around it of each.
   template <typename Next>
   std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
@@ -164,7 +164,8 @@ class AtPoints {
     return region;
   }
 
-  /// Fans of different parts of the link are in the same region of its complement if they can see each other past all parts.
+  /// Fans of different parts of the link are in the same region of its complement if they can see each other past all
+  /// parts.
   void join_fans(std::uint32_t v) {
     std::sort(at_.begin(), at_.end(),
               [](const CornerAt& a, const CornerAt& b) { return std::pair(a.part, a.fan) < std::pair(b.part, b.fan); });
@@ -255,8 +256,8 @@ Outside outside_of(std::span<const Point3> points, const Solid& solid, const Sol
   AtPoints at_points(points, solid, boundary, glued.neighbors, outside);
   at_points.look_at_all();
 
-  // χ of the boundary, and of the surface just inside of it, along which fans of one region are joined by a tube: that of the open inside is
-  // half of the latter, and counts negatively in three dimensions.
+  // χ of the boundary, and of the surface just inside of it, along which fans of one region are joined by a tube: that
+  // of the open inside is half of the latter, and counts negatively in three dimensions.
   const auto faces = static_cast<std::ptrdiff_t>(triangles.size());
   const auto of_boundary =
       static_cast<std::ptrdiff_t>(outside.points) - static_cast<std::ptrdiff_t>(outside.edges) + faces;

@@ -1,9 +1,11 @@
-// What: what is outside of a solid, known from its boundary: which triangles bound the same part of it, and counts.
+// What: components of the outside of a solid, computed from its boundary: the triangles that bound the same component,
+//       and counts.
 // Law:  a function of the tetrahedra; exact.
-// How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of what is outside of a connected complex
-//       (Alexander duality). Such a surface runs along triangles glued through the outside, and around a point in all fans that are
-//       in the same region of its link's complement. docs/solid.md, section 9.
-// Cost: linear; where several fans meet at a point, that of passing all tetrahedra around it.
+// How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of the outside of a
+//       connected complex (Alexander duality). Such a surface passes through triangles that are glued through the
+//       outside, and around a point through all fans in the same region of its link's complement. docs/solid.md,
+//       section 9.
+// Cost: linear; where several fans meet at a point, linear in all tetrahedra around it.
 #pragma once
 
 #include <array>
@@ -21,21 +23,23 @@
 namespace rbpa::space {
 
 struct Outside {
-  /// Of the boundary's triangles, those that bound the same component of what is outside of their own component of the complex.
+  /// Sets of boundary triangles. Those of one set bound the same component of the outside of their own component of the
+  /// complex.
   meshops::DisjointSets surfaces;
-  /// Of tetrahedra, those that are connected, through points as well.
+  /// Sets of tetrahedra that are connected, also through points alone.
   meshops::DisjointSets components;
-  /// Of tetrahedra, those that are connected through faces.
+  /// Sets of tetrahedra that are connected through faces.
   meshops::DisjointSets solid_components;
 
-  // Of the boundary.
+  // Points and edges of the boundary.
   std::size_t points = 0, edges = 0;
   /// Twice the Euler characteristic of the complex.
   std::ptrdiff_t twice_euler = 0;
 };
 
+/// Computes the sets and counts.
 /// Requires: a solid of these points with neighbors, and its boundary.
-/// Throws:   ContractViolation where they visibly are not.
+/// Throws:   ContractViolation where the solid and the boundary visibly do not belong together.
 Outside outside_of(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 
 }  // namespace rbpa::space

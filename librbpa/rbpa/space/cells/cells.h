@@ -1,6 +1,8 @@
-// What: points in space in cubic cells, somewhat larger than the ball's radius. Empty cells, which most are, are not stored.
-// Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents. Equal
-//       points are one site. The order of the cells is a function of the set of points. docs/surface_derivation.md, section 8.
+// What: points in space sorted into cubic cells, somewhat larger than the ball's radius. Empty cells, which are most,
+//       are not stored.
+// Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents.
+//       Equal points are one site. The order of the cells is a function of the set of points.
+//       docs/surface_derivation.md, section 8.
 // Cost: a sort; as much memory as the points.
 #pragma once
 
@@ -22,7 +24,7 @@ class Cells {
  public:
   struct Equal {
     Site site;
-    std::uint32_t index;  // of a further input point there
+    std::uint32_t index;  // of another input point there
   };
 
   /// Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
@@ -34,15 +36,15 @@ class Cells {
   std::span<const Point3> sites() const { return sites_; }
   /// The lowest input index at each site.
   std::span<const std::uint32_t> input_index() const { return input_index_; }
-  /// The other input points, by site and index.
+  /// The other input points, sorted by site and index.
   std::span<const Equal> equals() const { return equals_; }
-  /// The same by input indices, ascending.
+  /// Returns the equal input points, by ascending input index.
   std::vector<Duplicate> duplicates() const;
 
-  /// The first site in cell i; of size() the number of sites.
+  /// Returns the first site in cell i; first_in(size()) is the number of sites.
   Site first_in(std::size_t i) const { return cells_[i].first; }
 
-  /// The cell in which a site is.
+  /// Returns the cell that contains a site.
   std::size_t cell_of(Site site) const;
 
   /// Finds the cells around a cell; cheap when cells are queried in ascending order.
@@ -50,8 +52,8 @@ class Cells {
    public:
     explicit Around(const Cells& cells) : cells_(cells) {}
 
-    /// Calls visit(first, last) for runs of sites that together are all sites in the cells around cell i, itself included: up to
-    /// `reach` cells away, in the order of sites.
+    /// Calls visit(first, last) for runs of sites, in the order of sites. Together the runs contain all sites in the
+    /// cells at most `reach` cells away from cell i, cell i included.
     template <std::int64_t reach = 2, typename Visit>
     void for_each_run(std::size_t i, Visit visit) {
       const Key& key = cells_.cells_[i].key;
@@ -71,7 +73,7 @@ class Cells {
    private:
     const Cells& cells_;
     std::size_t last_query_ = static_cast<std::size_t>(-1);
-    std::array<std::size_t, 25> first_{};  // of each row of cells, where the last search ended
+    std::array<std::size_t, 25> first_{};  // of each row of cells: the end of the last search
   };
 
  private:
@@ -81,10 +83,10 @@ class Cells {
     Site first;
   };
 
-  /// The first cell whose key is not below `key`. Requires: all cells before `from` are below.
+  /// Returns the first cell whose key is not below `key`. Requires: all cells before `from` have lower keys.
   std::size_t first_not_before(const Key& key, std::size_t from) const;
   bool is_in_row(std::size_t cell, std::int64_t x, std::int64_t y, std::int64_t last) const {
-    const Key& key = cells_[cell].key;  // cells_ has one more for the end
+    const Key& key = cells_[cell].key;  // cells_ has one more entry, the end
     return cell < size() && key[0] == x && key[1] == y && key[2] <= last;
   }
 
@@ -92,7 +94,7 @@ class Cells {
   std::vector<Point3> sites_;
   std::vector<std::uint32_t> input_index_;
   std::vector<Equal> equals_;
-  std::vector<Cell> cells_;  // sorted by key; and one for the end
+  std::vector<Cell> cells_;  // sorted by key; one more entry for the end
 };
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: the input checks of all functions on points in space.
+// What: input checks shared by all functions on points in space.
 // Cost: linear.
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace rbpa::space {
 
-/// Each throws InvalidInput that names the violated requirement.
+/// Throws InvalidInput, which names the violated requirement; so do the functions below.
 /// Requires: finite points, fewer than 2^32 − 1.
 void check_points(std::span<const Point3> points);
 /// Requires: 0 < radius < infinity.
 void check_radius(double radius);
-/// Requires: at least one radius, 0 < radius < infinity, each above the one before.
+/// Requires: at least one radius, 0 < radius < infinity, strictly ascending.
 void check_radii(std::span<const double> radii);
-/// Requires: a normal for each point, finite, of any length but 0.
+/// Requires: one normal for each point, finite, of any length but 0.
 void check_normals(std::span<const Point3> points, std::span<const Point3> normals);
 
 }  // namespace rbpa::space

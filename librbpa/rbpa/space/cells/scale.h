@@ -1,5 +1,5 @@
-// What: the power of two by which points in space and a radius are multiplied, so that no product in a filter underflows or
-//       overflows (base/exact/magnitude.h).
+// What: the power of two by which points in space and a radius are multiplied, so that no product in a filter
+//       underflows or overflows (base/exact/magnitude.h).
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace rbpa::space {
 
-/// The exponent of a power of two by which coordinates and radius, multiplied exactly, fit double: fits_double() holds for
-/// the coordinates, and the radius is between 2^-150 and 2^150. 0 where they fit as they are; nothing when there is none.
+/// Returns the exponent of a power of two by which coordinates and radius can be multiplied exactly so that they fit
+/// double: fits_double() holds for the coordinates, and the radius is between 2^-150 and 2^150. Returns 0 where they
+/// fit unscaled, nothing where there is no such power.
 /// Requires: finite points, a finite radius above 0. Cost: linear.
 std::optional<int> scale_to_double(std::span<const Point3> points, double radius);
 

@@ -1,4 +1,5 @@
-// What: points in space and a radius, multiplied so that the filters' products neither underflow nor overflow, where possible.
+// What: points in space and a radius, scaled, where possible, so that products in the filters neither underflow nor
+//       overflow.
 // Law:  the factor is a power of two, so that products are exact (cells/scale.h).
 // Cost: linear; a copy of the points where the factor is not 1.
 #pragma once
@@ -13,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// Refers to the given points where no copy is needed.
+/// Points and a radius, scaled. Refers to the given points where no copy is needed.
 class ScaledPoints {
  public:
   ScaledPoints(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {

@@ -1,5 +1,5 @@
-// What: boxes in a tree of boxes, and those that meet a given one.
-// Cost: n log n to build; a query visits what is near.
+// What: a tree of boxes that finds those that meet a given box.
+// Cost: n log n to build; a query visits only nodes near the box.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace rbpa::space {
 
-/// Of points; with none of them it meets nothing.
+/// The bounding box of points. A box of no points meets no other box.
 struct Box {
   Point3 low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
 
@@ -43,7 +43,7 @@ inline Box box_of(const std::array<Point3, 3>& triangle) {
 class BoxTree {
  public:
   BoxTree() = default;
-  /// Throws: Cancelled.
+  /// Builds the tree. Throws: Cancelled.
   BoxTree(std::span<const Box> boxes, meshops::Steps& step);
 
   /// Calls visit(i) for each box that meets `box`, in some order.
@@ -66,11 +66,11 @@ class BoxTree {
   }
 
  private:
-  /// The first half of an inner node is behind it.
+  /// A node of the tree. The first half of an inner node is the next node in `nodes_`.
   struct Node {
     Box box;
-    std::uint32_t first, last;  // of the boxes in order
-    std::uint32_t second = 0;   // half; 0: a leaf
+    std::uint32_t first, last;  // range in boxes_
+    std::uint32_t second = 0;   // node of the second half; 0 for a leaf
   };
 
   void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last, meshops::Steps& step);

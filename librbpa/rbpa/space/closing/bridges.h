@@ -1,6 +1,6 @@
-// What: pairs of edges of two boundary loops between which a strip of two triangles may join the loops to one.
-// Law:  a function of the points along the loops, not of where they begin.
-// Cost: the product of their edges.
+// What: pairs of edges of two boundary loops. A strip of two triangles between such edges joins the two loops into one.
+// Law:  a function of the points along the loops; it does not depend on where the loops begin.
+// Cost: the product of the numbers of edges.
 #pragma once
 
 #include <array>
@@ -14,21 +14,22 @@
 
 namespace rbpa::space {
 
-/// An edge of each loop, by its first corner.
+/// A pair of edges, one of each loop, each given by its first corner.
 struct Bridge {
   std::uint32_t edge, other;
 };
 
-/// Those whose corners are nearest to each other, the best first, at most so many. Loops have the hole to their left. None where
-/// the work is over before all were compared.
+/// Returns at most `most` bridges, those whose corners are nearest to each other, the best first. Returns none where
+/// the work is used up before all pairs are compared.
+/// Requires: both loops have the hole to their left.
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
                                     std::span<const std::uint32_t> other, std::size_t most, Work& work);
 
-/// The two triangles of a strip.
+/// Returns the two triangles of the strip.
 std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                                      std::span<const std::uint32_t> other);
 
-/// The boundary of the hole without the strip: one loop.
+/// Returns the boundary of the hole without the strip, which is one loop.
 std::vector<std::uint32_t> joined_loop(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                        std::span<const std::uint32_t> other);
 

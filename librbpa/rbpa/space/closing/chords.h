@@ -1,8 +1,9 @@
-// What: the chords of a rim that a triangulation of it may use, sides included.
-// Why:  all of them are n²/2, and the triangles on them n³/6. Of a long rim the nearest are enough, on each of several levels:
-//       every second corner, every fourth and so on, so that there are triangulations in which wide parts have long chords.
-// Law:  a function of the places of the corners and where the rim begins.
-// Cost: n² for the nearest, some tens of chords a corner.
+// What: the chords of a rim that its triangulation may use; the sides of the rim are chords too.
+// Why:  there are n²/2 chords, and n³/6 triangles on them. For a long rim the nearest chords suffice, on each of
+//       several levels: every second corner, every fourth and so on, so that wide parts can be triangulated with long
+//       chords.
+// Law:  a function of the places of the corners and of the corner at which the rim begins.
+// Cost: n² to find the nearest; some tens of chords a corner.
 #pragma once
 
 #include <cstddef>
@@ -16,34 +17,37 @@
 
 namespace rbpa::space {
 
-/// Corners low < high of a rim.
+/// A chord between corners low < high of a rim.
 using Chord = std::pair<std::uint32_t, std::uint32_t>;
 
-/// All that are candidates, and the sides, sorted. Throws: Cancelled.
+/// Returns all candidate chords and the sides, sorted. Throws: Cancelled.
 std::vector<Chord> candidate_chords(const Rim& rim, meshops::Steps& step);
 
-/// Chords by number: sorted by low, then high.
+/// Chords that are numbered in the order of their low, then their high end.
 class Chords {
  public:
-  /// The candidates of a rim of so many corners, without the forbidden ones, which are sorted.
+  /// Keeps the candidates of a rim of `corners` corners, except the forbidden chords. Requires: sorted forbidden
+  /// chords.
   Chords(std::size_t corners, std::vector<Chord> candidates, std::span<const Chord> forbidden);
 
   std::size_t size() const { return chords_.size(); }
   const Chord& operator[](std::size_t number) const { return chords_[number]; }
-  /// Whether every chord that is not forbidden is a candidate, and whether none is missing.
+  /// Returns whether every chord that is not forbidden is a candidate; is_complete(): whether no chord at all is
+  /// missing.
   bool are_all() const { return all_; }
   bool is_complete() const { return chords_.size() == (first_to_.size() - 1) * (first_to_.size() - 2) / 2; }
-  /// Of those from a corner upward the first number; of the corner behind the last one the end.
+  /// Returns the number of the first chord whose low end is `corner`; for the corner after the last one, the number of
+  /// chords.
   std::uint32_t first_from(std::uint32_t corner) const { return first_from_[corner]; }
-  /// The same by their higher ends: of all sorted by high, then low, the first place of those to a corner.
+  /// Returns the first place of the chords whose high end is `corner`, in the order by high, then low end.
   std::uint32_t first_to(std::uint32_t corner) const { return first_to_[corner]; }
-  /// Where a chord is in that order, and which is at a place.
+  /// Returns the place of a chord in the order by high, then low end; number_at() is the inverse.
   std::uint32_t place_to(std::size_t number) const { return place_to_[number]; }
   std::uint32_t number_at(std::size_t place) const { return numbers_[place]; }
-  /// The higher end of a number, the lower end at a place.
+  /// The high end of each chord by number, and the low end by place.
   const std::vector<std::uint32_t>& highs() const { return highs_; }
   const std::vector<std::uint32_t>& lows() const { return lows_; }
-  /// The number of a chord that there is.
+  /// Returns the number of a chord. Requires: it is among the chords.
   std::uint32_t number_of(const Chord& chord) const;
 
  private:

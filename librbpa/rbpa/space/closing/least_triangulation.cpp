@@ -137,7 +137,8 @@ class Search {
     from_.area[number] = to_.area[place] = best.weight.area;
   }
 
-  /// A triangle at the chord with the parts behind its two other sides, the second of which is at a place by higher ends.
+  /// A triangle at the chord with the parts behind its two other sides, the second of which is at a place by higher
+  /// ends.
   void attempt(const Chord& chord, std::uint32_t first, std::uint32_t second, Best& best) {
     FillingWeight weight{std::max(from_.turn[first], to_.turn[second]), 0};
     if (weight.turn > best.weight.turn || weight.turn == impossible) return;

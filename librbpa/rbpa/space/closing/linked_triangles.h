@@ -1,4 +1,5 @@
-// What: triangles of vertices as a surface has them: of points, glued where they have two vertices in common, in lexicographic order.
+// What: links triangles of vertices as a Surface has them: as triangles of points, in lexicographic order, glued where
+//       they share two vertices.
 // Cost: a sort of the sides, and of the triangles.
 #pragma once
 
@@ -11,13 +12,14 @@
 
 namespace rbpa::space {
 
-/// As Surface::triangles and Surface::neighbors.
+/// Triangles and neighbors in the form of Surface::triangles and Surface::neighbors.
 struct LinkedTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles, neighbors;
-  std::vector<std::uint32_t> order;  ///< which of those that were given each triangle is
+  std::vector<std::uint32_t> order;  ///< for each triangle, its number among the given ones
 };
 
-/// `point`: of each vertex. Vertices that more than two triangles join, or two in one direction, glue nothing. Throws: Cancelled.
+/// Links the triangles; `point` has the point of each vertex. A side stays unglued where more than two triangles share
+/// it, or two in the same direction. Throws: Cancelled.
 LinkedTriangles linked_triangles(std::span<const std::array<std::uint32_t, 3>> of_vertices,
                                  std::span<const std::uint32_t> point, meshops::Steps& step);
 

@@ -1,5 +1,6 @@
-// What: what a filling must not touch: the triangles of a mesh near the loops to be filled, and the edges between their points.
-// Law:  exact. What is added is as if it had been there from the beginning.
+// What: the obstacles of a filling: the triangles of a mesh near the loops to be filled, and the edges between points
+//       of the loops.
+// Law:  exact. A filling that was added counts like the rest of the mesh.
 #pragma once
 
 #include <array>
@@ -17,36 +18,37 @@
 
 namespace rbpa::space {
 
-/// What of a rim is in the way of its filling: chords and triangles by its corners.
+/// The chords and triangles of a rim's filling that are not allowed, by corners of the rim.
 struct Faults {
-  std::vector<Chord> taken;            ///< join points that an edge joins
-  std::vector<Chord> crossing;         ///< meet a triangle
-  std::vector<RimTriangle> triangles;  ///< are met by a side of one, or by another new one
+  std::vector<Chord> taken;     ///< chords between points that an edge of the mesh joins already
+  std::vector<Chord> crossing;  ///< chords that cross a triangle
+  /// Triangles that a side of a triangle of the mesh, or another new triangle, crosses
+  std::vector<RimTriangle> triangles;
   bool none() const { return taken.empty() && crossing.empty() && triangles.empty(); }
 };
 
 class MeshAround {
  public:
-  /// Keeps the spans. `loops`: all that may be filled. Throws: Cancelled.
+  /// Keeps the spans. `loops` has all loops that may be filled. Throws: Cancelled.
   MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
              std::span<const SimpleLoop> loops, meshops::Steps& step);
 
-  /// The chords of a loop that edges of the mesh have, sorted.
+  /// Returns the chords of a loop that are edges of the mesh, sorted.
   std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
   Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
-  /// Adds the filling of the loop with this number.
+  /// Adds the filling of loop `number` to the mesh.
   void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);
 
  private:
   std::optional<std::uint32_t> place_of(const Point3& p) const;
 
   std::span<const SimpleLoop> loops_;
-  std::vector<Point3> places_;                          // points of the loops, sorted
-  std::vector<std::vector<std::uint32_t>> joined_;      // to each place by an edge
+  std::vector<Point3> places_;                          // the points of the loops, sorted
+  std::vector<std::vector<std::uint32_t>> joined_;      // for each place: the places that an edge joins to it
   std::vector<Corners> triangles_;                      // near the loops
-  std::vector<std::vector<std::uint32_t>> corners_at_;  // places of the corners of each loop
+  std::vector<std::vector<std::uint32_t>> corners_at_;  // for each loop: the places of its corners
   BoxTree loop_tree_, triangle_tree_;
-  std::vector<std::vector<Corners>> added_;  // to each loop
+  std::vector<std::vector<Corners>> added_;  // for each loop
 };
 
 }  // namespace rbpa::space

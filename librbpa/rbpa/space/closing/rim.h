@@ -1,4 +1,4 @@
-// What: the rim of a hole, scaled so that nothing that is computed of it underflows or overflows.
+// What: the rim of a hole, scaled so that no computation with it underflows or overflows.
 #pragma once
 
 #include <cmath>
@@ -18,9 +18,9 @@ using Vector = Vector3<double>;
 
 inline Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
-/// By how much a surface turns over an edge: 0 where it is flat, to 4 where it is folded back. Ascending with the angle, as
-/// |n − n'|² is; below 0.0035 degrees it counts as flat. Of unit vectors, without any function that processors or libraries may
-/// round differently.
+/// The greatest turn of a surface over an edge. The turn is |n − n'|² for unit normals n and n': 0 where the surface is
+/// flat, 4 where it is folded back, ascending with the angle. Below 0.0035 degrees the surface counts as flat. No
+/// function is used that processors or libraries may round differently.
 inline constexpr float most_turn = 4;
 inline float turn_between(const Vector& unit, const Vector& other) {
   constexpr double flat = 0x1p-28;
@@ -29,15 +29,16 @@ inline float turn_between(const Vector& unit, const Vector& other) {
   return turn < flat ? 0 : turn < 4 ? static_cast<float>(turn) : most_turn;
 }
 
-/// The hole is to the left. Corners are at different points.
+/// The rim of a hole, with the hole to its left. All corners are at different points.
 struct Rim {
   std::vector<Point3> points;
-  std::vector<Vector> places;  ///< of the points, in a box of side 1
+  std::vector<Vector> places;  ///< the points, scaled to a box of side 1
   std::vector<Vector>
-      normals;       ///< unit; of the triangle at the edge from each corner to the next; zero where it has no area
-  int exponent = 0;  ///< a unit of places is 2^exponent of the points'
+      /// Normal of the triangle at the edge from each corner to the next: of unit length; zero where it has no area
+      normals;
+  int exponent = 0;  ///< a unit of places is 2^exponent units of the points
 
-  /// `across`: of each edge the third corner of its triangle.
+  /// Scales the corners. `across` has, for each edge, the third corner of the triangle at that edge.
   Rim(std::span<const Point3> corners, std::span<const Point3> across) : points(corners.begin(), corners.end()) {
     Box box;
     for (const Point3& p : corners) box.include(p);

@@ -1,5 +1,5 @@
-// What: boundary loops as loops that come to no point twice.
-// Law:  a function of the points along each loop, not of where it begins.
+// What: splits boundary loops into simple loops, which visit no point twice.
+// Law:  a function of the points along each loop; it does not depend on where the loop begins.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace rbpa::space {
 
-/// A corner of a loop: the vertex at which the edge before ends and the one at which the edge behind begins. Where they differ,
-/// they are at the same point.
+/// A corner of a loop: the vertex at which the edge before it ends, and the vertex at which the edge after it begins.
+/// Where the two differ, they are at the same point.
 struct LoopCorner {
   std::uint32_t in, out;
-  std::uint32_t edge;  ///< behind it, by number in the whole loop
+  std::uint32_t edge;  ///< the edge after it, by number in the whole loop
 };
 
 struct SimpleLoop {
-  std::uint32_t loop;  ///< of which it is a part
+  std::uint32_t loop;  ///< the loop that it is a part of
   std::vector<LoopCorner> corners;
 };
 
-/// The loops, each cut at points to which it comes again: the part between becomes a loop of its own. Those of fewer corners
-/// first, of equally many by their points.
+/// Cuts each loop at points that it visits again: the part in between becomes a loop of its own. Returns the simple
+/// loops, sorted by number of corners, then by their points.
 std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops);
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: the boundary of triangles that share vertices, by sorting their sides.
+// What: sides of triangles that share vertices, and their boundary; by sorting the sides.
 // Cost: a sort of the sides.
 #pragma once
 
@@ -11,28 +11,30 @@
 
 namespace rbpa::space {
 
-/// A side of a triangle, counter-clockwise, and the corner across.
+/// A side of a triangle, counter-clockwise, and the corner across from it.
 struct TriangleSide {
   std::uint32_t from, to, across;
   std::uint32_t triangle;
 };
 
-/// Those whose ends both have `is_wanted`, or all of them where that is empty, sorted by from, then to. Throws: Cancelled.
+/// Returns the sides whose two ends both have `is_wanted`, or all sides where `is_wanted` is empty; sorted by from,
+/// then to. Throws: Cancelled.
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
                                        const std::vector<bool>& is_wanted, meshops::Steps& step);
 
-/// Returns the loops of boundary_loops(). Throws ContractViolation as that; Cancelled.
+/// Returns the loops of boundary_loops(). Throws: ContractViolation as boundary_loops(); Cancelled.
 std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                                  meshops::Steps& step);
 
-/// The triangles at the edges of some boundary loops.
+/// The triangles at the edges of given boundary loops.
 class BoundarySides {
  public:
-  /// Throws ContractViolation where an edge of a loop is no boundary side; Cancelled.
+  /// Throws: ContractViolation where an edge of a loop is no boundary side; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 
-  /// The third corner of the triangle at an edge of a loop, from its corner of that number to the next.
+  /// Returns the third corner of the triangle at an edge of a loop. Edge i leads from corner i of the loop to the next
+  /// one.
   std::uint32_t across(std::uint32_t loop, std::uint32_t edge) const { return across_[loop][edge]; }
 
  private:

@@ -1,5 +1,5 @@
-// What: how many pairs of triangles, and of edges, are looked at while holes are closed, and how many may be.
-// Law:  a count, not a time: the same in any order of what is given, on any machine and with any number of threads.
+// What: a budget for closing holes: the number of pairs of triangles, and of edges, that may still be compared.
+// Law:  a count, not a time: it does not depend on the order of the input, the machine or the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class Work {
   /// Keeps a reference to `go_on`.
   Work(std::size_t most, const meshops::GoOn& go_on) : left_(most), step_(go_on) {}
 
-  /// Counts so many pairs more. Throws: Cancelled.
+  /// Spends `pairs` of the budget. Throws: Cancelled.
   void operator()(std::size_t pairs = 1) {
     step_(pairs);
     left_ -= std::min(left_, pairs);

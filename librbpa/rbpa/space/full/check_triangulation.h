@@ -1,4 +1,4 @@
-// What: what functions on the full alpha complex require of a triangulation.
+// What: checks of the triangulation that functions on the full alpha complex require.
 #pragma once
 
 #include <span>
@@ -10,10 +10,12 @@
 
 namespace rbpa::space {
 
-/// Throws: ContractViolation, which begins with the function's name, where radii or neighbors are missing, or a corner is none of the points.
+/// Throws: ContractViolation, whose message begins with the function's name, where radii or neighbors are missing or a
+/// corner is not an index of a point.
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii);
-/// Throws moreover: InvalidInput when alpha is no radius. Returns: threads for so many points.
+/// Checks alpha too, and returns the threads for that many points. Throws: in addition InvalidInput where alpha is no
+/// valid radius.
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                             std::span<const double> radii, double alpha, unsigned threads);
 

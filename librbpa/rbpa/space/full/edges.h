@@ -1,5 +1,5 @@
-// What: the edges of a triangulation, of points or of a box that repeats, each with the tetrahedra around it.
-// Law:  an edge is known by its points, and in a box by how many boxes these are apart.
+// What: the edges of a triangulation, of points or of a periodic box, each with the tetrahedra around it.
+// Law:  an edge is identified by its points, and in a periodic box also by their offset in boxes.
 // Cost: a sort of the edges at each point.
 #pragma once
 
@@ -27,7 +27,7 @@ struct EdgeAt {
   std::uint8_t from, to;
 };
 
-/// The other two corners of the tetrahedron.
+/// Returns the other two corners of the tetrahedron.
 inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   std::array<std::size_t, 2> found{};
   for (std::size_t k = 0, count = 0; k < 4; ++k)
@@ -35,7 +35,8 @@ inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   return found;
 }
 
-/// Returns whether the least sphere through the ends of an edge is within alpha and has no corner around it inside.
+/// Returns whether the least sphere through the ends of an edge has a radius of at most alpha and no corner around the
+/// edge inside.
 bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha);
 
 /// The tetrahedra at each point.
@@ -53,11 +54,11 @@ class Stars {
   }
 
   std::span<const std::uint32_t> operator[](std::size_t point) const { return at_[point]; }
-  /// One more than the greatest point.
+  /// Returns one more than the greatest point.
   std::size_t bound() const { return bound_; }
 
  private:
-  std::vector<std::array<std::uint32_t, 4>> by_points_;  // in a box
+  std::vector<std::array<std::uint32_t, 4>> by_points_;  // in a periodic box
   std::size_t bound_ = 0;
   TetrahedraAt at_;
 };
@@ -65,7 +66,7 @@ class Stars {
 /// An end of an edge at a tetrahedron, seen from the other end.
 struct EdgeEnd {
   std::uint32_t point;
-  std::array<std::int8_t, 3> apart;  // boxes
+  std::array<std::int8_t, 3> apart;  // in boxes
   EdgeAt at;
 
   bool is_same(const EdgeEnd& other) const { return point == other.point && apart == other.apart; }
@@ -75,8 +76,8 @@ struct EdgeEnd {
   }
 };
 
-/// Calls visit(b, tetrahedra around the edge from a to b) for each edge at a whose other end has a greater index,
-/// ascending. `ends` is memory to be used again.
+/// Calls visit(b, tetrahedra around the edge from a to b) for each edge at a whose other end b is greater, ascending by
+/// b. `ends` is reusable memory.
 template <typename Visit>
 void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, const Triangulated& delaunay,
                       std::vector<EdgeEnd>& ends, Visit visit) {
@@ -107,8 +108,8 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
   }
 }
 
-/// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, in any thread, and then join(a, b) for those
-/// it returned true for, one by one, in order. Throws: Cancelled where `go_on` returns false.
+/// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, from any thread; then join(a, b), one call at
+/// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled where `go_on` returns false.
 template <typename IsMeant, typename Join>
 void for_each_edge(const Triangulated& delaunay, const Stars& stars, Threads& threads, const IsMeant& is_meant,
                    const Join& join, const std::function<bool()>& go_on = {}) {
@@ -137,11 +138,11 @@ void for_each_edge(const Triangulated& delaunay, const Stars& stars, Threads& th
 
 struct EdgeCounts {
   std::size_t edges = 0;
-  std::size_t points = 0;  ///< that have one
-  std::size_t joined = 0;  ///< edges of a spanning forest: points less these are components
+  std::size_t points = 0;  ///< ends of at least one edge
+  std::size_t joined = 0;  ///< edges of a spanning forest: points − joined = components
 };
 
-/// Counts the edges for which has_edge(tetrahedra around it) returns true.
+/// Counts the edges for which has_edge(tetrahedra around the edge) returns true.
 template <typename HasEdge>
 EdgeCounts count_edges(const Triangulated& delaunay, Threads& threads, const HasEdge& has_edge,
                        const std::function<bool()>& go_on = {}) {

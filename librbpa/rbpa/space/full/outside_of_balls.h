@@ -1,7 +1,7 @@
-// What: how much of voids of the full alpha complex is outside of the balls of radius alpha around the points.
-// How:  the volume of the tetrahedra of a void, less that of balls by inclusion and exclusion, of which each
-//       tetrahedron has the share in its angles: docs/solid.md, section 11.
-// Law:  which simplices count is exact; sizes and angles are rounded, their sum is exact and rounded once.
+// What: the volume of voids of the full alpha complex that is outside of the balls of radius alpha around the points.
+// How:  the volume of the tetrahedra of a void, less the volume of the balls in them by inclusion and exclusion. The
+//       share of a tetrahedron in a ball is given by its angles: docs/solid.md, section 11.
+// Law:  the choice of simplices is exact; sizes and angles are rounded; their sum is exact and rounded once.
 // Cost: linear in the tetrahedra of voids.
 // Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995).
 #pragma once
@@ -17,10 +17,10 @@
 
 namespace rbpa::space {
 
-/// Returns the volume of each of `voids` voids that is at least alpha from every point.
-/// Requires: the tetrahedra of voids, without a neighbor across a triangle of the complex; the void of each, by number;
-///           0 < alpha < infinity unless there are no tetrahedra.
-/// Throws:   Cancelled where `go_on` returns false.
+/// Returns, for each of `voids` voids, the volume of its part that is at least alpha from every point.
+/// Requires: `space` has the tetrahedra of voids, without a neighbor across a triangle of the complex; `void_of` has
+/// the number of the void of each; 0 < alpha < infinity unless there are no tetrahedra.
+/// Throws: Cancelled where `go_on` returns false.
 std::vector<double> outside_of_balls(const Triangulated& space, std::span<const std::uint32_t> void_of,
                                      std::size_t voids, double alpha, Threads& threads,
                                      const std::function<bool()>& go_on = {});

@@ -1,4 +1,4 @@
-// What: the tetrahedra of a triangulation, of points or of a box that repeats, as what is computed of both has them.
+// What: a common view of two kinds of triangulations, of points and of a periodic box, for functions that take either.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace rbpa::space {
 
-/// Corners are vertices. Refers to what it is made of.
+/// The tetrahedra of a triangulation; corners are vertices. Refers to the arrays that it is made of.
 struct Triangulated {
   std::span<const Point3> positions;  ///< of the vertices
   std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
   std::span<const PeriodicVertex> vertices =
-      {};  ///< in a box, the image that each vertex is; otherwise vertices are points
+      {};  ///< in a periodic box, the point and offset of each vertex; otherwise empty: vertices are points
 
   Triangulated(std::span<const Point3> points, const Solid& solid)
       : positions(points), simplices(solid.simplices), neighbors(solid.neighbors) {}

@@ -1,10 +1,10 @@
-// What: which of the new tetrahedra are neighbors: those whose outer faces share an edge.
-// How:  a table from directed edges to faces. Both tetrahedra at an edge write it in their own direction, and then read the other's,
-//       so that nothing has to be cleared.
+// What: finds which of the new tetrahedra are neighbors: two are when their outer faces share an edge.
+// How:  a table from directed edges to faces. Both tetrahedra at an edge write to the edge in their own direction, then
+//       read the entry of the opposite direction, so that nothing has to be cleared.
 //
 //           write  (a, b) → across from c       read  (b, a)
 //
-// Cost: a store and a load an edge; where the boundary has many vertices, a hash table's.
+// Cost: a store and a load for each edge; where the boundary has many vertices, the cost of a hash table.
 #pragma once
 
 #include <bit>
@@ -18,7 +18,8 @@ namespace rbpa::space {
 
 class CavityEdges {
  public:
-  /// For vertices numbered from 0 up to `vertices`, and so many faces. Every edge is written before the first is read.
+  /// Prepares for vertices numbered below `vertices`, and `faces` faces. Requires: every edge is written before the
+  /// first is read.
   void begin(std::size_t vertices, std::size_t faces) {
     is_small_ = vertices <= width;
     if (is_small_) return;
@@ -49,7 +50,7 @@ class CavityEdges {
 
   Entry& find(std::uint32_t from, std::uint32_t to) {
     const std::uint64_t key = std::uint64_t{from} << 32U | to;
-    std::size_t at = key * 0x9e3779b97f4a7c15U >> shift_;  // the bits that all of the key's have a part in
+    std::size_t at = key * 0x9e3779b97f4a7c15U >> shift_;  // the high bits, which depend on all bits of the key
     while (hashed_[at].from != none && (hashed_[at].from != from || hashed_[at].to != to)) at = (at + 1) & mask_;
     return hashed_[at];
   }

@@ -1,10 +1,11 @@
 // What:   the Hilbert curve through the cells of a cube.
-// Law:    cells that follow each other on the curve share a face.
-// How:    a curve is known by the corner at which it enters the cube and the axis along which it leaves; that of each octant follows:
+// Law:    consecutive cells of the curve share a face.
+// How:    a state is the corner at which the curve enters the cube and the axis along which it leaves; the state of
+//         each octant follows:
 //
 //             state (entry, axis) × octant → position among the eight, state within the octant
 //
-// Cost:   a look-up a level.
+// Cost:   a look-up for each level.
 // Source: Hamilton, Compact Hilbert indices (2006).
 #pragma once
 
@@ -23,7 +24,7 @@ struct HilbertStep {
 
 inline constexpr std::size_t hilbert_states = 24;  // 8 · axis + entry
 
-/// The steps of every state, for each octant.
+/// Returns the steps of every state, for each octant.
 constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps() {
   const auto turned = [](unsigned bits, unsigned by) { return (bits << by | bits >> (3 - by)) & 7U; };
   const auto gray = [](unsigned i) { return i ^ (i >> 1U); };
@@ -43,7 +44,8 @@ constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps()
 
 }  // namespace detail
 
-/// The place of a cell on the curve through 2^levels cells along each axis. Requires: coordinates below 2^levels, levels ≤ 21.
+/// Returns the position of a cell on the curve through 2^levels cells along each axis. Requires: coordinates below
+/// 2^levels, levels ≤ 21.
 inline std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int levels) {
   static constexpr auto steps = detail::hilbert_steps();
   std::uint64_t index = 0;

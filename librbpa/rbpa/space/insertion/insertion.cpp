@@ -33,7 +33,8 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
     index_[i + 1] = order[i];
     vertex_[i + 1] = {p.x, p.y, p.z};
   }
-  // As many as points that fill a volume have, the hull and those for a time deleted included. What is not used is not touched.
+  // As many as points that fill a volume have, the hull and those for a time deleted included. What is not used is not
+  // touched.
   const std::size_t expected = 7 * order.size() + 64;
   tetrahedra_.reserve(expected);
   error_.reserve(expected);
@@ -110,8 +111,8 @@ bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) cons
   return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
 }
 
-/// A point in the plane of the hull's face is beyond it if it is in the circle of the face: in the sphere of the tetrahedron
-/// behind.
+/// A point in the plane of the hull's face is beyond it if it is in the circle of the face: in the sphere of the
+/// tetrahedron behind.
 bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
@@ -123,8 +124,9 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// The faces of two neighbors' common side is where powers with respect to their spheres are equal. So the power of the point
-/// decreases from a tetrahedron to the neighbor on the point's side of a face; the walk goes where it decreases most.
+/// The faces of two neighbors' common side is where powers with respect to their spheres are equal. So the power of the
+/// point decreases from a tetrahedron to the neighbor on the point's side of a face; the walk goes where it decreases
+/// most.
 std::uint32_t Insertion::locate(Vertex v) const {
   const InsertedPoint& q = vertex_[v];
   std::uint32_t t = start_;
@@ -193,8 +195,8 @@ void Insertion::find_cavity(std::uint32_t first, Vertex v) {
     next_level_.make_room(3 * count + 3);
     cavity_.make_room(count + 1);  // one is written and not counted
     boundary_.make_room(count + 1);
-    // First what can be computed side by side, then what depends on what came before. Half of the answers are yes, and nothing
-    // branches for them.
+    // First what can be computed side by side, then what depends on what came before. Half of the answers are yes, and
+    // nothing branches for them.
     for (std::size_t i = 0; i < count; ++i) estimates_.push(estimate(level_[i] / 4, q));
     for (std::size_t i = 0; i < count; ++i) {
       const Face face = level_[i];

@@ -1,8 +1,9 @@
-// What:   the order in which points are inserted: rounds of random points, each eight times the one before, along a Hilbert curve.
-// Why:    randomness keeps the number of tetrahedra that are made small on any input, rounds keep the walk from one point to the
-//         next short, and the curve keeps what is needed in the caches.
-// Law:    a function of the set of points. Each distinct point comes once, as its lowest index.
-// Cost:   a sort; more only where clusters are finer than the curve's cells, which get a curve of their own.
+// What:   the order in which points are inserted: rounds of random points, each eight times as large as the one before,
+//         each along a Hilbert curve.
+// Why:    randomness keeps the number of tetrahedra that are made small on any input; rounds keep the walk from one
+//         point to the next short; the curve keeps the memory in use in the caches.
+// Law:    a function of the set of points. Each distinct point comes once, with its lowest index.
+// Cost:   a sort; more only where clusters are finer than the cells of the curve: these get a curve of their own.
 // Source: Amenta, Choi, Rote, Incremental constructions con BRIO (2003).
 #pragma once
 
@@ -16,9 +17,10 @@
 
 namespace rbpa::space {
 
-/// All points along the Hilbert curve; equal ones follow each other, the lowest index first.
-/// Requires: finite points; the same points scaled, whose differences do not overflow: near enough to lie in the same cells, as
-/// nothing but the order of points near each other depends on the cells. Calls `ask`, if any, now and then; it may throw.
+/// Returns all points in the order of the Hilbert curve; equal points follow each other, the lowest index first. Calls
+/// `ask`, if any, repeatedly; it may throw.
+/// Requires: finite points; `scaled`: the same points multiplied, whose differences do not overflow. Rounding in
+/// `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
                                           const std::function<void()>& ask);
 
@@ -27,7 +29,7 @@ struct SpatialOrder {
   std::vector<Duplicate> duplicates;  ///< the other points, ascending by index
 };
 
-/// Requires and calls `ask` as order_on_curve().
+/// Returns the insertion order. Requirements and calls of `ask` are those of order_on_curve().
 SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
                            const std::function<void()>& ask);
 

@@ -1,5 +1,5 @@
-// What: a list that is filled without looking whether there is room, after room was made for all.
-// Why:  what is next cannot be predicted, so that values are written in any case and counted where they are meant.
+// What: a list to which values are added without a check of the capacity, after make_room().
+// Why:  whether a value is wanted cannot be predicted, so every value is written, and only wanted ones are counted.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ class Stack {
   }
   /// Requires: room for one.
   void push(const T& value) { items_[count_++] = value; }
-  /// Counts only if `is_meant`. Requires: room for one.
+  /// Writes the value, and counts it only if `is_meant`. Requires: room for one.
   void push_if(bool is_meant, const T& value) {
     items_[count_] = value;
     count_ += is_meant ? 1 : 0;
   }
-  /// The same for three.
+  /// Writes three values, and counts them only if `is_meant`. Requires: room for three.
   void push_if(bool is_meant, const std::array<T, 3>& values) {
     for (std::size_t i = 0; i < 3; ++i) items_[count_ + i] = values[i];
     count_ += is_meant ? 3 : 0;

@@ -1,6 +1,6 @@
-// What: tetrahedra in arrays, each with the minors of its sphere (space/predicate/sphere_minors.h).
-// How:  a corner may be at infinity: the tetrahedron is a ghost over a face of the hull, its sphere the half-space beyond. Corner 3 is
-//       never at infinity, and is the one from which the sphere is seen.
+// What: tetrahedra in arrays, each with the minors of its circumsphere (space/predicate/sphere_minors.h).
+// How:  a corner may be at infinity: the tetrahedron is then a ghost over a face of the hull, and its sphere is the
+//       half-space beyond. Corner 3 is never at infinity; the minors are relative to it.
 //
 //         minor 32 | corner 16 | neighbor 16      a cache line
 //         error 8                                 an array of its own
@@ -13,28 +13,28 @@
 
 namespace rbpa::space {
 
-/// A vertex: 0 is at infinity, others are points in the order of insertion, from 1 on.
+/// A vertex: 0 is at infinity; the others are points, numbered from 1 in the order of insertion.
 using Vertex = std::uint32_t;
 inline constexpr Vertex at_infinity = 0;
 
-/// A face of a tetrahedron: 4 · (its number) + (the corner across).
+/// A face of a tetrahedron: 4 · (its number) + (the corner across from it).
 using Face = std::uint32_t;
 
 struct alignas(64) Tetrahedron {
   SphereMinors minor;
   std::array<Vertex, 4> corner;
-  std::array<Face, 4> neighbor;  ///< across from each corner, the same face as the neighbor has it
+  std::array<Face, 4> neighbor;  ///< the face across from each corner, as the neighbor has it
 
   bool is_ghost() const {  // corner 3 is a point
     return corner[0] == at_infinity || corner[1] == at_infinity || corner[2] == at_infinity;
   }
 };
 
-/// A point as insertion uses it.
+/// A point in the form that the insertion uses.
 struct alignas(32) InsertedPoint {
   double x, y, z;
-  std::uint32_t last_insertion = 0;  ///< in whose cavity's boundary it was last
-  std::uint32_t local = 0;           ///< its number there
+  std::uint32_t last_insertion = 0;  ///< the last insertion with it on the boundary of the cavity
+  std::uint32_t local = 0;           ///< its number in that boundary
 };
 
 }  // namespace rbpa::space

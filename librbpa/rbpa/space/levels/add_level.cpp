@@ -87,8 +87,8 @@ class Level {
     return static_cast<std::size_t>(found - all.begin());
   }
 
-  /// Requires: sides that face each other. They are glued if one is a candidate's and the ball rolls from one triangle to the
-  /// other, or does not rest on one of them any more.
+  /// Requires: sides that face each other. They are glued if one is a candidate's and the ball rolls from one triangle
+  /// to the other, or does not rest on one of them any more.
   bool are_glued(const EdgeSide& s, const EdgeSide& t) const {
     if (s.triangle < old_count_ && t.triangle < old_count_) return false;
     const std::size_t i = present(s.triangle), j = present(t.triangle);

@@ -1,5 +1,6 @@
-// What: the interior points and edges of a surface, at which no further triangle can be glued.
-// Law:  a point is interior when one of the fans of triangles around it is closed, an edge when two sides are glued there.
+// What: the interior points and edges of a surface: no other triangle can be glued there.
+// Law:  a point is interior when one of the fans of triangles around it is closed, an edge when two sides are glued
+//       there.
 // Cost: linear, and a sort of the edges near the boundary.
 #pragma once
 

@@ -1,6 +1,6 @@
-// What: a surface near some of its points, with these as a set of their own.
-// Law:  around a point that was asked for it has all triangles, glued as in the whole.
-// Cost: linear in the surface once; then in what is near, times a logarithm.
+// What: the part of a surface near some of its points, as a surface of its own points.
+// Law:  a wanted point has all its triangles in the part, glued as in the whole.
+// Cost: linear in the surface once; then linear in the part, times a logarithm.
 #pragma once
 
 #include <array>
@@ -17,9 +17,9 @@ namespace rbpa::space {
 struct LocalSurface {
   std::vector<std::uint32_t> input;  ///< input index of each point, ascending
   std::vector<Point3> points, normals;
-  Surface surface;  ///< of these; with levels
+  Surface surface;  ///< of these points; with levels
 
-  /// The number of an input point that is here.
+  /// Returns the number in the part of an input point. Requires: the point is in the part.
   std::uint32_t number_of(std::uint32_t input_index) const;
 };
 
@@ -28,8 +28,9 @@ class LocalSurfaces {
   /// Keeps the spans and the surface. Requires: triangles and normals of the points.
   LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface);
 
-  /// Those points, the triangles with a corner among them, and the corners of these.
-  /// Requires: ascending; equal points together.
+  /// Returns the part around `points`: these points, the triangles with a corner among them, and the corners of these
+  /// triangles.
+  /// Requires: ascending indices; equal points are all given or none of them.
   LocalSurface at(std::span<const std::uint32_t> points) const;
 
   const std::array<std::uint32_t, 3>& corners_of(std::uint32_t triangle) const { return surface_.triangles[triangle]; }

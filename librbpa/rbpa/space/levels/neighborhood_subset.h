@@ -1,6 +1,7 @@
-// What: the points near some of a set, as a point set of its own.
-// Law:  a ball that touches a wanted point touches, holds and rests on the same points in the subset as in the whole set.
-// Cost: a sort of the points, once for any number of subsets by one radius.
+// What: the points near a subset of the points, as a point set of its own.
+// Law:  a ball that touches a wanted point rests on, touches and contains the same points in the subset as in the whole
+//       set.
+// Cost: a sort of the points, once for any number of subsets with one radius.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +18,13 @@ class NeighborhoodFinder {
  public:
   NeighborhoodFinder(std::span<const Point3> points, double radius);
 
-  /// All points that a ball of the radius can touch or hold while it touches a wanted one; there may be more. Ascending; equal
-  /// points are there together.
+  /// Returns, ascending, all points that a ball of the radius can touch or contain while it touches a wanted point; and
+  /// possibly other points. Of equal points it returns all or none.
   std::vector<std::uint32_t> around(std::span<const std::uint32_t> wanted) const;
 
  private:
   Cells cells_;
-  std::vector<Site> site_;  // of each point
+  std::vector<Site> site_;  // for each point
 };
 
 struct NeighborhoodSubset {
@@ -32,7 +33,7 @@ struct NeighborhoodSubset {
   std::vector<Point3> normals;  ///< empty when no normals were given
 };
 
-/// The points around those with wanted[index] != 0. Of equal points, wanted[stands_for] decides.
+/// Returns the points around those with wanted[index] != 0. For duplicates, wanted[stands_for] decides.
 NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
                                        std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
                                        double radius);

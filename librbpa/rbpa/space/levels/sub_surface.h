@@ -1,5 +1,6 @@
-// What: parts of a surface, such as what the smaller of its radii made.
-// Law:  the latter is the surface by those radii alone, as a later radius changes no gluing between earlier triangles.
+// What: parts of a surface, such as the part made by its smaller radii.
+// Law:  the part of the smaller radii is the surface by those radii alone, as a later radius changes no gluing between
+//       earlier triangles.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace rbpa::space {
 
 inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triangles, surface.neighbors}; }
 
-/// The triangles that are kept, by number, glued among each other.
+/// Returns the triangles t with keep(t), glued among each other.
 template <typename Keep>
 Surface part_of(const Surface& surface, const Keep& keep) {
   Surface part;
@@ -31,7 +32,7 @@ Surface part_of(const Surface& surface, const Keep& keep) {
   return part;
 }
 
-/// The triangles of levels below `level`. Requires: the surface has levels.
+/// Returns the triangles of levels below `level`. Requires: the surface has levels.
 inline Surface sub_surface(std::uint32_t level, const Surface& surface) {
   return part_of(surface, [&](std::size_t t) { return surface.levels[t] < level; });
 }

@@ -1,4 +1,4 @@
-// What:   how the normals at the ends of an edge of the graph of nearest points are related.
+// What:   compares the normals at the ends of an edge of the graph of nearest points.
 // Source: König and Gumhold, Consistent propagation of normal orientations in point clouds (2009), section 2.
 #pragma once
 
@@ -7,12 +7,13 @@
 namespace rbpa::space {
 
 struct NormalComparison {
-  double agreement;  ///< above 0: on the same side, below: on different sides; 1 and −1 are beyond doubt
+  double agreement;  ///< above 0: normals on the same side; below 0: on different sides; 1 and −1 are certain
   double tilt;       ///< 0 where the edge lies in both planes, 2 where it is perpendicular to both
 };
 
-/// At the ends of a circular arc the normals are each other's reflections across the plane in the middle. So one is reflected
-/// before they are compared: through a thin sheet the sides are then opposite, around a sharp edge the same.
+/// Compares normal m at p with normal n at q. At the ends of a circular arc the normals are reflections of each other
+/// across the plane in the middle; so one is reflected before the comparison. The result: opposite sides through a thin
+/// sheet, the same side around a sharp edge.
 template <typename Real>
 NormalComparison compare_normals(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
   const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);

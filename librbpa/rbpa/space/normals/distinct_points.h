@@ -1,4 +1,4 @@
-// What: points of space without repetitions, and at a scale at which squares fit double.
+// What: distinct points in space, scaled so that their squares fit double.
 // Cost: a sort.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace rbpa::space {
 
-/// The distinct points, ascending, and for each input point the position of its own.
+/// The distinct points, ascending, and the position of each input point among them.
 struct DistinctPoints {
   std::vector<Point3> points;
   std::vector<std::uint32_t> number;
@@ -19,8 +19,8 @@ struct DistinctPoints {
 
 DistinctPoints distinct_points(std::span<const Point3> points);
 
-/// Multiplies the points by a power of two so that their squares fit double. Returns: its exponent; none where there is no such
-/// power.
+/// Multiplies the points by a power of two so that their squares fit double. Returns its exponent; nothing where there
+/// is no such power.
 std::optional<int> fit_double(std::vector<Point3>& points);
 
 }  // namespace rbpa::space

@@ -32,7 +32,8 @@ Wide height(const Point3& p, const Point3& from, const Point3& n) {
   return (Wide(from.x) - p.x) * n.x + (Wide(from.y) - p.y) * n.y + (Wide(from.z) - p.z) * n.z;
 }
 
-/// Of the side of a normal that is turned toward a viewpoint: a plane that is seen at a grazing angle may be seen from either side.
+/// Of the side of a normal that is turned toward a viewpoint: a plane that is seen at a grazing angle may be seen from
+/// either side.
 double view_certainty(const Point3& p, const Point3& from, const Point3& n) {
   constexpr double beyond_doubt = 0.25;  // of the cosine of the angle between normal and view: 76 degrees
   const Wide x = Wide(from.x) - p.x, y = Wide(from.y) - p.y, z = Wide(from.z) - p.z;

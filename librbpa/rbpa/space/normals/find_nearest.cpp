@@ -54,7 +54,8 @@ template <typename Real>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
                                                  3, std::uint32_t>;
 
-/// The nearest points so far, without the query point. nanoflann's own set keeps whichever of equal distances came first.
+/// The nearest points so far, without the query point. nanoflann's own set keeps whichever of equal distances came
+/// first.
 template <typename Real>
 class Nearest {
  public:
@@ -70,7 +71,8 @@ class Nearest {
   std::size_t size() const { return size_; }
 
   bool full() const { return size_ == found_.size(); }
-  /// The tree skips what is at least this far. It must not skip equal distances, and it rounds its bounds: so slightly more.
+  /// The tree skips what is at least this far. It must not skip equal distances, and it rounds its bounds: so slightly
+  /// more.
   DistanceType worstDist() const {
     return full() ? found_.back().distance * (1 + Real(0x1p-40)) : std::numeric_limits<Real>::infinity();
   }
@@ -118,8 +120,9 @@ Real square_between(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Fills `chosen`. First come the two nearest, which keep neighbors on a line connected. Then come points whose distance from all
-/// chosen ones is at least the spacing of as many evenly spread points in the disc; then the same with half that spacing, and so on.
+/// Fills `chosen`. First come the two nearest, which keep neighbors on a line connected. Then come points whose
+/// distance from all chosen ones is at least the spacing of as many evenly spread points in the disc; then the same
+/// with half that spacing, and so on.
 template <typename Real>
 void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
   std::vector<bool> is_chosen(nearest.size(), false);

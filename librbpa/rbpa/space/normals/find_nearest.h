@@ -1,8 +1,8 @@
-// What: the nearest others of each point of a set, by the k-d tree of nanoflann; where these are on one line, as on the lines of
-//       a scanner, others that are farther from each other.
-// Law:  nearest by rounded squared distances, and of equal ones the lexicographically least points. Points are renumbered in
-//       the order of the tree's leaves, near ones together: a function of the set of points.
-// Cost: O(n log n); about 30 times that at points where wider neighborhoods are looked at.
+// What: the nearest others of each point of a set, by the k-d tree of nanoflann. Where these are on one line, as on the
+//       lines of a scanner, points that are farther from each other are chosen.
+// Law:  the order is by rounded squared distance, then lexicographically by point. Points are renumbered in the order
+//       of the tree's leaves, so that near points have near numbers: a function of the set of points.
+// Cost: O(n log n); about 30 times as much at points for which a wider neighborhood is searched.
 #pragma once
 
 #include <cstddef>
@@ -18,28 +18,30 @@ namespace rbpa::space {
 
 struct Neighborhoods {
   std::vector<Point3> points;          ///< in the order of the leaves
-  std::vector<std::uint32_t> place;    ///< the position in `points` of each given point
-  std::size_t count = 0;               ///< nearest others per point
-  std::vector<std::uint32_t> nearest;  ///< positions in `points`: `count` of each point, by ascending distance
+  std::vector<std::uint32_t> place;    ///< the position in `points` of each input point
+  std::size_t count = 0;               ///< number of nearest others per point
+  std::vector<std::uint32_t> nearest;  ///< positions in `points`: `count` for each point, by ascending distance
 
   std::span<const std::uint32_t> around(std::size_t i) const { return {nearest.data() + i * count, count}; }
 };
 
-/// Whether the points around point i determine a plane; called from any thread, at least once for each i, and last with what it
-/// has around it in the end.
+/// A function that returns whether the points around point i span a plane. It is called from any thread, at least once
+/// for each i; the last call for i sees the final neighborhood.
 using SpansPlane = std::function<bool(const Neighborhoods&, std::size_t i)>;
 
-/// The `count` nearest others of each, or all where there are fewer. Differences and squares are of type Real. Where these do not
-/// span a plane, as many of the nearest 8 or 16 `count`, the nearest two and others that are far from each other; but the nearest
-/// again where those do not either.
-/// Calls go_on() repeatedly, if there is one, one call at a time.
+/// Returns the `count` nearest others of each point, or all where there are fewer. Differences and squares are of type
+/// Real. Where the nearest do not span a plane, the result has as many of the nearest 8 `count` or 16 `count`: the
+/// nearest two and others that are far from each other. Where these do not span a plane either, the result has the
+/// nearest again.
+/// Calls go_on(), if any, repeatedly, one call at a time.
 /// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
                            const std::function<void()>& go_on, const SpansPlane& spans_plane = {});
 
-/// The median over the points of the distance between neighbors: where as many points per area are in a square grid.
-/// Requires: points, with nearest others.
+/// Returns the spacing: the median over the points of the distance between neighbors in a square grid with as many
+/// points per area.
+/// Requires: at least one point, with nearest others.
 double spacing_of(const Neighborhoods& near);
 
 extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&,

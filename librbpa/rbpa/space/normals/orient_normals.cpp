@@ -25,11 +25,12 @@ using Number = std::uint32_t;
 using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                  boost::no_property, Number, std::size_t>;
 
-/// The weight in the spanning tree, which prefers edges of little doubt, and edges along the surface: across it, noise decides.
+/// The weight in the spanning tree, which prefers edges of little doubt, and edges along the surface: across it, noise
+/// decides.
 double weight(const NormalComparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
 
-/// Where the tree begins: at the points whose sides are known; in a component of the graph without one, at a point whose normal
-/// is turned outward.
+/// Where the tree begins: at the points whose sides are known; in a component of the graph without one, at a point
+/// whose normal is turned outward.
 class Seeds {
  public:
   Seeds(const Neighborhoods& points, std::span<Point3> normals, std::span<const std::int8_t> sides)
@@ -104,7 +105,8 @@ class Seeds {
   std::span<const std::int8_t> sides_;
 };
 
-/// The graph: edges both ways between each point and its nearest, and from one more vertex, the root, to the first points.
+/// The graph: edges both ways between each point and its nearest, and from one more vertex, the root, to the first
+/// points.
 Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   const auto root = static_cast<Number>(points.points.size());
   const auto for_each_edge = [&](auto visit) {
@@ -173,8 +175,8 @@ OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> no
     const Number u = boost::source(edge, graph), v = boost::target(edge, graph);
     return u == root ? 0.0 : weight(compare_normals<Real>(points.points[u], normals[u], points.points[v], normals[v]));
   };
-  // Prim's algorithm as in Boost.Graph: Dijkstra's, with the last edge's weight as distance. Turning a normal changes no
-  // weight.
+  // Prim's algorithm as in Boost.Graph: Dijkstra's, with the last edge's weight as distance. Turning a normal changes
+  // no weight.
   boost::dijkstra_shortest_paths_no_init(
       graph, root, map(from), map(least),
       boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor, double>(weight_of), index,

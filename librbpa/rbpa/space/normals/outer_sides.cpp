@@ -70,9 +70,10 @@ struct Verdict {
   std::size_t pairs = 0, contradicted = 0;  // neighbors whose sides are known and whose planes are hardly tilted
   double apart = 0, apart_squared = 0;      // sums over the contradicted pairs: how far one lies above the other
 
-  /// The two sides of a sheet as thin as the points are apart contradict each other. But of such a sheet the ball sees nearly all
-  /// points, and its sides are everywhere as far apart. On a rough sheet, where it is noise that decides from which side a point
-  /// is seen, they are not. The variation is the standard deviation of that distance, in parts of its mean.
+  /// The two sides of a sheet as thin as the points are apart contradict each other. But of such a sheet the ball sees
+  /// nearly all points, and its sides are everywhere as far apart. On a rough sheet, where it is noise that decides
+  /// from which side a point is seen, they are not. The variation is the standard deviation of that distance, in parts
+  /// of its mean.
   bool is_trusted(double most_variation) const {
     const auto share_of = [](double share, std::size_t of) { return share * static_cast<double>(of); };
     if (known == 0 || one_sided <= share_of(least_one_sided, seen)) return false;
@@ -136,9 +137,10 @@ bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals,
                      [variation](const Verdict& v) { return v.is_trusted(variation) && v.contradicts_normals(); });
 }
 
-/// Whether all points are worth looking at. A sample over the whole surface finds a side that is wrong, of solids of any thickness;
-/// but open terrain has crests and valleys, which it sees from one side each. There a smaller ball sees both sides. The sides of
-/// a thin sheet contradict each other in any sample, but are equally far apart only in pieces of all points.
+/// Whether all points are worth looking at. A sample over the whole surface finds a side that is wrong, of solids of
+/// any thickness; but open terrain has crests and valleys, which it sees from one side each. There a smaller ball sees
+/// both sides. The sides of a thin sheet contradict each other in any sample, but are equally far apart only in pieces
+/// of all points.
 bool is_worth_looking(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options) {
   constexpr std::size_t share = 8, least = 500, most = 4000, pieces = 3, piece = 1000;    // points
   constexpr double any = std::numeric_limits<double>::infinity(), none = 0, wide = 0.45;  // variation

@@ -16,8 +16,8 @@
 namespace rbpa {
 namespace {
 
-/// Moves the points. Returns: by how many spacings the median point moves otherwise than its neighbors do, which is noise; what
-/// curvature moves, moves together. 0 of a single point.
+/// Moves the points. Returns: by how many spacings the median point moves otherwise than its neighbors do, which is
+/// noise; what curvature moves, moves together. 0 of a single point.
 template <typename Real>
 double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const std::function<void()>& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);

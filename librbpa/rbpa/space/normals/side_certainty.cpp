@@ -12,8 +12,8 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// The tree cut into paths: from each vertex to the child with the most vertices below, so that from any vertex to the root it is a few
-/// paths. Vertices are called by their ranks, in which parents come before children.
+/// The tree cut into paths: from each vertex to the child with the most vertices below, so that from any vertex to the
+/// root it is a few paths. Vertices are called by their ranks, in which parents come before children.
 class TreePaths {
  public:
   explicit TreePaths(const OrientationTree& tree)
@@ -94,7 +94,8 @@ std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Po
     up.sum += below[r].sum;
     up.all += below[r].all;
   }
-  // Of each vertex how sure it is from the middle of its part of the tree: that from which no cut leaves more than half of it away.
+  // Of each vertex how sure it is from the middle of its part of the tree: that from which no cut leaves more than half
+  // of it away.
   std::vector<double> by_rank(size + std::size_t{1}, -1), certainty(size);
   for (Number r = 1; r <= size; ++r)
     if (paths.parent(r) == 0) {

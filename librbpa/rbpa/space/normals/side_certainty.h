@@ -1,6 +1,8 @@
-// What: how sure it is on which side of its plane each normal is, once the spanning tree of orient_normals() has turned them.
-// How:  an edge of the tree cuts the graph of nearest points in two, and each edge of the graph across that cut is a vote: whether the
-//       normals at its ends, as they are turned, agree. A point is as sure as the least sure cut between it and where the tree begins.
+// What: the confidence in the orientation of each normal, after the spanning tree of orient_normals() has oriented
+//       them.
+// How:  an edge of the tree cuts the graph of nearest points in two. Each edge of the graph across the cut is a vote:
+//       whether the oriented normals at its ends agree. The confidence at a point is the least one of all cuts between
+//       it and the beginning of the tree.
 // Law:  a function of the neighborhoods, the normals and the tree.
 // Cost: O(n log n), in one thread.
 #pragma once
@@ -16,8 +18,8 @@
 
 namespace rbpa::space {
 
-/// Of each point: 1 where all votes agree, 0 where as many contradict or there is none. Where the tree begins at points whose
-/// sides are known, their votes, else 1. Calls go_on() repeatedly, if there is one.
+/// Returns the confidence at each point: 1 where all votes agree, 0 where as many contradict or there is no vote. At
+/// points where the tree begins it is their vote if their sides are known, else 1. Calls go_on(), if any, repeatedly.
 template <typename Real>
 std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Point3> normals,
                                    const OrientationTree& tree, const OuterSides& sides,

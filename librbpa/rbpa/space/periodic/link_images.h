@@ -1,5 +1,6 @@
-// What: neighbors of tetrahedra across the sides of the box.
-// Law:  a face is known by its three points and by how many boxes they are apart: that is the same for all of its images.
+// What: links tetrahedra that are neighbors across the sides of a periodic box.
+// Law:  a face is identified by its three points and their offsets in boxes relative to each other, which all its
+//       images share.
 // Cost: a sort of the faces.
 #pragma once
 
@@ -10,7 +11,8 @@
 
 namespace rbpa::space {
 
-/// Makes those neighbors that have images of one face. A face is known by 4 t + k: across from corner k of tetrahedron t.
+/// Links the tetrahedra that have images of one face. A face is given by 4 t + k: across from corner k of tetrahedron
+/// t.
 void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid);
 
 }  // namespace rbpa::space

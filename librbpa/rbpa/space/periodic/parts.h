@@ -1,4 +1,4 @@
-// What: tetrahedra that fill a box that repeats, as pieces connected through triangles, each laid out in space.
+// What: pieces of tetrahedra connected through triangles that fill a periodic box, each piece laid out in space.
 // Cost: linear.
 #pragma once
 
@@ -15,17 +15,17 @@ namespace rbpa::space {
 
 class Parts {
  public:
-  /// Pieces of those inside and of those outside; where `walls` is given, its triangles part the latter. Requires: a
-  /// tetrahedron across from each corner.
+  /// Finds the pieces of the tetrahedra inside and of those outside. If `walls` is given, its triangles separate the
+  /// pieces outside. Requires: a tetrahedron across from each corner.
   Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside, const FacesWithin* walls);
 
   std::size_t size() const { return begin_.size() - 1; }
   std::span<const std::uint32_t> tetrahedra(std::size_t part) const {
     return std::span(order_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
   }
-  /// The directions in which the part reaches images of itself.
+  /// Returns the directions in which a part reaches images of itself.
   const Rank& directions(std::size_t part) const { return directions_[part]; }
-  /// The same, of all parts outside together.
+  /// Returns the directions in which all parts outside together reach images of themselves.
   const Rank& directions_outside() const { return directions_outside_; }
 
  private:
@@ -35,7 +35,7 @@ class Parts {
   Rank directions_outside_;
 };
 
-/// How many boxes to go from where tetrahedron t is to where its neighbor across from corner k meets it.
+/// Returns the offset, in boxes, from tetrahedron t to the image that its neighbor across from corner k meets.
 Boxes step_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k);
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: how many independent directions integer vectors have.
+// What: the number of linearly independent vectors among integer vectors.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace rbpa::space {
 
-/// Boxes along each axis.
+/// A number of boxes along each axis.
 using Boxes = std::array<std::int32_t, 3>;
 
 class Rank {

@@ -1,6 +1,6 @@
-// What: coordinates modulo the sides of a box.
-// Law:  the sides and all coordinates are multiples of a step that is so small, and so large, that every image at most one box away is a double.
-//       Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the side.
+// What: coordinates modulo the sides of a periodic box.
+// Law:  the sides and all coordinates are multiples of a step. The step is chosen so that every image at most one box
+//       away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the side.
 #pragma once
 
 #include <array>
@@ -14,17 +14,18 @@ using Offset = std::array<std::int8_t, 3>;
 
 class Torus {
  public:
-  /// Throws InvalidInput unless all sides are from 2⁻⁹⁰⁰ to 2⁹⁰⁰.
+  /// Throws InvalidInput unless all sides are between 2⁻⁹⁰⁰ and 2⁹⁰⁰.
   explicit Torus(const Point3& box);
 
-  /// Rounded.
+  /// Returns the sides of the box, rounded to the step.
   const Point3& box() const { return box_; }
-  /// Below half of the least side: a ball of this radius does not touch its images.
+  /// Returns the greatest radius allowed, less than half of the least side: a ball of this radius does not touch its
+  /// images.
   double most_radius() const { return most_radius_; }
 
-  /// Modulo the box: 0 ≤ x < side. Requires: finite.
+  /// Returns the point modulo the box: 0 ≤ x < side. Requires: a finite point.
   Point3 wrapped(const Point3& p) const;
-  /// Requires: a point that is wrapped, at most one box away. Exact.
+  /// Returns the image of a point, exact. Requires: a wrapped point, an offset of at most one box along each axis.
   Point3 image(const Point3& p, const Offset& offset) const {
     return {p.x + offset[0] * box_.x, p.y + offset[1] * box_.y, p.z + offset[2] * box_.z};
   }

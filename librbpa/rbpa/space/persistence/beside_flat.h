@@ -1,7 +1,9 @@
-// What: points beside a set in a plane or on a line, with which its Delaunay triangulation is a cone over that of the set.
-// Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So with
-//       one point beside the plane, wherever it is, the tetrahedra stand on the Delaunay triangles of the set, with the
-//       same ties: nothing is projected or rounded. With two points beside a line they stand on its edges.
+// What: additional points beside a set in a plane or on a line: with them, the Delaunay triangulation in space is a
+//       cone over that of the set.
+// Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So
+//       with one point beside the plane, at any place, the tetrahedra stand on the Delaunay triangles of the set, with
+//       the same ties: nothing is projected or rounded. With two points beside a line the tetrahedra stand on its
+//       edges.
 // Cost: linear.
 #pragma once
 
@@ -12,8 +14,9 @@
 
 namespace rbpa::space {
 
-/// One point where they are in a plane, two where they are on a line; none where they are not flat, or are equal.
-/// Requires: finite points. Both are within twice the greatest coordinate.
+/// Returns one point where all points are in a plane, two where they are on a line; none where they are in neither, or
+/// are all equal. The returned points are within twice the greatest coordinate.
+/// Requires: finite points.
 std::vector<Point3> beside_flat(std::span<const Point3> points);
 
 }  // namespace rbpa::space

@@ -1,6 +1,6 @@
-// What: a column of a boundary matrix with coefficients in Z/2, while others are added to it.
-// How:  ascending entries; where there are many, a heap, of which those that come twice are not there.
-// Cost: linear in what is added, times a logarithm in a heap.
+// What: a column of a boundary matrix with coefficients in Z/2, to which other columns are added.
+// How:  ascending entries; with many entries a heap, in which an entry that occurs twice counts as absent.
+// Cost: linear in the entries added, times a logarithm in a heap.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace rbpa::space {
 
-/// An edge in a column: its rank in the filtration, from 1 on, above its number; so they are compared by rank. 0 is none.
+/// An edge in a column: its rank in the filtration, from 1, in the high bits, and its number in the low bits, so that
+/// entries are compared by rank. 0 is no entry.
 using ColumnEntry = std::uint64_t;
 inline ColumnEntry column_entry(std::uint32_t rank, std::uint32_t edge) { return ColumnEntry{rank} << 32U | edge; }
 inline std::uint32_t edge_of(ColumnEntry entry) { return static_cast<std::uint32_t>(entry); }
@@ -38,7 +39,7 @@ class Column {
                                   std::back_inserter(sum_));
     entries_.swap(sum_);
   }
-  /// The greatest, or 0.
+  /// Returns the greatest entry, or 0 where the column is empty.
   ColumnEntry pivot() {
     if (!is_heap_) return entries_.empty() ? 0 : entries_.back();
     while (!entries_.empty()) {
@@ -51,7 +52,7 @@ class Column {
     }
     return 0;
   }
-  /// All, ascending; then it has no meaning until assign().
+  /// Returns all entries, ascending. Afterwards the column has no meaning until assign().
   std::vector<ColumnEntry> ascending() {
     if (!is_heap_) return {entries_.begin(), entries_.end()};
     std::sort(entries_.begin(), entries_.end());

@@ -1,5 +1,6 @@
-// What: which edge ends each component, and the point that made it.
-// How:  each point is one from the beginning; edges join them in the order of the filtration, and where two components meet that of the greater point ends.
+// What: the edge that ends each component, and the point that began it.
+// How:  at the beginning each point is a component. Edges join components in the order of the filtration; where two
+//       meet, the component of the greater point ends.
 // Cost: union–find over the edges.
 // Source: Kruskal (1956).
 #pragma once
@@ -19,10 +20,10 @@ struct EndedComponent {
 
 struct PersistentComponents {
   std::vector<EndedComponent> all;  ///< in the order of the filtration
-  std::vector<bool> joins;          ///< of each edge: it ends a component; the others make a tunnel
+  std::vector<bool> joins;          ///< for each edge: whether it ends a component; the others make a tunnel
 };
 
-/// `order` has the edges by alpha.
+/// Pairs points with edges. `order` has the edges sorted by alpha.
 PersistentComponents find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
                                      Steps& step);
 

@@ -114,7 +114,8 @@ std::uint32_t Cycles::across(std::uint32_t edge, std::uint32_t point) const {
   return a == point ? b : a;
 }
 
-/// A cycle that has these of the edges that end no component: points at an odd number of them are joined along the tree, the deepest first.
+/// A cycle that has these of the edges that end no component: points at an odd number of them are joined along the
+/// tree, the deepest first.
 Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
   Edges edges = others;
   std::unordered_set<std::uint32_t> odd;

@@ -1,10 +1,12 @@
 // What: short cycles of edges, one for each tunnel.
-// Law:  a cycle whose last edge in the filtration is the one that makes a tunnel, and which is a boundary of triangles up to the one that ends it, becomes a boundary
-//       exactly then: had it been one before, that edge would have been paired before.
-// How:  the column of the reduction is such a cycle. The shortest of all cycles with that edge as the last one is the edge and a shortest path between its ends
-//       among edges before it; whether it is a boundary in time, columns decide. If it is not, parts of the column's cycle are replaced by shortest paths
-//       where the difference is a boundary.
-// Cost: of each, as many edges as a ball around its ends has that is as large as the cycle; where parts are replaced, some times the number of its edges.
+// Law:  consider a cycle whose last edge in the filtration makes a tunnel, and which is a boundary of triangles up to
+//       the one that ends the tunnel. It becomes a boundary exactly then: had it been one before, its last edge would
+//       have been paired before.
+// How:  the column of the reduction is such a cycle. The shortest of all cycles with this last edge is the edge and a
+//       shortest path between its ends among earlier edges; columns decide whether it is a boundary in time. If it is
+//       not, parts of the column's cycle are replaced by shortest paths where the difference is a boundary.
+// Cost: for each cycle, the number of edges in a ball around its ends that is as large as the cycle; where parts are
+//       replaced, several times that number.
 // Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
 #pragma once
 
@@ -21,7 +23,7 @@
 namespace rbpa::space {
 
 struct Cycle {
-  std::vector<std::uint32_t> edges;  ///< one after the other; from the one that makes the tunnel on
+  std::vector<std::uint32_t> edges;  ///< consecutive edges; the first is the one that makes the tunnel
   double length = 0;
   bool is_shortest = false;
 };
@@ -31,7 +33,7 @@ class Cycles {
   /// Keeps references.
   Cycles(std::span<const Point3> points, const SolidFiltration& filtration, Pairing& pairing, Steps& step);
 
-  /// Of the tunnel that an edge makes. Requires: it makes one.
+  /// Returns a short cycle of the tunnel that an edge makes. Requires: the edge makes a tunnel.
   Cycle of(std::uint32_t edge);
 
  private:
@@ -40,8 +42,8 @@ class Cycles {
     std::uint32_t to, edge;
   };
   struct Loops {
-    Edges first;                ///< with the edge that was asked for, from there on
-    std::vector<Edges> others;  ///< edge-disjoint, and no two edges of one more than once at a point
+    Edges first;                ///< contains the wanted edge, and starts with it
+    std::vector<Edges> others;  ///< edge-disjoint; none visits a point twice
   };
 
   double length(std::uint32_t edge) const;
@@ -57,9 +59,9 @@ class Cycles {
   const SolidFiltration& filtration_;
   Pairing& pairing_;
   Steps& step_;
-  std::vector<std::size_t> begin_;  // of each point's arcs
+  std::vector<std::size_t> begin_;  // for each point: the beginning of its arcs
   std::vector<Arc> arcs_;
-  std::vector<std::uint32_t> parent_edge_, depth_;  // of each point, in the tree of the edges that end components
+  std::vector<std::uint32_t> parent_edge_, depth_;  // for each point, in the tree of the edges that end components
 };
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: which simplex ends what each simplex makes, in all dimensions.
+// What: the persistence pairing: for each simplex that begins a class, the simplex that ends it, in all dimensions.
 // Cost: docs/persistence_in_space.md.
 #pragma once
 
@@ -16,9 +16,9 @@
 
 namespace rbpa::space {
 
-/// Throws ContractViolation, which begins with the function's name, where the arrays do not belong together.
+/// Throws ContractViolation, whose message begins with the function's name, where the arrays do not belong together.
 void check_filtration(const char* function, const SolidFiltration& filtration);
-/// Moreover where it is visibly not of these points.
+/// Throws, in addition, where the filtration is visibly not one of these points.
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration);
 
 struct Pairing {
@@ -29,7 +29,7 @@ struct Pairing {
                          filtration.triangle_alpha, step)),
         tunnels(filtration, edges, components.joins, voids.makes_one, step) {}
 
-  meshops::FreshVector<std::uint32_t> edges;  ///< by alpha
+  meshops::FreshVector<std::uint32_t> edges;  ///< sorted by alpha
   PersistentComponents components;
   PersistentVoids voids;
   Tunnels tunnels;

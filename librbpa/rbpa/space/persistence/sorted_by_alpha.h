@@ -1,7 +1,7 @@
-// What: simplices of one dimension in the order of a filtration: by alpha, then by number, or by volume.
-// How:  radii are at least 0, and so in the order of their bits: three passes sort by those that differ first, and where they are equal a
-//       comparison does the rest.
-// Cost: linear where few radii are nearly equal and not equal; else a sort.
+// What: sorts simplices of one dimension in the order of a filtration: by alpha, then by number or volume.
+// How:  radii are at least 0, so that they sort like their bits. Three passes of radix sort use the first bits that
+//       differ; comparisons sort the rest where these bits are equal.
+// Cost: linear where few radii are nearly but not exactly equal; else a sort.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace rbpa::space {
 
-/// Their numbers.
+/// Returns the numbers of the simplices, sorted by alpha, then by number.
 inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
   constexpr int digit_bits = 11, digits = 3, key_bits = 32;
   constexpr std::uint32_t mask = (1u << digit_bits) - 1;
@@ -61,7 +61,8 @@ inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const doubl
   return order;
 }
 
-/// Their numbers: by alpha, and of equal ones by volume, so that sums of volumes in this order do not depend on the numbers.
+/// Returns the numbers of the simplices, sorted by alpha, then by volume, so that sums of volumes in this order do not
+/// depend on the numbers.
 template <typename Real>
 meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, std::span<const Real> volumes,
                                                     Steps& step) {

@@ -1,5 +1,6 @@
-// What: the radius at which each triangle of a Delaunay triangulation comes into the full alpha complex.
-// How:  that of its own least sphere if no corner across is inside, else that of the first tetrahedron at it; rounded up.
+// What: the radius at which each triangle of a Delaunay triangulation enters the full alpha complex.
+// How:  the radius of its own least sphere if no corner across is inside, else the radius of the first tetrahedron at
+//       it; rounded up.
 // Cost: linear; shared among threads.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
@@ -15,7 +16,8 @@
 
 namespace rbpa::space {
 
-/// Requires: neighbors, the radii of the tetrahedra, and number_triangles() of them.
+/// Returns the radius of each triangle. Requires: neighbors, the radii of the tetrahedra, and the result of
+/// number_triangles() for them.
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                                    const NumberedTriangles& triangles, Threads& threads,
                                    const std::function<bool()>& go_on);

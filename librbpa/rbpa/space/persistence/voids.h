@@ -1,10 +1,14 @@
-// What: which triangle makes each void, and which tetrahedron fills it at last.
-// How:  backwards in alpha, tetrahedra that are left out are joined by the triangles between them: where two voids are parted, that is a birth, and
-//       the one whose last tetrahedron comes first ends with it. A triangle of the same radius as one of its tetrahedra joins that to what is across at once,
-//       without any length of life. So each tetrahedron goes first, without a sort, to the last one in its basin, and only triangles between basins are sorted.
-// Law:  the triangles that join are the greatest spanning forest of the dual graph, in the order of the filtration; a tetrahedron's greatest triangle is in it.
+// What: the triangle that makes each void, and the last tetrahedron that fills it.
+// How:  in descending alpha, tetrahedra leave the complex and are joined through the triangles between them. A triangle
+//       that joins two voids makes the void whose last tetrahedron comes first; the void lives from the triangle to
+//       that tetrahedron. A triangle with the same radius as one of its tetrahedra joins it to the tetrahedron across
+//       at once, with persistence 0. So each tetrahedron is first assigned, without a sort, to the last tetrahedron of
+//       its basin, and only triangles between basins are sorted.
+// Law:  the triangles that join are the maximum spanning forest of the dual graph, in the order of the filtration; the
+//       greatest triangle of each tetrahedron is in it.
 // Cost: linear, and a sort of the triangles between basins, about a quarter of all.
-// Source: Delfinado, Edelsbrunner (1995); Borůvka (1926); Dey, Giesen, Goswami, Shape segmentation and matching with flow discretization (2003): basins.
+// Source: Delfinado, Edelsbrunner (1995); Borůvka (1926); Dey, Giesen, Goswami, Shape segmentation and matching with
+//         flow discretization (2003): basins.
 #pragma once
 
 #include <array>
@@ -19,16 +23,17 @@ namespace rbpa::space {
 
 struct PersistentVoid {
   std::uint32_t triangle, tetrahedron;
-  std::uint32_t parted_from;  ///< the last tetrahedron of what it was in before, or none: the outside
+  std::uint32_t parted_from;  ///< the last tetrahedron of the void that it was part of before, or none: the outside
 };
 
 struct PersistentVoids {
-  std::vector<PersistentVoid> all;   ///< by triangle, backwards in the order of the filtration; some have no length
-  std::vector<bool> makes_one;       ///< of each triangle; the others end a tunnel
-  std::vector<std::uint32_t> basin;  ///< of each tetrahedron, the last one of its basin, or none: the outside
+  std::vector<PersistentVoid> all;   ///< by triangle, in descending order of the filtration; some have persistence 0
+  std::vector<bool> makes_one;       ///< for each triangle: whether it makes a void; the others end a tunnel
+  std::vector<std::uint32_t> basin;  ///< for each tetrahedron: the last tetrahedron of its basin, or none: the outside
 };
 
-/// With a radius for each tetrahedron, the numbers of its triangles, and a radius for each of those, at most that of each of its tetrahedra.
+/// Finds the voids. Requires: `radii` of the tetrahedra; `triangles_of`: the numbers of the triangles of each;
+/// `triangle_radii`: each at most the radii of its tetrahedra.
 PersistentVoids find_voids(const Solid& delaunay, std::span<const double> radii,
                            std::span<const std::array<std::uint32_t, 4>> triangles_of,
                            std::span<const double> triangle_radii, Steps& step);

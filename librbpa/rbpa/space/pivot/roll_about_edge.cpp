@@ -9,8 +9,8 @@ std::size_t EdgeRoll<Real>::holder(const Ball<Real>& ball, std::size_t p) const 
   return none;
 }
 
-// A stretch of the circle on which the ball is held begins where it leaves `start`, and ends where it leaves `end`. It grows to
-// where the ball leaves the next point that holds it, until none does, or the stretch is the whole circle.
+// A stretch of the circle on which the ball is held begins where it leaves `start`, and ends where it leaves `end`. It
+// grows to where the ball leaves the next point that holds it, until none does, or the stretch is the whole circle.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_left_free() const {
   std::size_t start = 0;
@@ -32,8 +32,8 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
     const Ball<Real> next = leaving(q);
     if (!next.rests()) return none;  // q holds the ball all around
     if (beginning.contains(points_[q])) {
-      // Either q holds the ball from the beginning past the end, farther than `reach`; or from the end past the beginning,
-      // alone or together with `reach` all around.
+      // Either q holds the ball from the beginning past the end, farther than `reach`; or from the end past the
+      // beginning, alone or together with `reach` all around.
       if (reach != none && next.contains(points_[reach])) return none;
       reach = q;
     }
@@ -65,7 +65,8 @@ std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
     if (at_best.contains(points_[p])) {
       at_p = coming_to(p);
     } else {
-      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is between.
+      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is
+      // between.
       if (best != left) {
         const int turns =
             (start.side_of_plane(points_[p]) > 0) + (at_best.side_of_plane(points_[p]) > 0) + c_after_best;

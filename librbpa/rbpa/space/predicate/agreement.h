@@ -1,6 +1,6 @@
-// What: whether triangles agree with the normals at their corners.
-// Law:  exact. A corner with several points has all their normals.
-// Cost: some nanoseconds in double, where points fit it; otherwise that of TriangleNormal, for each normal.
+// What: tests whether triangles agree with the normals at their corners.
+// Law:  exact. A corner at which there are several points has all their normals.
+// Cost: some nanoseconds in double, where points fit; otherwise the cost of TriangleNormal for each normal.
 #pragma once
 
 #include <algorithm>
@@ -16,29 +16,31 @@
 
 namespace rbpa::space {
 
-/// Corners are indices of places. Triangles are oriented, and their own normal is not 0.
+/// Tests triangles, whose corners are indices of places, against normals. Triangles are oriented, and their own normal
+/// is not 0.
 class Agreement {
  public:
-  /// A second or further normal at a place.
+  /// An additional normal at a place.
   struct Further {
     std::uint32_t place;
     Point3 normal;
   };
 
-  /// Keeps the spans. Requires: a normal for each place, or none at all: then every triangle agrees. `fits_double` as of
-  /// scale_to_double().
+  /// Keeps the spans. Requires: a normal for each place, or no normals at all: then every triangle agrees;
+  /// `fits_double`: whether the places fit as by scale_to_double().
   Agreement(std::span<const Point3> places, std::span<const Point3> normals, std::vector<Further> further,
             bool fits_double)
       : places_(places), normals_(normals), further_(std::move(further)), fits_double_(fits_double) {
     std::sort(further_.begin(), further_.end(),
-              [](const Further& a, const Further& b) { return a.place < b.place; });  // of one place in any order
+              // The order within one place does not matter
+              [](const Further& a, const Further& b) { return a.place < b.place; });
   }
 
-  /// For input points of any size. Requires: the duplicates among them.
+  /// Tests triangles of unscaled input points. Requires: `duplicates` of the points.
   Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
       : Agreement(points, normals, further_of(normals, duplicates), false) {}
 
-  /// Whether the triangle's own normal has a positive product with all normals at its corners.
+  /// Returns whether the triangle's own normal has a positive product with all normals at its corners.
   bool operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (normals_.empty()) return true;
     if (fits_double_ && further_.empty()) {
@@ -55,7 +57,7 @@ class Agreement {
     return !disagrees_at(a, normal) && !disagrees_at(b, normal) && !disagrees_at(c, normal);
   }
 
-  /// For each corner, whether a normal there has no positive product with the triangle's own.
+  /// Returns, for each corner, whether the product of a normal there with the triangle's own is not positive.
   std::array<bool, 3> disagreeing(const std::array<std::uint32_t, 3>& triangle) const {
     const auto [a, b, c] = triangle;
     if (normals_.empty()) return {false, false, false};
@@ -63,7 +65,7 @@ class Agreement {
     return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
   }
 
-  /// False if no triangle (v, x, y) agrees, for x following y in a cycle of places around v; true if one may.
+  /// Returns false if no triangle (v, x, y) agrees, for x following y in a cycle of places around v; true if one may.
   bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
@@ -74,7 +76,8 @@ class Agreement {
   }
 
  private:
-  /// Sign of the product of a normal, of a triangle whose corners fit double, with a vector; 0 when it is not certain.
+  /// Returns the sign of the product of a triangle's normal and a vector; 0 where it is not certain. Requires: the
+  /// triangle's corners fit double.
   static int sign_along(const RoundedNormal<double>& normal, const Point3& v) {
     const double product = normal.product(v), bound = 0x1p-50 * normal.magnitude(v);
     if (!(bound > 0x1p-900)) return 0;  // products may have underflown
@@ -98,7 +101,7 @@ class Agreement {
   }
 
   std::span<const Point3> places_, normals_;
-  std::vector<Further> further_;  // by place
+  std::vector<Further> further_;  // sorted by place
   bool fits_double_;
 };
 

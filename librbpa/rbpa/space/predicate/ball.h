@@ -1,10 +1,10 @@
-// What:   the ball that rests on three points: whether there is one of the radius, and which points it holds.
-// Law:    exact for every finite input. The results are those of a ball larger by an infinitesimal, among points that the
-//         symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md, sections 2 and
-//         6.
-// How:    a floating-point filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then long
-//         double, then integers of any length.
-// Cost:   about sixty operations a ball, and fifteen a point; microseconds where a filter fails.
+// What:   the ball of a given radius that rests on three points: whether it exists, and which points it contains.
+// Law:    exact for every finite input. The results are those of a ball larger by an infinitesimal, among points that
+//         the symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md,
+//         sections 2 and 6.
+// How:    a floating-point filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then
+//         long double, then integers of any length.
+// Cost:   about sixty operations for each ball, and fifteen for each point; microseconds where a filter fails.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,14 @@
 
 namespace rbpa::space {
 
-/// Whether q is in the ball that rests on a, b and c: by integers, and by the perturbation where q touches the ball.
+/// Returns whether q is in the ball that rests on a, b and c: decided by integers, and by the perturbation where q
+/// touches the ball.
 /// Requires: the circumradius of the three is at most the radius.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
 /// The ball of the radius that touches a, b and c, with its center on the side from which they are counter-clockwise.
-/// Real is double for points and a radius within the range of fits_double() (space/cells/scale.h), and long double for any.
+/// Real is double for points and a radius within the range of fits_double() (space/cells/scale.h), and long double for
+/// any.
 template <typename Real>
 class Ball {
   static_assert(std::numeric_limits<Real>::is_iec559);
@@ -34,17 +36,17 @@ class Ball {
   static constexpr Real unit_roundoff =
       std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
 
-  /// No ball at all.
+  /// Makes no ball at all.
   Ball() = default;
   /// Requires: distinct points, a finite radius above 0.
   Ball(const Point3& a, const Point3& b, const Point3& c, double radius) : a_(a), b_(b), c_(c), radius_(radius) {
     rests_ = fill_in();
   }
 
-  /// The circumradius of the three is at most the radius.
+  /// Returns whether the ball exists: whether the circumradius of the three points is at most the radius.
   bool rests() const { return rests_; }
 
-  /// q is inside. Requires: q is none of the three; the ball rests.
+  /// Returns whether q is inside. Requires: q is none of the three; the ball rests.
   bool contains(const Point3& q) const {
     const Estimate power = power_of(q);
     if (power.value > power.bound) return false;
@@ -52,7 +54,8 @@ class Ball {
     return decide(q);
   }
 
-  /// The side of the triangle's plane that q is on: 1 for the side of the center, −1 for the other, 0 in the plane.
+  /// Returns the side of the triangle's plane that q is on: 1 for the side of the center, −1 for the other, 0 in the
+  /// plane.
   int side_of_plane(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real height = dot(normal_, d);
@@ -69,7 +72,7 @@ class Ball {
     Real value, bound;
   };
 
-  /// Computes all but the points. Returns: rests().
+  /// Computes all members except the points. Returns rests().
   bool fill_in() {
     constexpr Real e = unit_roundoff;
     const Vector3<Real> u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);
@@ -105,7 +108,7 @@ class Ball {
     return true;
   }
 
-  /// n² times the power of q.
+  /// Returns n² times the power of q.
   Estimate power_of(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real dd = dot(d, d);

@@ -44,7 +44,8 @@ class Circumradii {
     };
     Vector u = edge(1), v = edge(2), w = edge(3);
     const V greatest = hn::Max(hn::Max(greatest_of(u), greatest_of(v)), greatest_of(w));
-    // Neither the power of two that makes the greatest one between 1 and 2 nor the differences are near the ends of the range.
+    // Neither the power of two that makes the greatest one between 1 and 2 nor the differences are near the ends of the
+    // range.
     const auto are_fit = hn::And(hn::Gt(greatest, hn::Set(d, 0x1p-800)), hn::Lt(greatest, hn::Set(d, 0x1p+900)));
     const hn::RebindToUnsigned<D> du;
     const auto exponent = hn::And(hn::BitCast(du, greatest), hn::Set(du, 0x7ff0000000000000U));

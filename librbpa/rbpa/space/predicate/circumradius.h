@@ -1,6 +1,8 @@
 // What: circumradii of four points, rounded up to doubles.
-// Law:  the least double that is not below it, for any finite points that are in no plane; infinity above all doubles.
-// How:  double-double, several at a time; integers of any length where two doubles are left, as for radii that are doubles.
+// Law:  the least double that is not below the circumradius, for any finite points that are not in a plane; infinity
+//       above all doubles.
+// How:  double-double, several at a time; integers of any length where two candidates are left, as for radii that are
+//       doubles.
 // Cost: some tens of nanoseconds each; some ten microseconds by integers.
 #pragma once
 
@@ -12,11 +14,11 @@
 
 namespace rbpa::space {
 
-/// Of each simplex, in its place. Requires: corners that are points, as many radii.
+/// Computes the radius of each simplex. Requires: corners that are points; as many radii as simplices.
 void circumradii_rounded_up(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                             std::span<double> radii);
 
-/// By integers.
+/// Returns the radius of one simplex, by integers.
 double circumradius_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 }  // namespace rbpa::space

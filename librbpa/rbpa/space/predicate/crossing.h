@@ -1,6 +1,7 @@
-// What: whether triangles in space, or a segment and a triangle, cross: they have more in common than corners and sides.
-// Law:  exact for every finite input. Corners are common when they are equal as points.
-// Cost: tens of nanoseconds where a plane parts them.
+// What: tests whether two triangles in space, or a segment and a triangle, cross: whether they share more than corners
+//       and sides.
+// Law:  exact for every finite input. Corners are shared when they are equal as points.
+// Cost: tens of nanoseconds where a plane separates them.
 #pragma once
 
 #include <array>
@@ -11,12 +12,13 @@ namespace rbpa::space {
 
 using Corners = std::array<Point3, 3>;
 
-/// Neither a common corner nor a common side is all that the triangles have in common: they overlap, one pierces the other, or
-/// they touch anywhere else.
+/// Returns whether the triangles cross: whether they overlap, one pierces the other, or they touch anywhere except in a
+/// shared corner or along a shared side.
 /// Requires: triangles with an area.
 bool triangles_cross(const Corners& s, const Corners& t);
 
-/// The segment from p to q meets the triangle elsewhere than in ends that are corners of the triangle, or is one of its sides.
+/// Returns whether the segment from p to q meets the triangle elsewhere than in ends that are corners of the triangle,
+/// or is one of its sides.
 /// Requires: p != q, a triangle with an area.
 bool segment_crosses(const Point3& p, const Point3& q, const Corners& t);
 

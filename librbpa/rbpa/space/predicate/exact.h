@@ -1,4 +1,5 @@
-// What: the signs behind every decision in space, in integers of any length: the last stage of each predicate.
+// What: signs of the expressions behind every decision in space, by integers of any length: the last stage of each
+//       predicate.
 // Law:  exact for all finite doubles.
 // Cost: microseconds, growing with the range of the exponents.
 #pragma once
@@ -7,36 +8,38 @@
 
 namespace rbpa::space::exact {
 
-/// Sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
+/// Returns the sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
 int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
-/// Sign of (half the distance of a and b) − radius.
+/// Returns the sign of (half the distance of a and b) − radius.
 int compare_circumradius(const Point3& a, const Point3& b, double radius);
 
-/// Sign of (circumradius of (a, b, c)) − radius; that of points on a line is infinite.
+/// Returns the sign of (circumradius of (a, b, c)) − radius. The circumradius of points on a line is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, double radius);
 
-/// Sign of (circumradius of (a, b, c, d)) − radius; that of points in a plane is infinite.
+/// Returns the sign of (circumradius of (a, b, c, d)) − radius. The circumradius of points in a plane is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius);
 
-/// The side of q with respect to the sphere through a, b, c, d: 1 when q is inside, −1 when outside, 0 when on it.
+/// Returns the side of q with respect to the sphere through a, b, c, d: 1 when q is inside, −1 when outside, 0 when on
+/// it.
 /// Requires: orientation(a, b, c, d) > 0.
 int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// The side of q with respect to the least sphere through a and b, or a, b and c: 1 when q is inside, −1 when outside, 0 when on it.
+/// Returns the side of q with respect to the least sphere through a and b, or a, b and c: 1 when q is inside, −1 when
+/// outside, 0 when on it.
 /// Requires: two distinct points; three that are on no line.
 int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& q);
 int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& q);
 
-/// The side of q with respect to the ball that touches a, b, c, with its center on the positive side of them: 1 when q is
-/// inside, −1 when outside, 0 when it touches too.
+/// Returns the side of q with respect to the ball that touches a, b, c, with its center on the positive side of them: 1
+/// when q is inside, −1 when outside, 0 when it touches too.
 /// Requires: the circumradius of (a, b, c) is at most the radius.
 int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
-/// Sign of (b − a) × (c − a) · normal.
+/// Returns the sign of (b − a) × (c − a) · normal.
 int normal_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& normal);
 
-/// Sign of (b − a) × (c − a) · (e − d) × (f − d).
+/// Returns the sign of (b − a) × (c − a) · (e − d) × (f − d).
 int compare_normals(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
                     const Point3& f);
 

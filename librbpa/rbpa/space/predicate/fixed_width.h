@@ -1,8 +1,9 @@
-// What: differences of points in space as integers of 61 bits, times a power of two: what they are on grids, in whatever unit, and of
-//       most points near each other. Determinants of them in words of 64 bits.
+// What: differences of points in space as integers of 61 bits times a power of two, and their determinants in words of
+//       64 bits. The differences have this form on grids of any unit, and for most points near each other.
 // Law:  exact: an expression that is homogeneous in the differences keeps its sign.
-// Why:  on grids most spheres are ties, which no filter decides.
-// Cost: a tenth of a microsecond, a twentieth of that of integers of any length; some nanoseconds where differences do not fit.
+// Why:  on grids most in-sphere tests are ties, which no filter decides.
+// Cost: a tenth of a microsecond, a twentieth of the cost of integers of any length; some nanoseconds where differences
+//       do not fit.
 #pragma once
 
 #include <algorithm>
@@ -18,20 +19,20 @@
 
 namespace rbpa::space {
 
-using FixedVector = Vector3<std::int64_t>;  // each below 2^61
+using FixedVector = Vector3<std::int64_t>;  // each below 2^61 in size
 
-/// The sign of u × v · w.
+/// Returns the sign of u × v · w.
 int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w);
 
-/// The sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w.
+/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w.
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p);
 
-/// N vectors from one point to others. Requires: finite points.
+/// Vectors from one point to N others. Requires: finite points.
 template <std::size_t N>
 class FixedVectors {
  public:
   FixedVectors(const Point3& from, const std::array<const Point3*, N>& to) {
-    std::uint64_t unit = 2047;  // the exponent of the last bit that any coordinate has, + 1075
+    std::uint64_t unit = 2047;  // the exponent of the lowest set bit of any coordinate, + 1075
     bool are_normal = true;
     const auto include = [&](double value) {
       const std::uint64_t bits = std::bit_cast<std::uint64_t>(value) & ~(std::uint64_t{1} << 63U);
@@ -59,7 +60,7 @@ class FixedVectors {
       vector_[i] = {whole(from.x, to[i]->x), whole(from.y, to[i]->y), whole(from.z, to[i]->z)};
   }
 
-  /// Otherwise there are none.
+  /// Returns whether the vectors could be represented exactly; otherwise there are none.
   bool are_exact() const { return are_exact_; }
   const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
 

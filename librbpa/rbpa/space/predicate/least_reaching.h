@@ -1,5 +1,5 @@
-// What: the least double that reaches something, such as a radius.
-// Cost: a few calls where the estimate is near; some sixty without one.
+// What: searches the least double for which a monotone predicate is true, such as a radius.
+// Cost: a few calls of the predicate where the estimate is near; some sixty without an estimate.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 
 namespace rbpa::space {
 
-/// The least positive double for which reaches() is true, as it is for all that are greater; infinity where it is for none that is finite. An
-/// estimate that is no positive finite number is none.
+/// Returns the least positive double for which reaches() is true; infinity where it is true for no finite one. An
+/// estimate that is not positive and finite is ignored.
+/// Requires: reaches() is true for all doubles above one for which it is true.
 template <typename Reaches>
 double least_reaching(double estimate, const Reaches& reaches) {
-  // Positive doubles are in the order of their bits.
+  // Positive doubles are ordered like their bits.
   constexpr double greatest = std::numeric_limits<double>::max();
   const auto reaches_bits = [&](std::uint64_t bits) { return reaches(std::bit_cast<double>(bits)); };
   std::uint64_t below = 0, above = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   if (estimate > 0 && estimate <= greatest) {
-    // In steps that grow.
+    // Searches from the estimate in growing steps.
     const auto start = std::bit_cast<std::uint64_t>(estimate);
     const bool is_reached = reaches_bits(start);
     (is_reached ? above : below) = start;

@@ -15,7 +15,8 @@ using Real = long double;
 using Vector = Vector3<Real>;
 constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-/// The sign of a value that is off by at most `error`, or that which exact() computes. What overflowed is compared in vain.
+/// The sign of a value that is off by at most `error`, or that which exact() computes. What overflowed is compared in
+/// vain.
 template <typename Exact>
 int sign(Real value, Real error, Exact exact) {
   return value > error ? 1 : value < -error ? -1 : exact();
@@ -32,7 +33,8 @@ int sign(const Power<Number>& power, Exact exact) {
   return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
 }
 
-/// What may underflow is left to the next number: squares of edges have to be far above the least normal one, and the error with its square above it.
+/// What may underflow is left to the next number: squares of edges have to be far above the least normal one, and the
+/// error with its square above it.
 template <typename Number>
 Power<Number> within_range(Number value, Number error, Number least_square) {
   constexpr Number least = std::numeric_limits<Number>::min();

@@ -1,4 +1,4 @@
-// What: the least sphere through two or three points: its radius, and which points are inside.
+// What: the least sphere through two or three points: its radius, and whether a point is inside.
 // Law:  exact for every finite input. A point on the sphere is not inside.
 // How:  a filter in long double (docs/predicates.md, section 7), then integers of any length.
 // Cost: some ten nanoseconds; microseconds where the filter fails.
@@ -9,16 +9,19 @@
 
 namespace rbpa::space {
 
-/// Requires: distinct points; a finite radius.
+/// Returns whether the radius of the least sphere through a and b is at most `radius`. Requires: distinct points; a
+/// finite radius.
 bool is_least_sphere_within(const Point3& a, const Point3& b, double radius);
 
-/// The radius rounded up: the least double that is not below it; infinity above all doubles. Requires: distinct points.
+/// Returns the radius rounded up: the least double that is not below it; infinity above all doubles. Requires: distinct
+/// points.
 double least_radius_rounded_up(const Point3& a, const Point3& b);
 
-/// Whether q is inside.
+/// Returns whether q is inside the least sphere through a and b.
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q);
 
-/// The power of points by the least sphere through three, times the square of their normal n: n² d² − axis · d for a point at d from the first.
+/// The power of points with respect to the least sphere through three, times the square of their normal n: n² d² − axis
+/// · d for a point at d from the first.
 template <typename Number>
 struct PowerByLeastSphere {
   PowerByLeastSphere(const Point3& a, const Point3& b, const Point3& c);
@@ -28,12 +31,12 @@ struct PowerByLeastSphere {
   Number product_of_squares, lengths, least_square;  ///< of the two edges from the first point
 };
 
-/// That of three points on no line. Keeps references to them.
+/// The least sphere through three points that are on no line. Keeps references to them.
 class LeastSphere {
  public:
   LeastSphere(const Point3& a, const Point3& b, const Point3& c);
 
-  /// Requires: a finite radius.
+  /// Returns whether the radius of the sphere is at most `radius`. Requires: a finite radius.
   bool is_within(double radius) const;
   double radius_rounded_up() const;
   bool has_inside(const Point3& q) const;

@@ -1,4 +1,4 @@
-// What: whether the normal of a triangle agrees with another vector.
+// What: tests whether the normal of a triangle agrees with another vector.
 // Law:  exact for every finite input (docs/surface_derivation.md, section 7).
 // Cost: some nanoseconds; microseconds when the filter fails.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace rbpa::space {
 
-/// (b − a) × (c − a), rounded.
+/// The normal (b − a) × (c − a), rounded.
 template <typename Real>
 class RoundedNormal {
  public:
@@ -22,7 +22,8 @@ class RoundedNormal {
                   std::abs(u.x * v.y) + std::abs(u.y * v.x)};
   }
   Real product(const Point3& v) const { return normal_.x * Real(v.x) + normal_.y * Real(v.y) + normal_.z * Real(v.z); }
-  /// The same of the absolute values of all terms, of which the error of the product is a small part.
+  /// Returns the sum of the absolute values of all terms of product(v). The error of product(v) is a small fraction of
+  /// it.
   Real magnitude(const Point3& v) const {
     return magnitude_.x * std::abs(Real(v.x)) + magnitude_.y * std::abs(Real(v.y)) + magnitude_.z * std::abs(Real(v.z));
   }
@@ -35,7 +36,7 @@ class TriangleNormal {
  public:
   TriangleNormal(const Point3& a, const Point3& b, const Point3& c) : a_(a), b_(b), c_(c), rounded_(a, b, c) {}
 
-  /// Sign of (b − a) × (c − a) · v.
+  /// Returns the sign of (b − a) × (c − a) · v.
   int sign_along(const Point3& v) const {
     const Real product = rounded_.product(v), bound = 8 * unit_roundoff * rounded_.magnitude(v);
     if (product > bound) return 1;

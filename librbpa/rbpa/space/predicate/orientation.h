@@ -1,7 +1,8 @@
-// What: on which side of a triangle's plane a point is; on which side of a line, seen along an axis.
+// What: the side of a triangle's plane that a point is on; the side of a line that a point is on, seen along an axis.
 // Law:  exact for every finite input.
-// How:  a floating-point filter; then integers of fixed width, where the differences fit; then expansions, where no product of the
-//       differences can underflow or overflow; then integers of any length (docs/surface_derivation.md, section 7).
+// How:  a floating-point filter; then integers of fixed width, where the differences fit; then expansions, where no
+//       product of the differences can underflow or overflow; then integers of any length (docs/surface_derivation.md,
+//       section 7).
 // Cost: some nanoseconds; a tenth of a microsecond for points in a plane, microseconds at extreme exponents.
 #pragma once
 
@@ -11,27 +12,29 @@
 
 namespace rbpa::space {
 
-/// The sign of (b − a) × (c − a) · (d − a) and of (b − a) × (c − a) · axis, without a filter.
+/// Returns the sign of (b − a) × (c − a) · (d − a), or of (b − a) × (c − a) · axis, without a filter.
 int orientation_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int orientation_along_exactly(const Point3& a, const Point3& b, const Point3& c, int axis);
 
-/// Errors of both filters are below eight roundings of the sum of the absolute values of all terms, unless those underflow.
+/// Bounds of both filters: the errors are below eight roundings of the sum of the absolute values of all terms, unless
+/// these underflow.
 constexpr double orientation_filter = 0x1p-50, least_filtered = 0x1p-900;
 
-/// Sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
+/// Returns the sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
 inline int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const RoundedNormal<double> normal(a, b, c);
   const Vector3<double> w = from<double>(a, d);
   const double product = normal.product({w.x, w.y, w.z});
   const double bound = orientation_filter * normal.magnitude({w.x, w.y, w.z});
-  if (bound > least_filtered) {  // false for what is no number, too
+  if (bound > least_filtered) {  // also false for NaN
     if (product > bound) return 1;
     if (product < -bound) return -1;
   }
   return orientation_exactly(a, b, c, d);
 }
 
-/// The same of (b − a) × (c − a) and an axis, 0 to 2: 1 when a, b, c are counter-clockwise seen from far along it.
+/// Returns the sign of (b − a) × (c − a) along an axis, 0 to 2: 1 when a, b, c are counter-clockwise seen from far
+/// along the axis.
 inline int orientation_along(const Point3& a, const Point3& b, const Point3& c, int axis) {
   const Point3 along = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
   const RoundedNormal<double> normal(a, b, c);
@@ -43,7 +46,7 @@ inline int orientation_along(const Point3& a, const Point3& b, const Point3& c, 
   return orientation_along_exactly(a, b, c, axis);
 }
 
-/// All three are on one line.
+/// Returns whether all three points are on one line.
 inline bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
   return orientation_along(a, b, c, 0) == 0 && orientation_along(a, b, c, 1) == 0 && orientation_along(a, b, c, 2) == 0;
 }

@@ -1,7 +1,7 @@
-// What: where a ray along x from within a tetrahedron crosses a triangle.
-// Law:  exact, on any finite input: the ray begins at the first corner, moved into the tetrahedron by infinitesimals, so that it passes
-//       through no edge that is not along it, and no point.
-// Cost: a few orientations, where the boxes meet in y and z.
+// What: the crossing of a triangle and a ray along x from within a tetrahedron.
+// Law:  exact on any finite input: the ray begins at the first corner, moved into the tetrahedron by infinitesimals, so
+//       that it passes through no point, and through no edge except one along the ray.
+// Cost: a few orientations, where the bounding boxes overlap in y and z.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,16 @@
 
 namespace rbpa::space {
 
-/// How it crosses: 1 from behind, −1 from the front, 0 not at all. Requires: a tetrahedron that is not flat.
+/// Returns how the ray crosses: 1 from behind, −1 from the front, 0 not at all. Requires: a tetrahedron that is not
+/// flat.
 inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<Point3, 4>& from) {
   const auto& [a, b, c] = triangle;
   const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
   if (from[0].y < low_y || from[0].y > high_y) return 0;
   const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
   if (from[0].z < low_z || from[0].z > high_z) return 0;
-  // The beginning is p + ε q + ε² r + ε³ s for the corners: a sign is that of the first which is not 0.
+  // The ray begins at p + ε q + ε² r + ε³ s for the corners p, q, r, s: a sign is that of the first corner whose sign
+  // is not 0.
   const auto side_of_line = [&](const Point3& u, const Point3& v) {
     for (const Point3& p : from)
       if (const int side = orientation_along(u, v, p, 0); side != 0) return side;

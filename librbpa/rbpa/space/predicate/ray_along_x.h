@@ -1,6 +1,6 @@
 // What: the crossing of a triangle and a ray from a point in the direction of x.
-// Law:  exact for every finite input; a ray that only touches counts as moved by an infinitesimal in y, and by a smaller
-//       one in z.
+// Law:  exact for every finite input; a ray that only touches counts as moved by an infinitesimal in y, and by a
+//       smaller one in z.
 // Cost: that of four orientations.
 #pragma once
 

@@ -29,8 +29,8 @@ struct Minor {
 }  // namespace
 
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner): the largest ε that does not
-  // vanish decides, and λ has the sign of the tetrahedron with q in the place of the corner.
+  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner): the largest ε that
+  // does not vanish decides, and λ has the sign of the tetrahedron with q in the place of the corner.
   std::array<const Point3*, 4> corners = {&a, &b, &c, &d};
   std::array<std::size_t, 4> left = {0, 1, 2, 3};  // mostly the first decides, so that all are not sorted
   for (std::size_t count = 4; count > 0; --count) {

@@ -1,6 +1,8 @@
-// What: on which side of the sphere through four points a fifth is; ties are perturbed.
-// Law:  exact for every finite input. The answers are those of one set of lifted points (docs/predicates.md, section 2): never 0.
-// Cost: some ten nanoseconds; a tenth of a microsecond on grids where the filter fails or is left out, microseconds otherwise.
+// What: the side of the sphere through four points that a fifth is on; ties are broken by perturbation.
+// Law:  exact for every finite input. The answers are those of one set of lifted points (docs/predicates.md, section
+//       2): never 0.
+// Cost: some ten nanoseconds; a tenth of a microsecond on grids, where the filter fails or is left out; microseconds
+//       otherwise.
 #pragma once
 
 #include <optional>
@@ -10,39 +12,39 @@
 
 namespace rbpa::space {
 
-/// Whether the perturbation moves q, which is on the sphere through a, b, c, d, inside.
+/// Returns whether the perturbation moves q, which is on the sphere through a, b, c, d, inside.
 /// Requires: five distinct points; orientation(a, b, c, d) > 0.
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// The in-sphere determinant, positive inside, in double-double (base/exact/double_double.h). Its error is 68 · 2^−106 times the
-/// sum of the sizes of all terms, at most (docs/predicates.md, section 7).
+/// Returns the in-sphere determinant, positive inside, in double-double (base/exact/double_double.h). Its error is at
+/// most 68 · 2^−106 times the sum of the absolute values of all terms (docs/predicates.md, section 7).
 /// Requires: points that fit double (base/exact/magnitude.h).
 double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// Whether q is inside the perturbed sphere through a, b, c, d, where their differences are integers of a fixed width
-/// (fixed_width.h); otherwise nothing. Requires: as above, but q may be anywhere.
+/// Returns whether q is inside the perturbed sphere through a, b, c, d; nothing where their differences are not
+/// integers of a fixed width (fixed_width.h). Requires: five distinct points; orientation(a, b, c, d) > 0.
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                       const Point3& q);
 
-/// The same of any.
+/// Returns whether q is inside, for points of any size.
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// The same with a floating-point filter (docs/solid_triples.md).
+/// Returns whether q is inside, first by a floating-point filter (docs/solid_triples.md).
 bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// Decides what the filter of sphere_minors.h leaves open: by the value itself where it has no error, by integers of a fixed width, by
-/// double-double, by integers of any length.
+/// Decides the tests that the filter of sphere_minors.h leaves open: by the value itself where it has no error, else by
+/// integers of a fixed width, by double-double, or by integers of any length.
 class BeyondFilter {
  public:
   explicit BeyondFilter(const Spread& spread) : exact_below_(spread.exact_below(5)), is_exact_(spread.is_exact) {}
 
-  /// Whether q is inside the perturbed sphere, whose computed determinant has the value and the error given. Requires: five distinct
-  /// points of the spread, scaled by it where it is exact; orientation(a, b, c, d) > 0.
+  /// Returns whether q is inside the perturbed sphere. `value` and `error` are the computed determinant and its error.
+  /// Requires: five distinct points of the spread, scaled by it where it is exact; orientation(a, b, c, d) > 0.
   bool is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q, double value,
                  double error) const;
 
  private:
-  double exact_below_;  // an error of the determinant
+  double exact_below_;  // of the determinant; a smaller error means none
   bool is_exact_;
 };
 

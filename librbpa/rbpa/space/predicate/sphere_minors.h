@@ -1,14 +1,15 @@
-// What: the sphere through four points, made for the question that is asked most: is a further point inside?
-// How:  the in-sphere determinant has the minors of its first three rows at hand, which leave four products for a point q:
+// What: the sphere through four points, prepared for the most frequent test: is another point inside?
+// How:  the minors of the first three rows of the in-sphere determinant are stored, which leaves four products for a
+//       point q:
 //
 //                  | a − d   |a − d|² |
-//           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)        positive inside, for a, b, c, d positively oriented
+//           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)   positive inside: a, b, c, d positively oriented
 //                  | c − d   |c − d|² |
 //                  | q − d   |q − d|² |
 //
-//       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of one far away divided by its lift: the sphere is the
-//       half-space beyond the plane through the others, and V the same four products.
-// Law:  |V computed − V| ≤ error, where the filter's bound is derived in docs/predicates.md, section 7.
+//       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by its lift: the
+//       sphere is the half-space beyond the plane through the others, and V is the same four products.
+// Law:  |V computed − V| ≤ error; docs/predicates.md, section 7, derives the filter's bound.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 
 namespace rbpa::space {
 
-/// A corner, seen from corner d.
+/// A corner relative to corner d.
 struct Spoke {
   double x, y, z, square, length;
 
@@ -30,7 +31,7 @@ struct Spoke {
   static Spoke to_infinity() { return {0, 0, 0, 1, 0}; }
 };
 
-/// A bound for the error of V(q): constant + slope |q − d|². Two doubles of which the first 32 bits are kept, rounded up.
+/// A bound for the error of V(q): constant + slope |q − d|². Stored as the first 32 bits of two doubles, rounded up.
 class ErrorBound {
  public:
   ErrorBound() = default;
@@ -38,7 +39,7 @@ class ErrorBound {
       : bits_(((std::bit_cast<std::uint64_t>(constant) >> 32U) + 1) |
               ((std::bit_cast<std::uint64_t>(slope) & high_bits) + low_one)) {}
 
-  /// Of a tetrahedron that is no more: no number is within it.
+  /// Returns the mark of a deleted tetrahedron: NaN, so that no comparison with it is true.
   static ErrorBound deleted() {
     ErrorBound bound;
     bound.bits_ = ~std::uint64_t{0};
@@ -70,16 +71,19 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
           -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
 }
 
-/// Errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and some for the bound itself.
+/// Filter constant: errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and
+/// some for the bound itself.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
-/// The bound for such minors, none of whose corners is at infinity. `underflow` is that of space/predicate/spread.h.
+/// Returns the error bound of these minors. Requires: no corner at infinity. `underflow` is that of
+/// space/predicate/spread.h.
 inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length, weight = in_sphere_filter * (a.length * b.length * c.length);
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// The same where one is at infinity. Its length is 0, and that to infinity is in place of it.
+/// Returns the error bound where one corner is at infinity. The length of that spoke is 0; it stands for the length to
+/// infinity.
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length;
   // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.
@@ -90,10 +94,10 @@ inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& 
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// How the sphere's radius compares with alpha.
+/// The comparison of a sphere's radius with alpha.
 enum class RadiusSide { within, beyond, unknown };
 
-/// By the minors, where nothing underflows; docs/predicates.md, section 7.
+/// Compares the radius with alpha by the minors, where nothing underflows; docs/predicates.md, section 7.
 inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
   // (m0, m1, m2) is 2 minor 3 times the vector to the circumcenter.
   constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;

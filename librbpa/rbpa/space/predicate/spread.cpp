@@ -9,7 +9,8 @@
 namespace rbpa::space {
 
 Spread spread(std::span<const Point3> points) {
-  // The bits of all coordinates in one word, lowest and highest, would need their exponents: the last bit of each is looked for.
+  // The bits of all coordinates in one word, lowest and highest, would need their exponents: the last bit of each is
+  // looked for.
   int lowest = 2000, highest = -2000;
   const auto look = [&](double coordinate) {
     const auto bits = std::bit_cast<std::uint64_t>(coordinate);

@@ -1,8 +1,8 @@
-// What: how far the exponents of points in space spread, and the power of two that brings them into the range of double, so that
-//       filters of degree five neither overflow nor underflow unnoticed.
-// Law:  multiplied by 2^exponent no coordinate is above 2^150. Where is_exact, none is rounded, and all are multiples of 2^unit,
-//       unit ≥ −150; otherwise what underflows changes no value of degree five by more than `underflow` (docs/predicates.md,
-//       section 7).
+// What: the spread of the exponents of points in space, and the power of two that brings them into the range of double,
+//       so that filters of degree five neither overflow nor underflow unnoticed.
+// Law:  multiplied by 2^exponent no coordinate is above 2^150. Where is_exact, none is rounded, and all are multiples
+//       of 2^unit, unit ≥ −150; otherwise underflow changes no value of degree five by more than `underflow`
+//       (docs/predicates.md, section 7).
 // Cost: linear.
 #pragma once
 
@@ -19,17 +19,18 @@ struct Spread {
   int unit = 0;
   bool is_exact = true;
 
-  /// The error of any polynomial of degree up to five that underflow may cause.
+  /// Returns the greatest error that underflow may cause in a polynomial of degree up to five.
   double underflow() const { return is_exact ? 0 : 0x1p-400; }
-  /// Products of `degree` differences that are computed with an error below that have none: all numbers met are multiples of
-  /// 2^(unit degree) and have 53 bits. 0 where there is no such bound.
+  /// Returns a bound: a product of `degree` differences whose computed error is below the bound has no error at all,
+  /// because all numbers involved are multiples of 2^(unit degree) and have 53 bits. Returns 0 where there is no such
+  /// bound.
   double exact_below(int degree) const { return is_exact ? std::ldexp(16.0, unit * degree) : 0; }
 };
 
-/// Requires: finite points.
+/// Returns the spread of the points. Requires: finite points.
 Spread spread(std::span<const Point3> points);
 
-/// Multiplied by 2^exponent. Returns: the points, or those in `copy`.
+/// Multiplies the points by 2^exponent. Returns the points themselves where nothing changes, else those in `copy`.
 std::span<const Point3> scaled(std::span<const Point3> points, const Spread& spread, std::vector<Point3>& copy);
 
 }  // namespace rbpa::space

@@ -1,4 +1,5 @@
-// What: differences of points in space, in double, long double or integers, and their products; distances and volumes, rounded.
+// What: differences of points in space, in double, long double or integers, and their products; distances and volumes,
+//       rounded.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@ Vector3<Real> cross(const Vector3<Real>& u, const Vector3<Real>& v) {
 
 inline double distance(const Point3& a, const Point3& b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
 
-/// Of a tetrahedron, the same in any order of its corners.
+/// Returns the volume of a tetrahedron, rounded; independent of the order of its corners.
 template <typename Real>
 Real volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
   std::array<Point3, 4> p = {points[corners[0]], points[corners[1]], points[corners[2]], points[corners[3]]};

@@ -1,5 +1,6 @@
 // What:   the mean curvature of triangles around a vertex.
-// How:    cotangents of the angles across from edges, and of each triangle the part that is nearest to the vertex.
+// How:    cotangents of the angles across from edges, and the part of each triangle's area that is nearest to the
+//         vertex.
 // Source: Meyer, Desbrun, Schröder, Barr, Discrete differential-geometry operators for triangulated 2-manifolds (2003).
 #pragma once
 
@@ -18,10 +19,10 @@ inline Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + 
 inline Vector times(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
-/// A triangle v a b as v sees it.
+/// The weights of a triangle v a b at its corner v.
 struct CornerWeights {
   double to_a = 0, to_b = 0;  ///< half cotangents of the angles at b and at a
-  double area = 0;            ///< of the part nearest to v
+  double area = 0;            ///< its length is twice the triangle's area
   Vector normal{};            ///< twice the triangle's area long
 
   CornerWeights(const Vector& v, const Vector& a, const Vector& b) : normal(cross(minus(a, v), minus(b, v))) {
@@ -40,9 +41,9 @@ struct CornerWeights {
   }
 };
 
-/// The area and curvature of the triangles around a vertex together.
+/// The sum over the triangles around a vertex of their area and curvature.
 struct FanCurvature {
-  Vector sum{};     ///< of weights times edges: the area times the curvature, along the normal
+  Vector sum{};     ///< sum of weights times edges: the area times the curvature, along the normal
   Vector normal{};  ///< of any length
   double area = 0;
 
@@ -52,7 +53,8 @@ struct FanCurvature {
     normal = plus(normal, of.normal);
     area += of.area;
   }
-  /// Twice the mean curvature times the area: below 0 where the surface bends away from its normal, as a ball's does.
+  /// Returns twice the mean curvature times the area: below 0 where the surface bends away from its normal, as a ball's
+  /// does.
   double bend() const {
     const double size = length(normal);
     return size > 0 ? dot(sum, normal) / size : 0;

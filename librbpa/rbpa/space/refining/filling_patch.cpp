@@ -121,7 +121,8 @@ void FillingPatch::flip_all(meshops::Steps& step) {
   }
 }
 
-/// Whether the angles across from the edge are more than 180 degrees together, and the flipped edge is free and folds nothing.
+/// Whether the angles across from the edge are more than 180 degrees together, and the flipped edge is free and folds
+/// nothing.
 bool FillingPatch::is_better_flipped(Edge e) const {
   if (mesh_.is_boundary(e)) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0);

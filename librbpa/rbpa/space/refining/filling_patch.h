@@ -1,5 +1,5 @@
-// What:   the triangles that fill one hole, while they are refined.
-// Law:    a function of the patch as it is given: of the order of its vertices and triangles.
+// What:   the triangles that fill one hole, during their refinement.
+// Law:    a function of the patch as given: of the order of its vertices and triangles.
 // Source: Liepa, Filling holes in meshes (2003).
 #pragma once
 
@@ -18,35 +18,37 @@
 
 namespace rbpa::space {
 
-/// What is given of a patch. Its vertices, the rim, have numbers from 0.
+/// The input of a patch. Its vertices, the rim, are numbered from 0.
 struct FillingRim {
   std::vector<Vector> places;         ///< of the vertices; all different
-  std::vector<double> scales;         ///< of each the mean length of its edges outside of the patch
-  std::vector<FanCurvature> outside;  ///< of each, of the triangles there that are outside
-  /// Of each twice the mean curvature of the two rings outside next to it; none where there is none whose triangles are all
-  /// outside.
+  std::vector<double> scales;         ///< for each vertex: the mean length of its edges outside of the patch
+  std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch
+  /// For each vertex: twice the mean curvature in the two rings of vertices next to it outside; none where no vertex
+  /// there has only triangles outside of the patch around it.
   std::vector<std::optional<double>> bend;
-  std::vector<bool> is_inner;                               ///< of each, whether triangles are all around it
-  Surface triangles;                                        ///< of vertices, glued; the least first, sorted
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< that join vertices outside of the patch, low < high
+  std::vector<bool> is_inner;                               ///< for each vertex: whether triangles are all around it
+  Surface triangles;                                        ///< corners are vertices; glued; least corner first, sorted
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< between vertices, outside of the patch; low < high
 };
 
 class FillingPatch {
  public:
   explicit FillingPatch(const FillingRim& rim);
 
-  /// Adds vertices until triangles are about as large as the rim's edges, at most so many.
+  /// Adds vertices until triangles are about as large as the rim's edges; at most `most` vertices.
   void refine(std::size_t most, meshops::Steps& step);
-  /// Moves the added vertices, so that the surface goes on over the rim without an edge and as curved as it is there, the curvature in
-  /// between harmonic. Returns: false, and nothing is moved, where that is not determined. Throws: Cancelled.
+  /// Moves the added vertices so that the surface crosses the rim smoothly and as curved as it is outside; in between
+  /// the curvature is harmonic. Returns false, and moves nothing, where this does not determine the places. Throws:
+  /// Cancelled.
   bool make_smooth(meshops::Steps& step);
 
   std::size_t added() const { return between_.size(); }
   Vector place(std::size_t added) const;
-  /// The vertices between which each was added. Those of the rim come first in numbers.
+  /// Returns, for each added vertex, the three vertices between which it was added. Numbers below those of added
+  /// vertices are vertices of the rim.
   const std::vector<std::array<std::uint32_t, 3>>& between() const { return between_; }
   std::vector<std::array<std::uint32_t, 3>> triangles() const;
-  /// Whether a triangle has no area in double.
+  /// Returns whether a triangle has no area in double precision.
   bool is_degenerate() const;
 
  private:
@@ -67,10 +69,12 @@ class FillingPatch {
   const FillingRim& rim_;
   Mesh mesh_;
   std::vector<std::uint32_t>
-      names_;                   // by vertex: of the rim, which has several of one name where fans meet; of added ones
-  std::vector<double> scales_;  // by name
+      // By mesh vertex: its number in the rim, where several vertices share one number if fans meet; or that of an
+      // added vertex
+      names_;
+  std::vector<double> scales_;  // by number
   std::vector<std::array<std::uint32_t, 3>> between_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // of names: that there are, outside too
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between numbers: all edges that exist, also outside
 };
 
 }  // namespace rbpa::space

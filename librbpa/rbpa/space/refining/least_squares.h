@@ -1,5 +1,5 @@
-// What: the places that fulfil linear equations of them with the least sum of squares; a sparse system.
-// Cost: for n places on a surface about n^1.5.
+// What: solves linear equations of places in the sense of least squares; a sparse system.
+// Cost: about n^1.5 for n places on a surface.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,13 @@ class LeastSquares {
  public:
   explicit LeastSquares(std::size_t places) : places_(places) {}
 
-  /// One more equation: what is added to it from now on is to be `known` together.
+  /// Begins another equation. Terms added from now on sum up to `known`.
   void add_equation(const Vector3<double>& known) { known_.push_back(known); }
   void add(std::uint32_t place, double factor) {
     entries_.push_back({static_cast<std::uint32_t>(known_.size()) - 1, place, factor});
   }
 
-  /// Returns nothing where the places are not determined.
+  /// Returns the places; nothing where the equations do not determine them.
   std::optional<std::vector<Vector3<double>>> solution() const;
 
  private:

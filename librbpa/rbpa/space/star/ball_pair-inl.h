@@ -1,7 +1,8 @@
-// What: the two balls of the radius that touch v, p and q: where the circles of p and q cross on the sphere of centers around
-//       v. For one pair of points or for as many as a vector has lanes.
+// What: the two balls of the radius that touch v, p and q: the circles of p and q cross at their centers, on the sphere
+//       of centers around v. For one pair of points, or for as many pairs as a vector has lanes.
 // Law:  centers come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
-// How:  seen from v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are (p² (q × n) + q² (n × p) ± √D n) / 2n²:
+// How:  relative to v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are (p² (q × n) + q² (n × p) ± √D n) /
+//       2n²:
 //
 //               n
 //               ↑     · left: on (v, p, q)
@@ -10,7 +11,7 @@
 //                     │
 //                     · right: on (v, q, p)
 //
-//       Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+//       Compiled once for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_BALL_PAIR_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_BALL_PAIR_INL_H_
 #undef RBPA_SPACE_STAR_BALL_PAIR_INL_H_
@@ -39,7 +40,7 @@ class BallPair {
  public:
   using V = hn::Vec<D>;
   using Vector = Vector3Lanes<V>;
-  /// Seen from v; the power is half the square of the distance.
+  /// A point relative to v; the power is half the square of its distance.
   struct Point {
     Vector at;
     V power;
@@ -56,14 +57,14 @@ class BallPair {
     clearance_ = hn::NegMulAdd(product_, dot(w, w), whole_);
   }
 
-  /// No ball touches all three, for certain.
+  /// Returns the lanes in which certainly no ball touches all three points.
   HWY_INLINE hn::Mask<D> are_apart() const {
     return clearance_ < hn::Mul(hn::Set(d_, -limits::flatness * radius_ * radius_), product_);
   }
-  /// Both balls exist, for certain; but the error of their centers may be too large.
+  /// Returns the lanes in which certainly both balls exist. The error of their centers may still be too large.
   HWY_INLINE hn::Mask<D> exist() const { return clearance_ > hn::Mul(hn::Set(d_, limits::flatness), whole_); }
 
-  /// A bound for the error of c · x − x²/2, for either center c, as a share of Σ|xᵢ|. Requires: exist().
+  /// Returns a bound for the error of c · x − x²/2, for either center c, as a fraction of Σ|xᵢ|. Requires: exist().
   HWY_INLINE V error() const {
     const V terms = hn::MulAdd(hn::Mul(hn::Set(d_, 384), product_), inverse(),
                                hn::MulAdd(hn::Set(d_, 32), hn::Div(whole_, clearance_), hn::Set(d_, 32)));
@@ -71,7 +72,7 @@ class BallPair {
   }
   HWY_INLINE hn::Mask<D> is_accurate(V error) const { return error < hn::Set(d_, limits::error * radius_); }
 
-  /// Of the balls on (v, p, q) and on (v, q, p). Requires: exist().
+  /// Returns the centers of the balls on (v, p, q) and on (v, q, p). Requires: exist().
   HWY_INLINE Centers centers() const {
     const V rise = hn::Mul(hn::Sqrt(clearance_), inverse());
     const Vector to_p = cross(q_.at, n_), to_q = cross(n_, p_.at);

@@ -1,7 +1,8 @@
-// What: cones from v that bound the parts of a free region: a point whose cap misses all of them changes nothing.
-// Law:  conservative: a point that is rejected cannot change the region now or later. docs/surface_derivation.md, section 5.
-// How:  a part on one side of a plane through v is in the cone of its corners; lengthened to C until their hull is outside the
-//       sphere, the corners decide: p's cap meets the part only if C · p > p²/2 for one of them.
+// What: cones from v that bound the parts of a free region. A point whose cap misses all cones does not change the
+//       region.
+// Law:  conservative: a rejected point cannot change the region now or later. docs/surface_derivation.md, section 5.
+// How:  a part on one side of a plane through v is in the cone of its corners. The corners are lengthened to C until
+//       their hull is outside the sphere. Then p's cap meets the part only if C · p > p²/2 for one of them.
 //
 //             C ───────── C'        hull of the lengthened corners: outside the sphere
 //              ╲  ╭───╮  ╱
@@ -10,7 +11,7 @@
 //       ──────────╲   ╱──────────   plane through v, perpendicular to the sum of the corners
 //                   v
 //
-//       Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
+//       Compiled once for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_BOUNDING_CONES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_BOUNDING_CONES_INL_H_
 #undef RBPA_SPACE_STAR_BOUNDING_CONES_INL_H_
@@ -43,8 +44,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 class BoundingCones {
  public:
   static constexpr std::size_t most_corners = 64, most_cones = 4;
-  /// A round cone, in radii and in single precision, for a first look: p's cap meets the cone only if
-  /// middle · p + margin > p²/4. That holds even if p is off by 10⁻⁶.
+  /// A circular cone in single precision, in units of the radius, for a first test: p's cap meets the cone only if
+  /// middle · p + margin > p²/4. This holds even if p is off by 10⁻⁶.
   struct Cone {
     float x, y, z, margin;
   };
@@ -54,7 +55,7 @@ class BoundingCones {
     std::size_t count;
   };
 
-  /// No cones for a region of so many corners: with `is_bounded` any point is rejected, otherwise none.
+  /// Removes all cones, for a region of `corners` corners: then every point is rejected if `is_bounded`, else none.
   void reset(double radius, std::size_t corners, bool is_bounded) {
     const hn::CappedTag<double, 8> d;
     inverse_ = 1 / radius;
@@ -67,8 +68,8 @@ class BoundingCones {
       for (auto* of : {&x_, &y_, &z_}) hn::Store(hn::Zero(d), d, of->data() + i);
   }
 
-  /// Adds a part that is bounded by the corners of set bits, whose sum is given. Where there is no cone for it, no point is
-  /// rejected any more.
+  /// Adds a part of the region. Its corners are the set bits of `part`; `sum` is their sum. If the part has no cone, no
+  /// point is rejected from then on.
   void add(const Corners& corners, std::uint64_t part, const Vector3<double>& sum) {
     is_bounded_ = is_bounded_ && cone_count_ < most_cones && lengthen(corners, part, sum);
   }
@@ -77,7 +78,7 @@ class BoundingCones {
   bool is_bounded() const { return is_bounded_; }
   std::span<const Cone> cones() const { return {cones_.data(), cone_count_}; }
 
-  /// False where the cap of p misses the region for certain.
+  /// Returns false where the cap of p certainly misses the region.
   bool may_meet_cap_of(const Neighbor& p) const {
     if (!is_bounded_) return true;
     const hn::CappedTag<double, 8> d;
@@ -92,8 +93,8 @@ class BoundingCones {
   }
 
  private:
-  /// Lengthens the corners of a part, and adds its cone. Returns: false where they are not on one side of the plane
-  /// perpendicular to their sum.
+  /// Lengthens the corners of a part, and adds its cone. Returns false where the corners are not on one side of the
+  /// plane perpendicular to their sum.
   bool lengthen(const Corners& corners, std::uint64_t part, const Vector3<double>& sum) {
     const hn::CappedTag<double, 8> d;
     using V = hn::Vec<decltype(d)>;
@@ -125,7 +126,7 @@ class BoundingCones {
     }
     error_ = std::max(error_, 2 * limits::error * radius_ * longer);
     const double spread = hn::GetLane(hn::MaxOfLanes(d, most)) * inverse_ * inverse_;  // δ²
-    // C · p ≤ M · p + δ|p| ≤ M · p + δ² + p²/4; and no C is farther from v than `longer` radii.
+    // C · p ≤ M · p + δ|p| ≤ M · p + δ² + p²/4; no C is farther from v than `longer` radii.
     cones_[cone_count_++] = {
         static_cast<float>(middle.x * inverse_), static_cast<float>(middle.y * inverse_),
         static_cast<float>(middle.z * inverse_),

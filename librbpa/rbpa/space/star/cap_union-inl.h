@@ -1,7 +1,7 @@
-// What: the union of the caps that have been subtracted from the sphere of a ball's centers: whether it covers a point, a
-//       circle, a great circle.
-// Law:  "yes" is certain, "no" means that it could not be shown. Compiled once for each kind of vector unit; no include guard
-//       but the compiler's own per kind.
+// What: the union of the caps subtracted from the sphere of a ball's centers: tests whether it covers a point, a circle
+//       or a great circle.
+// Law:  "yes" is certain; "no" means that it could not be shown. Compiled once for each kind of vector unit: Highway's
+//       toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_CAP_UNION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_CAP_UNION_INL_H_
 #undef RBPA_SPACE_STAR_CAP_UNION_INL_H_
@@ -31,14 +31,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 class CapUnion {
  public:
   using Vector = Vector3<double>;
-  /// A region that more caps have bounded is lost. On a smooth surface ten do, in a crowd some thousand.
+  /// The greatest number of caps. A region bounded by more caps is lost. A smooth surface needs about ten, a dense
+  /// cluster some thousand.
   static constexpr std::size_t most = 32767;
 
   void reset(double radius) {
     radius_ = radius;
     count_ = 0;
   }
-  /// Requires: fewer than `most` are there.
+  /// Adds the cap of p. Requires: fewer than `most` caps.
   void push(const Neighbor& p) {
     if (count_ == points_.size()) grow();
     points_[count_] = p;
@@ -51,7 +52,7 @@ class CapUnion {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// No cap covers a center that has an error of up to `error`.
+  /// Returns whether no cap covers a center with an error of up to `error`.
   bool misses(const Vector& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = points_[i];
@@ -60,7 +61,7 @@ class CapUnion {
     return true;
   }
 
-  /// Some cap covers a point of the circle of p.
+  /// Returns whether some cap covers a point of the circle of p.
   bool meets_circle_of(const Neighbor& p) const {
     if (!has_circle(p)) return false;
     const Vector place = place_on_circle(p);
@@ -73,13 +74,14 @@ class CapUnion {
     return false;
   }
 
-  /// No cap covers the same point of it.
+  /// Returns whether no cap covers the same point of the circle of p.
   bool misses_circle_of(const Neighbor& p) const {
     return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
   }
 
-  /// The caps that p's cap contains cover nothing any more. Returns: false, where that is not certain of some cap, and then what is
-  /// left may not be used. Requires: p's circle is free, so that every other cap is disjoint from p's.
+  /// Removes the caps that p's cap contains: they cover nothing any more. Returns false where containment is not
+  /// certain for some cap; then the caps may not be used further. Requires: p's circle is free, so that every other cap
+  /// is disjoint from p's.
   bool forget_within(const Neighbor& p) {
     for (std::size_t i = 0; i < count_; ++i) {
       if (points_[i].power == forgotten) continue;
@@ -91,8 +93,8 @@ class CapUnion {
     return true;
   }
 
-  /// The caps cover the great circle perpendicular to an axis: each of its sixteen samples is so deep in some cap that the cap
-  /// covers all that is nearer to it than to the next sample.
+  /// Returns whether the caps cover the great circle perpendicular to an axis: each of sixteen samples on it is so deep
+  /// in some cap that the cap covers the part of the circle nearer to this sample than to the next.
   bool covers_great_circle(const Vector& axis) const {
     constexpr std::size_t samples = 16;
     constexpr double gap = 0.1964;  // radii from any point of the circle to a sample: more than 2 sin(π / 32)
@@ -122,7 +124,8 @@ class CapUnion {
 
  private:
   bool has_circle(const Neighbor& p) const { return radius_ * radius_ > p.power / 2; }
-  /// One point of it, in the direction p × axis: p is least along that axis, so that the product is far from 0.
+  /// Returns a point of the circle of p, in the direction p × axis. The axis is the one along which p is least, so that
+  /// the product is far from 0.
   Vector place_on_circle(const Neighbor& p) const {
     const Vector size = {std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z)};
     const Vector axis = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0}
@@ -132,7 +135,7 @@ class CapUnion {
     const double square = radius_ * radius_ - p.power / 2;
     return plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
   }
-  /// The products of w with as many points as there are lanes, from the i-th on.
+  /// Returns the products of w with as many points as there are lanes, from the i-th.
   HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
     const hn::CappedTag<double, 8> d;
     return hn::MulAdd(
@@ -140,7 +143,7 @@ class CapUnion {
         hn::MulAdd(hn::LoadU(d, &y_[i]), hn::Set(d, w.y), hn::Mul(hn::LoadU(d, &z_[i]), hn::Set(d, w.z))));
   }
 
-  /// By whole vectors.
+  /// Grows the arrays to sizes of whole vectors.
   void grow() {
     const std::size_t size = std::max<std::size_t>(256, 2 * points_.size());
     points_.resize(size);

@@ -1,5 +1,6 @@
-// What: how deep a point's circle, of the centers of balls that touch it, is in the cap of another point.
-// Law:  right up to the errors that limits.h allows.
+// What: the depth of one point's circle, which contains the centers of the balls that touch the point, in the cap of
+//       another point.
+// Law:  correct within the errors that limits.h allows.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 
 namespace rbpa::space {
 
-/// Of c · p − p²/2, for all c on the circle of q: along it, this is a cosine.
+/// The extremes of c · p − p²/2 for all c on the circle of q; along the circle it is a cosine.
 struct CircleDepths {
   double greatest, least, error;
 };
 
-/// Requires: the size() of p.
+/// Computes the extremes. Requires: `size` is the size() of p.
 inline CircleDepths depths_on_circle(const Neighbor& p, double size, const Neighbor& q, double radius) {
   const double along = dot(p.at, q.at), qq = 2 * q.power;
   const double across = std::sqrt(std::max(0.0, 2 * p.power - along * along / qq));

@@ -35,7 +35,8 @@ class RegionSearch {
   /// Appends the rings of v:
   ///   1. gather the nearest points, about as many as bound a region;
   ///   2. subtract the caps of up to eight of them at once, and of the others one by one, nearest first;
-  ///   3. bound what is left by cones, and subtract the caps of farther points that meet a cone, with new cones as it shrinks;
+  ///   3. bound what is left by cones, and subtract the caps of farther points that meet a cone, with new cones as it
+  ///      shrinks;
   ///   4. retry the caps whose circles were free as a whole;
   ///   5. read the rings off the corners.
   /// Returns: false where the region is lost. Requires: the surroundings of v's cell.
@@ -90,8 +91,8 @@ class RegionSearch {
     return true;
   }
 
-  /// Step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise shell by
-  /// shell, each of twice the squared distance. Returns: false where the region is lost.
+  /// Step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise
+  /// shell by shell, each of twice the squared distance. Returns: false where the region is lost.
   template <typename IsInBall>
   bool subtract_far(Surroundings& around, Site v, float from, IsInBall is_in_ball) {
     const std::span<const Point3> sites = cells_.sites();
@@ -144,7 +145,8 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
       arcs.push_back({b, left, touched});
     });
   }
-  // Sorted by (about, left), so that the next arc can be searched for: about what is touched, leaving what this one is about.
+  // Sorted by (about, left), so that the next arc can be searched for: about what is touched, leaving what this one is
+  // about.
   std::sort(arcs.begin(), arcs.end(),
             [](const Arc& p, const Arc& q) { return p.about != q.about ? p.about < q.about : p.left < q.left; });
   std::vector<std::uint8_t> is_done(arcs.size(), 0);

@@ -1,7 +1,8 @@
 // What: the rings of exposed triangles around sites.
-// Law:  exact and complete: all exposed triangles at each site, and to which of them the ball rolls.
+// Law:  exact and complete: all exposed triangles at each site, and the triangles to which the ball rolls from each.
 // How:  1. gather the sites in the cells around a cell, once for all sites in it (surroundings-inl.h);
-//       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its corners;
+//       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its
+//          corners;
 //       3. where the region is lost, roll about every edge at the site (pivot/roll_about_edge.h).
 // Cost: for each site, two passes over the points in the cells around it, and some hundred operations for each of its
 //       triangles.
@@ -16,18 +17,18 @@
 
 namespace rbpa::space {
 
-/// Around a site v the ball rolls in cycles: from the exposed triangle (v, x, y) about x to (v, z, x), and so on. A cycle is
-/// written y, x, z, …
+/// Cycles of exposed triangles around sites. Around a site v the ball rolls in cycles: from the exposed triangle (v, x,
+/// y) about x to (v, z, x), and so on. Such a cycle is stored as y, x, z, …
 struct Rings {
   static constexpr Site end_of_cycle = 0xffffffff;
 
   std::vector<Site> points;          // each cycle, followed by end_of_cycle
-  std::vector<std::uint32_t> first;  // for each site the position of its first cycle in points; and the end
+  std::vector<std::uint32_t> first;  // for each site: the position of its first cycle in points; and the end
   std::size_t rolled = 0;            // number of sites at which every edge was rolled about
 };
 
 /// Replaces `found` by the rings of the sites first … last − 1.
-/// Requires: if `fits_double`, that sites and radius fit (cells/scale.h). Throws: Cancelled.
+/// Requires: if `fits_double`, sites and radius fit (cells/scale.h). Throws: Cancelled.
 void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rings& found, meshops::Steps& step);
 
 }  // namespace rbpa::space

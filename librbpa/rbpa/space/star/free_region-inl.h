@@ -1,11 +1,11 @@
-// What: where the center of a ball may be that touches a point v and holds no other: the sphere of centers around v without one
-//       cap for each other point. Its corners are the exposed triangles at v.
-// Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is enough the region is lost, and false is
-//       returned. docs/surface_derivation.md, section 5.
-// How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound what is left. An arc is part of the
-//       circle of a point: where the ball touches v and that point. Compiled once for each kind of vector unit; no include
-//       guard but the compiler's own per kind.
-// Cost: for a point whose cap changes nothing, two to four vector operations for each eight corners.
+// What: the free region: possible centers of a ball that touches a point v and contains no other point. It is the
+//       sphere of centers around v without one cap for each other point. Its corners are the exposed triangles at v.
+// Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is possible the region is lost, and
+//       false is returned. docs/surface_derivation.md, section 5.
+// How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
+//       of the circle of a point, on which the ball touches v and that point. Compiled once for each kind of vector
+//       unit: Highway's toggle is the include guard.
+// Cost: for a point whose cap changes nothing, two to four vector operations for every eight corners.
 #if defined(RBPA_SPACE_STAR_FREE_REGION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_FREE_REGION_INL_H_
 #undef RBPA_SPACE_STAR_FREE_REGION_INL_H_
@@ -45,15 +45,15 @@ class FreeRegion {
  public:
   using Vector = Vector3<double>;
 
-  /// The whole sphere.
+  /// Starts with the whole sphere.
   void reset(double radius) {
     radius_ = radius;
     waiting_.clear();
     begin();
   }
 
-  /// Subtracts the caps of a few points at once from the whole sphere.
-  /// Returns: false, and leaves the whole sphere, where not all is certain.
+  /// Subtracts the caps of a few points at once from the whole sphere. Returns false, and leaves the whole sphere,
+  /// where a sign is not certain.
   bool start(std::span<const Neighbor> points) {
     if (!initial_.find(points, radius_)) return false;
     for (const Neighbor& p : points) caps_.push(p);
@@ -72,28 +72,29 @@ class FreeRegion {
     return true;
   }
 
-  /// How many caps bound the region or have bounded it: as long as there are no more, it is the same.
+  /// Returns the number of caps that bound the region or have bounded it. While this number is constant, the region is
+  /// unchanged.
   std::size_t caps() const { return caps_.count(); }
 
-  /// Nothing is left, whatever is subtracted later.
+  /// Returns whether the region is empty, whatever is subtracted later.
   bool is_empty() const { return has_begun_ && boundary_.live() == 0; }
 
-  /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y), all by
-  /// Neighbor::site.
-  /// Returns: false when the region is lost.
+  /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y); all are given
+  /// by Neighbor::site. Returns false when the region is lost.
   template <typename IsInBall>
   bool subtract(const Neighbor& p, IsInBall is_in_ball) {
     const std::size_t before = caps_.count();
     const Outcome outcome = cut(p, is_in_ball);
     if (outcome == Outcome::circle_is_free) return await_crossing(p, is_in_ball);
     if (outcome == Outcome::lost) return false;
-    // What waits and is crossed by p's circle covers corners that farther points would add in the meantime.
+    // A waiting circle that p's circle crosses covers corners that farther points would otherwise add in the meantime.
     return waiting_.count() == 0 || caps_.count() == before ||
            retry_waiting(is_in_ball, [&](const Neighbor& q) { return !crossing_of(p, q, radius_).is_impossible; });
   }
 
-  /// To be called when all caps have been subtracted: those that wait are tried again until none changes anything. The circles
-  /// of the others cross nothing, so that no triangle is on them.
+  /// Finishes the region. To be called after all caps are subtracted: waiting caps are tried again until none changes
+  /// anything. The circles of those that remain cross nothing, so no triangle is on them. Returns false when the region
+  /// is lost.
   template <typename IsInBall>
   bool finish(IsInBall is_in_ball) {
     for (std::size_t before = waiting_.count() + 1;
@@ -104,7 +105,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Replaces the cones by some that bound the region.
+  /// Replaces the cones by cones that bound the region.
   void update_bound(BoundingCones& bound) {
     const BoundingCones::Corners corners = boundary_.corners();
     static_assert(BoundingCones::most_corners == RegionBoundary::capacity);
@@ -113,7 +114,7 @@ class FreeRegion {
     for (std::uint64_t left = boundary_.live(), part = 0; left != 0 && bound.is_bounded(); left &= ~part) {
       Vector sum = {0, 0, 0};
       part = boundary_.for_each_in_cycle(std::countr_zero(left), [&](int k) { sum = plus(sum, boundary_.corner(k)); });
-      // Coverage only grows, so this never reverts.
+      // Coverage only grows, so this remains true.
       is_parted_ = is_parted_ || caps_.covers_great_circle(sum);
       if (is_parted_)
         bound.add(corners, part, sum);
@@ -122,8 +123,9 @@ class FreeRegion {
     }
   }
 
-  /// Calls visit(site) for the points about which the ball rolls, cycle by cycle, and end() after each cycle: from x to the
-  /// next, z, it rolls from the exposed triangle (v, x, y) to (v, z, x).
+  /// Calls visit(site) for the points about which the ball rolls, cycle by cycle, and end() after each cycle. About x,
+  /// between its predecessor y and successor z in the cycle, the ball rolls from the exposed triangle (v, x, y) to (v,
+  /// z, x).
   template <typename Visit, typename End>
   void for_each_cycle(Visit visit, End end) const {
     for (std::uint64_t left = boundary_.live(), cycle = 0; left != 0; left &= ~cycle) {
@@ -139,30 +141,31 @@ class FreeRegion {
 
   enum class Outcome {
     done,            // the cap is subtracted
-    circle_is_free,  // so it would be, but its circle crosses no arc and is free as a whole: nothing is subtracted
+    circle_is_free,  // nothing is subtracted: the circle crosses no arc and is free as a whole
     lost
   };
 
-  /// Without caps; those that wait do so still.
+  /// Removes all caps and corners; waiting circles keep waiting.
   void begin() {
     caps_.reset(radius_);
     boundary_.reset(radius_);
     has_begun_ = is_parted_ = false;
   }
 
-  /// What a cap does to the boundary: sets of corners, and of arcs by their first corners.
+  /// The effect of a cap on the boundary: sets of corners, and of arcs by their first corners.
   struct Cut {
     std::uint64_t covered;  // corners in the cap
-    std::uint64_t crossed;  // arcs with one end in it
-    std::uint64_t bitten;   // arcs with no end in it, but some of the interior
-    std::uint64_t spared;   // arcs with both ends in it, but not all of the interior
+    std::uint64_t crossed;  // arcs with one end in the cap
+    std::uint64_t bitten;   // arcs with no end in the cap, but part of the interior
+    std::uint64_t spared;   // arcs with both ends in the cap, but not all of the interior
 
     std::uint64_t arcs() const { return crossed | bitten | spared; }
     bool enters(std::uint64_t arc) const { return ((bitten | spared | ~covered) & arc) != 0; }
     bool leaves(std::uint64_t arc) const { return ((bitten | spared | covered) & arc) != 0; }
   };
 
-  /// Where the boundary enters the cap, at corners from which it follows the cap's circle, and where it comes out again.
+  /// The corners at which the boundary enters the cap, from which it follows the cap's circle, and those at which it
+  /// leaves the cap.
   struct OwnArcs {
     std::array<int, RegionBoundary::capacity> entries, exits;
     std::size_t entry_count = 0, exit_count = 0;
@@ -170,9 +173,9 @@ class FreeRegion {
 
   /// Subtracts the cap of p from the region, if its circle crosses the boundary or is covered as a whole:
   ///   1. find the corners that the cap covers;
-  ///   2. find the arcs that its circle crosses, by their ends, and where those do not decide, by their extremes;
+  ///   2. find the arcs that its circle crosses, by their ends, or where these do not decide, by their extremes;
   ///   3. if there are none, the circle is covered or free as a whole;
-  ///   4. otherwise cut these arcs, with new corners where they are crossed;
+  ///   4. otherwise cut these arcs, with new corners at the crossings;
   ///   5. close the boundary along p's own circle, from each entry to the next exit.
   template <typename IsInBall>
   HWY_INLINE Outcome cut(const Neighbor& p, IsInBall is_in_ball) {
@@ -193,7 +196,7 @@ class FreeRegion {
     return close(p, own) ? Outcome::done : Outcome::lost;
   }
 
-  /// Step 1: moves the uncertain corners that the cap covers to the covered ones. Returns: false where one is no triangle.
+  /// Step 1: decides which uncertain corners the cap covers. Returns false where such a corner is not a triangle.
   template <typename IsInBall>
   bool decide(const Neighbor& p, IsInBall is_in_ball, RegionBoundary::Signs& signs) const {
     for (std::uint64_t left = signs.uncertain; left != 0; left &= left - 1) {
@@ -205,7 +208,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Step 2a: by the ends of the arcs. Bitten and spared arcs are candidates yet.
+  /// Step 2a: classifies arcs by their ends. Bitten and spared arcs are still candidates.
   Cut cut_by_ends(const RegionBoundary::Signs& signs) const {
     const std::uint64_t ends = boundary_.arcs_to(signs.covered);
     return {.covered = signs.covered,
@@ -214,9 +217,8 @@ class FreeRegion {
             .spared = signs.covered & ends & signs.reverse_on};
   }
 
-  /// Step 2b: p may cut an arc's interior although its ends are not covered; test the extremes. Drops the arcs that p does not
-  /// cut.
-  /// Returns: whether all is certain.
+  /// Step 2b: tests the extremes of arcs whose interior p may cut although their ends do not show it. Drops the arcs
+  /// that p does not cut. Returns whether all signs are certain.
   bool test_interiors(const Neighbor& p, double size, Cut& cut) const {
     for (std::uint64_t left = cut.bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
@@ -235,8 +237,9 @@ class FreeRegion {
     return true;
   }
 
-  /// The direction of p times `sign` is not on the arc from corner k, for certain: it is more than 120 degrees from both ends. Along
-  /// the circle depth is a cosine. Of an arc without length, as on a grid, nothing else shows it.
+  /// Returns whether the direction of p times `sign` is certainly not on the arc from corner k: whether it is more than
+  /// 120 degrees from both ends. Depth is a cosine along the circle. For an arc of length 0, as on a grid, no other
+  /// test shows this.
   bool is_opposite(int k, const Neighbor& p, const CircleDepths& on_circle, double sign) const {
     const double middle = (on_circle.greatest + on_circle.least) / 2, half = (on_circle.greatest - on_circle.least) / 2;
     const auto is_far = [&](int corner) {
@@ -245,8 +248,8 @@ class FreeRegion {
     return is_far(k) && is_far(boundary_.next(k));
   }
 
-  /// Step 3: p's circle crosses no arc, so that whole cycles are in the cap, or none. One covered point of it shows that it is
-  /// covered as a whole; a free one, that it is free.
+  /// Step 3: p's circle crosses no arc, so each cycle is entirely in the cap or outside of it. If one point of the
+  /// circle is covered, the whole circle is; if one point is free, the whole circle is.
   Outcome cut_nothing(const Neighbor& p, const Cut& cut) {
     if (caps_.meets_circle_of(p)) {
       if (cut.covered != 0) caps_.push(p);
@@ -255,8 +258,8 @@ class FreeRegion {
       return Outcome::done;
     }
     if (cut.covered == 0) return Outcome::circle_is_free;
-    // A free circle with whole cycles in its cap: each cap so far is in p's cap or disjoint from it. Those in it are undone, and p
-    // waits. On a scanner's line a far point may have begun before a near one.
+    // A free circle with whole cycles in its cap: each earlier cap is in p's cap or disjoint from it. Those within it
+    // are removed, and p waits. This occurs on scan lines, where a far point may come before a near one.
     if (!caps_.misses_circle_of(p) || !caps_.forget_within(p)) return Outcome::lost;
     boundary_.retire(cut.covered);
     boundary_.release();
@@ -264,8 +267,8 @@ class FreeRegion {
     return Outcome::circle_is_free;
   }
 
-  /// Step 4: cuts the arcs. Returns: false where a crossing is not certain, there is no room, or entries and exits do not
-  /// match.
+  /// Step 4: cuts the arcs. Returns false where a crossing is not certain, there is no room, or entries and exits do
+  /// not match.
   bool cut_arcs(const Neighbor& p, int cap, const Cut& cut, OwnArcs& own) {
     // Most circles are crossed twice.
     constexpr std::size_t known_size = 4;
@@ -291,8 +294,8 @@ class FreeRegion {
     return own.entry_count == own.exit_count;
   }
 
-  /// The arc from corner a, whose circle p's circle crosses there: what is left of it begins at an exit, ends at an entry, or
-  /// both. Returns: false where there is no room.
+  /// Cuts the arc from corner a where p's circle crosses it. The remaining part begins at an exit, ends at an entry, or
+  /// both. Returns false where there is no room.
   bool cut_arc(int a, int cap, const Crossing& crossing, const Cut& cut, OwnArcs& own) {
     const std::uint64_t arc = std::uint64_t{1} << a;
     const int b = boundary_.next(a);
@@ -315,7 +318,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Step 5. Returns: false where the order along p's circle is not certain, or there is no room.
+  /// Step 5: closes the boundary. Returns false where the order along p's circle is not certain, or there is no room.
   bool close(const Neighbor& p, const OwnArcs& own) {
     if (own.entry_count != 1)
       return boundary_.link_around(p, {own.entries.data(), own.entry_count}, {own.exits.data(), own.exit_count});
@@ -323,15 +326,16 @@ class FreeRegion {
     return boundary_.subdivide(own.entries[0], p);
   }
 
-  /// The circle of p is free as a whole, and so it stays unless another one crosses it. If one that waits does, the two begin a
-  /// cycle; if one has p's cap in its own, there is nothing to do; otherwise p waits as well. Returns: false when the region is lost.
+  /// Handles a circle of p that is free as a whole; it stays free unless another circle crosses it. If a waiting circle
+  /// does, the two begin a cycle; if a waiting cap contains p's cap, nothing changes; otherwise p waits as well.
+  /// Returns false when the region is lost.
   template <typename IsInBall>
   bool await_crossing(const Neighbor& p, IsInBall is_in_ball) {
     const double size = p.size();
     for (std::size_t i = 0; i < waiting_.count(); ++i) {
       const Neighbor q = waiting_[i];
       const CircleDepths of_p = depths_on_circle(q, q.size(), p, radius_), of_q = depths_on_circle(p, size, q, radius_);
-      // All of a circle in a cap: then its own cap is, as both are less than half of the sphere.
+      // If a cap contains a whole circle, it contains that circle's cap too: both are less than half of the sphere.
       if (of_p.least > of_p.error) return true;
       if (of_q.least > of_q.error) {
         waiting_.remove(i--);
@@ -348,7 +352,8 @@ class FreeRegion {
     return waiting_.add(p);
   }
 
-  /// A new cycle of two corners and two arcs, where the free circles of p and q cross. Returns: false when the region is lost.
+  /// Begins a cycle of two corners and two arcs where the free circles of p and q cross. Returns false when the region
+  /// is lost.
   bool begin_cycle(const Neighbor& p, const Neighbor& q, const Crossing& both) {
     if (!both.is_certain || !caps_.misses(both.left, both.error) || !caps_.misses(both.right, both.error) ||
         caps_.count() + 2 > CapUnion::most)
@@ -365,7 +370,7 @@ class FreeRegion {
     return boundary_.subdivide(a, p) && boundary_.subdivide(b, q);
   }
 
-  /// Tries again what waits and is_wanted(q) holds for, the nearest first. Returns: false when the region is lost.
+  /// Tries the waiting caps with is_wanted(q) again, the nearest first. Returns false when the region is lost.
   template <typename IsInBall, typename IsWanted>
   bool retry_waiting(IsInBall is_in_ball, IsWanted is_wanted) {
     for (std::size_t i = 0; i < waiting_.count();) {
@@ -384,7 +389,7 @@ class FreeRegion {
   }
 
   double radius_ = 0;
-  bool has_begun_ = false;  // there have been corners
+  bool has_begun_ = false;  // corners have existed
   bool is_parted_ = false;  // the caps cover a great circle, so that each part is on one side of a plane through v
   InitialRegion initial_;
   CapUnion caps_;

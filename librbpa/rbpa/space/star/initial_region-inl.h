@@ -1,10 +1,10 @@
-// What: the corners and arcs of the free region when the caps of a few points have been subtracted, all at once.
-// Law:  every sign is certain; where one is not, nothing is returned. docs/surface_derivation.md, section 5.
-// How:  1. cross the circles of each two points (ball_pair-inl.h), in vector lanes;
-//       2. drop the crossings that some other cap covers: what is left are the corners;
+// What: the corners and arcs of the free region after the caps of a few points have been subtracted, all at once.
+// Law:  every sign is certain; where one is not, find() returns false. docs/surface_derivation.md, section 5.
+// How:  1. cross the circles of each pair of points (ball_pair-inl.h), in vector lanes;
+//       2. drop the crossings that some other cap covers: the rest are the corners;
 //       3. from each corner follow its circle to the next corner on it: these are the arcs.
-//       Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Cost: for eight points, about a thousand vector operations.
+//       Compiled once for each kind of vector unit: Highway's toggle is the include guard.
+// Cost: about a thousand vector operations for eight points.
 #if defined(RBPA_SPACE_STAR_INITIAL_REGION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_INITIAL_REGION_INL_H_
 #undef RBPA_SPACE_STAR_INITIAL_REGION_INL_H_
@@ -37,17 +37,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class InitialRegion {
  public:
-  static constexpr std::size_t most = 8;                          // points: as many as AVX-512 has lanes
-  static constexpr std::size_t most_corners = most * (most - 1);  // two for each two points
-  /// The ball rests on (v, about, left) with its center at `at`; from there the boundary follows the circle of `about` to the
-  /// corner `next`. Points are positions in the list.
+  static constexpr std::size_t most = 8;                          // number of points: as many as AVX-512 has lanes
+  static constexpr std::size_t most_corners = most * (most - 1);  // two for each pair of points
+  /// A corner: the ball rests on (v, about, left) with its center at `at`. From there the boundary follows the circle
+  /// of `about` to the corner `next`. Points are positions in the list.
   struct Corner {
     Vector3<double> at;
     double error;
     std::size_t about, left, next;
   };
 
-  /// Returns: whether all is certain.
+  /// Finds the corners and arcs. Returns whether every sign is certain.
   bool find(std::span<const Neighbor> points, double radius) {
     count_ = points.size();
     corner_count_ = 0;
@@ -67,14 +67,16 @@ class InitialRegion {
   using V = hn::Vec<D>;
   using Pair = BallPair<D>;
 
-  // The points P0 … P4, and again. The pairs (i, i + step) are then in the same lanes of two loads, the second one unaligned:
+  // The points P0 … P4, repeated. The pairs (i, i + step) are then in the same lanes of two loads, the second one
+  // unaligned:
   //
   //   x_                P0  P1  P2  P3  P4  P0  P1  P2  P3  P4  P0 …
   //   p, at i = 0      │P0  P1  P2  P3  P4   ·   ·   · │
   //   q, at i + 2      │P2  P3  P4  P0  P1   ·   ·   · │        step 2
   //   others, at i + k │Pk  …                         │        k = 1, 3, 4: all that are in neither
   //
-  // Steps up to half of the count make up all pairs, each once; at exactly half of it only the first half of the lanes counts.
+  // Steps up to half of the count give all pairs, each once; for a step of exactly half, only the first half of the
+  // lanes is used.
   static constexpr std::size_t twice = 2 * most;
 
   void load(std::span<const Neighbor> points) {
@@ -93,7 +95,7 @@ class InitialRegion {
     return {{hn::LoadU(d, &x_[i]), hn::LoadU(d, &y_[i]), hn::LoadU(d, &z_[i])}, hn::LoadU(d, &power_[i])};
   }
 
-  /// The corners at which the circles of points i and i + step cross. Returns: whether all is certain.
+  /// Finds the corners at which the circles of points i and i + step cross. Returns whether every sign is certain.
   bool find_corners(std::size_t step, double radius) {
     const std::size_t pairs = 2 * step == count_ ? step : count_;
     for (std::size_t i = 0; i < pairs; i += hn::Lanes(d)) {
@@ -122,8 +124,8 @@ class InitialRegion {
     return true;
   }
 
-  /// For each crossing, the greatest c · x − x²/2 of the points x that are not of its own pair: it is in a cap where that is
-  /// above 0.
+  /// The greatest c · x − x²/2 at each crossing c, over the points x outside of its own pair. The crossing is in a cap
+  /// where this is above 0.
   struct Depths {
     V left, right;
   };
@@ -142,7 +144,7 @@ class InitialRegion {
     return deepest;
   }
 
-  /// Of the given lanes those that are certain.
+  /// The wanted lanes whose sign is certain.
   struct Sides {
     std::uint64_t free, covered;
   };
@@ -166,14 +168,14 @@ class InitialRegion {
 
   static std::uint64_t bits(hn::Mask<D> mask) { return rbpa::HWY_NAMESPACE::bits_of(d, mask); }
 
-  /// Of one circle: the corners at which an arc of it begins, and those at which one ends.
+  /// For one circle: the corners at which an arc of it begins, and those at which one ends.
   struct Ends {
     std::array<std::uint8_t, 2> from, to;
     std::size_t from_count = 0, to_count = 0;
   };
 
-  /// Links each corner to the next one on its circle. Returns: false where a circle is free as a whole, has more than two arcs,
-  /// or the order of its corners is not certain.
+  /// Links each corner to the next one on its circle. Returns false where a circle is free as a whole, has more than
+  /// two arcs, or the order of its corners is not certain.
   bool find_arcs(std::span<const Neighbor> points, double radius) {
     std::array<Ends, most> circle{};
     for (std::size_t k = 0; k < corner_count_; ++k) {
@@ -186,7 +188,7 @@ class InitialRegion {
       const Ends& ends = circle[i];
       if (ends.from_count != ends.to_count) return false;
       if (ends.from_count == 0) {
-        // A circle without corners is covered as a whole if any crossing on it is; otherwise it may be free.
+        // A circle without corners is covered as a whole if any crossing on it is covered; otherwise it may be free.
         if ((covered_ >> i & 1) == 0) return false;
         continue;
       }
@@ -207,7 +209,7 @@ class InitialRegion {
   }
 
   std::size_t count_ = 0, corner_count_ = 0;
-  std::uint64_t covered_ = 0;  // points with a crossing on their circle that another cap covers
+  std::uint64_t covered_ = 0;  // the points with a crossing on their circle that another cap covers
   double size_ = 0;            // the greatest Neighbor::size()
   alignas(64) std::array<double, twice> x_, y_, z_, power_;
   std::array<Corner, most_corners> corners_;

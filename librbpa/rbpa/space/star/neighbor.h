@@ -1,4 +1,4 @@
-// What: a point as another one sees it.
+// What: a point relative to another point v.
 #pragma once
 
 #include <cmath>
@@ -17,9 +17,10 @@ inline Vector3<double> minus(const Vector3<double>& u, const Vector3<double>& v)
   return {u.x - v.x, u.y - v.y, u.z - v.z};
 }
 
-/// A point other than v. A ball around c, seen from v, that touches v holds the point exactly if c · at > power.
+/// A point other than v. A ball that touches v, with its center at c relative to v, contains the point if and only if c
+/// · at > power.
 struct Neighbor {
-  Vector3<double> at;  // from v
+  Vector3<double> at;  // relative to v
   double power;        // half the square of its distance
   double length;       // its distance
   std::size_t site;
@@ -29,7 +30,7 @@ struct Neighbor {
     const double square = dot(at, at);
     return {at, square / 2, std::sqrt(square), site};
   }
-  /// Σ|atᵢ|, by which errors of centers are multiplied.
+  /// Returns Σ|atᵢ|, by which errors of centers are multiplied.
   double size() const { return std::abs(at.x) + std::abs(at.y) + std::abs(at.z); }
 };
 

@@ -1,9 +1,10 @@
-// What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's centers.
-// Law:  arcs are shorter than 120 degrees, by corners that are no triangles where necessary. docs/surface_derivation.md,
-//       section 5.
-// How:  corner k and the arc from it to corner next[k] are in the same place of all arrays, so that one loop over vector lanes
-//       tests a point against all of them, and sets of corners or arcs are the bits of a word. Compiled once for each kind of
-//       vector unit; no include guard but the compiler's own per kind.
+// What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's
+//       centers.
+// Law:  arcs are shorter than 120 degrees; where necessary, corners that are not triangles divide them.
+//       docs/surface_derivation.md, section 5.
+// How:  corner k and the arc from it to corner next[k] have the same position in all arrays, so that one loop over
+//       vector lanes tests a point against all of them. Sets of corners or arcs are the bits of a word. Compiled once
+//       for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_REGION_BOUNDARY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_REGION_BOUNDARY_INL_H_
 #undef RBPA_SPACE_STAR_REGION_BOUNDARY_INL_H_
@@ -36,7 +37,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 class RegionBoundary {
  public:
   using Vector = Vector3<double>;
-  static constexpr std::size_t capacity = 64;  // corners: the bits of a word, and whole vectors
+  static constexpr std::size_t capacity = 64;  // number of corners: the bits of a word, and whole vectors
   static constexpr int none = -1;
 
   void reset(double radius) {
@@ -46,10 +47,10 @@ class RegionBoundary {
     top_ = 0;
   }
 
-  /// The corners that there are, and so the arcs.
+  /// Returns the existing corners, which are also the existing arcs.
   std::uint64_t live() const { return live_; }
-  /// The ball rests on (v, about, left) at corner k, and the arc from it is on the circle of `about`. Both are numbers of caps;
-  /// `left` is none where the corner is no triangle.
+  /// Returns the cap `about` of corner k: the ball rests on (v, about, left) there, and the arc from k is on the circle
+  /// of `about`. Both are numbers of caps; `left` is none where the corner is not a triangle.
   std::size_t about(int k) const { return about_[static_cast<std::size_t>(k)]; }
   int left(int k) const { return left_[static_cast<std::size_t>(k)]; }
   int next(int k) const { return next_[static_cast<std::size_t>(k)]; }
@@ -59,7 +60,7 @@ class RegionBoundary {
   }
   BoundingCones::Corners corners() const { return {x_.data(), y_.data(), z_.data(), top_}; }
 
-  /// Calls visit(k) for the corners of the cycle of one of them. Returns: these.
+  /// Calls visit(k) for the corners of the cycle of corner `start`. Returns these corners.
   template <typename Visit>
   HWY_INLINE std::uint64_t for_each_in_cycle(int start, Visit visit) const {
     std::uint64_t cycle = 0;
@@ -72,7 +73,7 @@ class RegionBoundary {
     return cycle;
   }
 
-  /// The arcs that end at one of these corners.
+  /// Returns the arcs that end at one of these corners.
   std::uint64_t arcs_to(std::uint64_t corners) const {
     std::uint64_t arcs = 0;
     if (corners != 0)
@@ -83,7 +84,7 @@ class RegionBoundary {
     return arcs;
   }
 
-  /// Adds a corner. Returns: its number, or none where there is no room.
+  /// Adds a corner. Returns its number, or none where there is no room.
   int add(std::size_t about, int left, const Vector& at, double error) {
     const std::uint64_t used = live_ | retired_;
     if (~used == 0) return none;
@@ -100,14 +101,14 @@ class RegionBoundary {
     return k;
   }
 
-  /// Removes corners. Their places are not used again before release(), as arcs may still refer to them.
+  /// Removes corners. Their numbers are not reused before release(), as arcs may still refer to them.
   void retire(std::uint64_t corners) {
     live_ &= ~corners;
     retired_ = corners;
   }
   void release() { retired_ = 0; }
 
-  /// Makes the arc from corner a to b, on the circle of q, which is the one that a is about.
+  /// Makes the arc from corner a to b, on the circle of q, which is the point of about(a).
   void link(int a, int b, const Neighbor& q) {
     const auto i = static_cast<std::size_t>(a);
     next_[i] = static_cast<std::uint8_t>(b);
@@ -121,8 +122,8 @@ class RegionBoundary {
     side_error_[i] = limits::slack * radius_ * q.length;
   }
 
-  /// Puts corners that are no triangles on the arc from a, on the circle of q, until no part of it has 120 degrees.
-  /// Returns: false where there is no room.
+  /// Divides the arc from a, on the circle of q, by corners that are not triangles, until every part is shorter than
+  /// 120 degrees. Returns false where there is no room.
   bool subdivide(int a, const Neighbor& q) {
     while (true) {
       const int b = next(a);
@@ -132,7 +133,7 @@ class RegionBoundary {
       if (sine > 2 * limits::slack * q.length * square && cosine > -square / 2) return true;
       const double angle = pseudo_angle(sine / q.length, cosine);
       if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
-      // Off the middle, where the circles of symmetric points would meet it.
+      // Not in the middle, where the circles of symmetric points would meet the corner.
       Vector m;
       if (cosine < -0.9 * square) {
         m = scaled(cross(q.at, u), 1 / q.length);
@@ -150,8 +151,8 @@ class RegionBoundary {
     }
   }
 
-  /// Makes the arcs on p's own circle: from each entry to the exit that comes next. Returns: false where that is not certain,
-  /// or there is no room.
+  /// Makes the arcs on p's own circle, from each entry to the next exit. Returns false where the next exit is not
+  /// certain, or there is no room.
   bool link_around(const Neighbor& p, std::span<const int> entries, std::span<const int> exits) {
     const Vector middle = scaled(p.at, 0.5);
     std::uint64_t used = 0;
@@ -179,15 +180,15 @@ class RegionBoundary {
 
   /// The signs of corners and arcs with respect to a point p.
   struct Signs {
-    std::uint64_t covered, uncertain;        // corners in p's cap, and those of which that is not certain
-    std::uint64_t direction_on, reverse_on;  // arcs that the direction of p may be on, and the one away from it
+    std::uint64_t covered, uncertain;        // corners in p's cap, and corners for which that is uncertain
+    std::uint64_t direction_on, reverse_on;  // arcs that may contain the direction of p, and the opposite direction
   };
-  // One vector after the other; corner and arc of the same number are in the same lane:
+  // Corner and arc of the same number are in the same lane:
   //
   //   lane          k                k + 1            …
   //   x_ y_ z_    │ corner k        │ corner k + 1   │    depth  = corner · p − p²/2, above 0 in the cap
-  //   from_       │ q × corner      │ …              │    p · from > 0: p's direction is past the beginning of the arc
-  //   to_         │ next × q        │ …              │    p · to > 0:   it is before its end
+  //   from_       │ q × corner      │ …              │    p · from > 0: p's direction is after the beginning of the arc
+  //   to_         │ next × q        │ …              │    p · to > 0:   p's direction is before its end
   HWY_INLINE Signs signs_of(const Neighbor& p, double size) const {
     const hn::CappedTag<double, 8> d;
     const auto px = hn::Set(d, p.at.x), py = hn::Set(d, p.at.y), pz = hn::Set(d, p.at.z), power = hn::Set(d, p.power),
@@ -213,7 +214,7 @@ class RegionBoundary {
     return signs;
   }
 
-  /// The direction of p times `sign` is on the arc from corner k, for certain.
+  /// Returns whether the direction of p times `sign` is certainly on the arc from corner k.
   bool has_on_arc(int k, const Neighbor& p, double size, double sign) const {
     const auto i = static_cast<std::size_t>(k);
     const double from = p.at.x * from_x_[i] + p.at.y * from_y_[i] + p.at.z * from_z_[i];
@@ -222,8 +223,8 @@ class RegionBoundary {
   }
 
  private:
-  /// A monotonous function of an angle, from 0 to 4 for a full turn, of multiples of its sine and cosine. What is within the
-  /// slack of 0 is 0.
+  /// Returns a monotone function of an angle, from 0 to 4 for a full turn, given multiples of its sine and cosine.
+  /// Values within the slack of 0 are 0.
   static double pseudo_angle(double sine, double cosine) {
     const double share = sine / (std::abs(sine) + std::abs(cosine));
     if (cosine < 0) return 2 - share;
@@ -233,7 +234,7 @@ class RegionBoundary {
 
   double radius_ = 0, square_ = 0;
   std::uint64_t live_ = 0, retired_ = 0;
-  std::size_t top_ = 0;  // places from it on have never been used
+  std::size_t top_ = 0;  // positions from here on have never been used
   std::array<std::uint16_t, capacity> about_;
   std::array<std::int16_t, capacity> left_;
   std::array<std::uint8_t, capacity> next_;

@@ -1,6 +1,6 @@
 // What: makes arrays of triangles and neighbors, in canonical order, from the rings of all sites.
-// Law:  each triangle is read from the ring of its corner of the lowest input index; its neighbors from the rings of that
-//       corner and of the next one.
+// Law:  each triangle is read from the ring of its corner with the lowest input index, its neighbors from the rings of
+//       that corner and of the next one.
 // Cost: linear; for each triangle a few short searches in the rings of its corners, which are near in memory.
 #pragma once
 
@@ -21,17 +21,17 @@ class SurfaceAssembly {
  public:
   using Triple = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t none = 0xffffffff;  // no neighbor
-  static constexpr std::size_t part_size = 256;      // sites: few, so that a run is cancelled soon
+  static constexpr std::size_t part_size = 256;      // number of sites; few, so that a run is cancelled soon
 
-  /// A triangle (v, x, y); the ball rolls about x to (v, after, x), and about y to (v, y, before).
+  /// A triangle (v, x, y) that v owns: the ball rolls about x to (v, after, x), and about y to (v, y, before).
   struct Owned {
     Site x, y, before, after;
   };
   struct Part {
-    std::vector<Site> points;                // the rings that are needed, as in Rings
-    std::vector<std::uint32_t> first;        // for each site the position of its rings in points; and the end
+    std::vector<Site> points;                // the needed rings, as in Rings
+    std::vector<std::uint32_t> first;        // for each site: the position of its rings in points; and the end
     std::vector<Owned> owned;                // triangles (v, x, y) in which v has the lowest index, in canonical order
-    std::vector<std::uint32_t> owned_first;  // for each site the position of its triangles in owned; and the end
+    std::vector<std::uint32_t> owned_first;  // for each site: the position of its triangles in owned; and the end
   };
 
   /// Keeps a reference to the cells.
@@ -44,10 +44,11 @@ class SurfaceAssembly {
     return static_cast<Site>(std::min((part + 1) * part_size, cells_.sites().size()));
   }
 
-  /// Adds the triangles of a part for which keep(v, x, y) holds; it is called once for each triangle. A cycle is stored if
-  /// is_needed(v, cycle), which may be false only if no triangle of it is kept. Parts may be added in any order, by any thread.
-  /// `scratch` is overwritten; each thread has one, so that memory that stays is not fragmented.
-  /// Returns: the number of triangles added.
+  /// Adds the triangles of a part for which keep(v, x, y) returns true; it is called once for each triangle. A cycle is
+  /// stored if is_needed(v, cycle), which may be false only if no triangle of the cycle is kept. Parts may be added in
+  /// any order, by any thread. `scratch` is overwritten; each thread has its own, so that long-lived memory is not
+  /// fragmented.
+  /// Returns the number of triangles added.
   template <typename Keep, typename IsNeeded>
   std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 

@@ -1,8 +1,8 @@
-// What: the sites in the cells around one, and which of them can change the free region of a site.
-// Law:  in single precision, rounded to the safe side: a site that is left out changes nothing. docs/surface_derivation.md,
-//       section 5.
-// How:  offsets from one of the sites, in radii, coordinate by coordinate. Compiled once for each kind of vector unit; no
-//       include guard but the compiler's own per kind.
+// What: the sites in the cells around a cell, and those among them that can change the free region of a site.
+// Law:  single precision, rounded to the safe side: a site that is left out changes nothing.
+//       docs/surface_derivation.md, section 5.
+// How:  offsets from one of the sites, in radii, one array for each coordinate. Compiled once for each kind of vector
+//       unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_SURROUNDINGS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_SURROUNDINGS_INL_H_
 #undef RBPA_SPACE_STAR_SURROUNDINGS_INL_H_
@@ -33,26 +33,26 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class Surroundings {
  public:
-  /// The square of two radii, in radii, rounded up by more than any error of seen().
+  /// The square of two radii, in squared radii, rounded up by more than any error of seen().
   static constexpr float whole = 4.0001F;
 
-  /// Replaces the sites by those in the cells around a cell.
+  /// Replaces the sites by those in the cells around `cell`.
   void gather(const Cells& cells, Cells::Around& around, std::size_t cell) {
     const std::span<const Point3> sites = cells.sites();
     origin_ = sites[cells.first_in(cell)];
     inverse_ = 1 / cells.radius();
     count_ = 0;
     around.for_each_run(cell, [&](Site begin, Site end) { append(sites, begin, end); });
-    // Whole vectors are read: lanes beyond the end are infinitely far.
+    // Whole vectors are read: lanes beyond the end are at infinity.
     reserve(count_ + lanes);
     std::fill_n(x_.begin() + static_cast<std::ptrdiff_t>(count_), lanes, std::numeric_limits<float>::infinity());
   }
 
-  /// All sites around the cell.
+  /// Returns all sites around the cell.
   std::span<const Site> sites() const { return {site_.data(), count_}; }
 
-  /// The sites whose squared distance from v is at most `square`, in radii, v among them; and how many are within about two
-  /// radii. The span is valid until the next call.
+  /// The sites whose squared distance from v is at most `square`, in squared radii, v included; and the number of sites
+  /// within about two radii. The span is valid until the next call.
   struct Near {
     std::span<const Site> sites;
     std::size_t all;
@@ -70,12 +70,12 @@ class Surroundings {
     return {{near_.data(), near}, all};
   }
 
-  /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most `to`,
-  /// in radii, and whose cap may meet a cone of the bound. visit() may shrink the bound meanwhile.
-  /// Returns: false, and stops, as soon as visit() does.
+  /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most
+  /// `to`, in squared radii, and whose cap may meet a cone of the bound. visit() may shrink the bound meanwhile.
+  /// Returns false, and stops, as soon as visit() returns false.
   template <typename Visit>
   bool for_each_candidate(const BoundingCones& bound, float from, float to, Visit visit) {
-    // One vector of sites against each cone: lane k is the site i + k, as seen from v.
+    // One vector of sites is tested against each cone: lane k is the site i + k, relative to v.
     //
     //   x y z          │ p        │ p'       │ …  16 sites
     //   cone: middle   │ M        │ M        │ …  M · p + margin > p²/4 where p's cap may meet it
@@ -115,7 +115,8 @@ class Surroundings {
     from_z_ = static_cast<float>((v.z - origin_.z) * inverse_);
   }
 
-  /// Sites i, i + 1, … as seen from v: the same bits in each call, so that shells of squares have no gap between them.
+  /// Returns sites i, i + 1, … relative to v. Each call gives the same bits, so that there is no gap between shells of
+  /// squared distances.
   HWY_INLINE Seen seen(std::size_t i) const {
     const auto x = hn::Sub(hn::LoadU(f, &x_[i]), hn::Set(f, from_x_)),
                y = hn::Sub(hn::LoadU(f, &y_[i]), hn::Set(f, from_y_)),
@@ -137,7 +138,8 @@ class Surroundings {
     const auto inverse = hn::Set(d, inverse_);
     while (begin < end) {
       const std::size_t at_once = std::min<std::size_t>(hn::Lanes(d), end - begin);
-      // Whole vectors are read and stored: reserve() left room, but the last sites of all have nothing after them.
+      // Whole vectors are read and stored: reserve() left room, but the last sites of the array have nothing after
+      // them.
       if (begin + hn::Lanes(d) <= sites.size()) {
         hn::Vec<decltype(d)> x, y, z;
         hn::LoadInterleaved3(d, &sites[begin].x, x, y, z);

@@ -1,5 +1,6 @@
-// What: points whose circles are free as a whole: each bounds the free region, but has no corner, and its cap is not subtracted.
-// Law:  no two of the circles cross, and none of the caps is in another one. The nearest point is first.
+// What: points whose circles are free as a whole. Each bounds the free region but has no corner; its cap is not
+//       subtracted yet.
+// Law:  no two of the circles cross, and no cap is inside another. The nearest point is first.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ class WaitingCircles {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// Returns: false where there is no room.
+  /// Adds p. Returns false where there is no room.
   bool add(const Neighbor& p) {
     if (count_ == capacity) return false;
     std::size_t at = count_++;

@@ -1,7 +1,9 @@
-// What: the corner of the tetrahedron outside of a face at a point of a tile, and the sphere of the tetrahedron.
-// Law:  exact: no other point of the tile is in the sphere. Where a ball may hold points beyond the tile, or the face
-//       is at the hull, nothing is found.
-// How:  the candidate that is probably the one; if a point may be in its sphere, from that one on. docs/solid_tiles.md.
+// What: finds the apex: the fourth corner of the tetrahedron outside of a face at a point of a tile, and the sphere of
+//       the tetrahedron.
+// Law:  exact: no other point of the tile is in the sphere. Nothing is found where the ball may contain points beyond
+//       the tile, or the face is on the hull.
+// How:  choose the most probable candidate; if a point may be in its sphere, search exactly from there.
+//       docs/solid_tiles.md.
 #if defined(RBPA_SPACE_TILES_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
 #undef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
@@ -31,7 +33,7 @@ class ApexSearch {
  protected:
   ApexSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
 
-  /// For the tile that was gathered.
+  /// Starts with the tile that was gathered.
   void start_tile(const Leaf& leaf) {
     const std::size_t size = tile_.size();
     inverse_ = leaf.grid.inverse;
@@ -43,7 +45,7 @@ class ApexSearch {
     open_bits_.assign(size / 8 + 2, 0xff);
     exact_ = 0;
   }
-  /// For a point of the block that was gathered.
+  /// Starts with a point of the block that was gathered.
   void start_at(Local v) {
     at_ = v;
     v_ = point(v);
@@ -56,14 +58,14 @@ class ApexSearch {
     return {x, y, z, x * x + y * y + z * z, 0};  // no length
   }
 
-  /// Calls visit(first, end) for the points of each row of cells.
+  /// Calls visit(first, end) for the range of points of each row of cells.
   template <typename Visit>
   HWY_INLINE void for_each_row(const std::array<Tile::Range, 3>& cells, Visit visit) const {
     for (int x = cells[0].low; x <= cells[0].high; ++x)
       for (int y = cells[1].low; y <= cells[1].high; ++y)
         visit(tile_.first_in(tile_.cell(x, y, cells[2].low)), tile_.first_in(tile_.cell(x, y, cells[2].high) + 1));
   }
-  /// What all spheres through the face (v, p, q) have in common.
+  /// The terms that all spheres through the face (v, p, q) share.
   struct Face {
     HWY_INLINE Face(const Spoke& p, const Spoke& q)
         : normal(cross<double>({p.x, p.y, p.z}, {q.x, q.y, q.z})),
@@ -72,13 +74,13 @@ class ApexSearch {
           product(p.square * q.square) {}
 
     Vector3<double> normal, turned;  ///< p × q, and p² q − q² p
-    double sum, product;             ///< of the squares
+    double sum, product;             ///< of the squares p² and q²
   };
 
-  /// The sphere through a face (v, p, q) and r: as sphere_minors() has it for (q, p, r).
+  /// Returns the sphere through a face (v, p, q) and r, as sphere_minors() computes it for (q, p, r).
   HWY_INLINE static Sphere sphere_of(const Face& face, const Spoke& r) {
     const auto &n = face.normal, &m = face.turned;
-    // The lengths of docs/predicates.md by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
+    // The lengths of docs/predicates.md, bounded by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
     const double weight = in_sphere_filter * std::sqrt(face.product * r.square);
     return {{n.x * r.square + (m.y * r.z - m.z * r.y), n.y * r.square + (m.z * r.x - m.x * r.z),
              n.z * r.square + (m.x * r.y - m.y * r.x), -(n.x * r.x + n.y * r.y + n.z * r.z)},
@@ -86,10 +88,10 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Then the center is off by less than a hundredth of the radius: docs/solid_tiles.md.
+  /// Returns whether the center is off by less than a hundredth of the radius: docs/solid_tiles.md.
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
-  /// A box that contains the ball. Requires: is_certain().
+  /// Returns a box that contains the ball. Requires: is_certain().
   Box3 box_of(const Sphere& sphere) const {
     const auto& m = sphere.minor;
     const double half = -0.5 / m[3], x = m[0] * half, y = m[1] * half, z = m[2] * half;
@@ -98,21 +100,21 @@ class ApexSearch {
     return {{cx - radius, cy - radius, cz - radius}, {cx + radius, cy + radius, cz + radius}};
   }
 
-  /// Whether all points in the ball are candidates.
+  /// Returns whether all points in the ball are candidates.
   HWY_INLINE bool is_within_reach(const Sphere& sphere) const {
     const auto& m = sphere.minor;
     return (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (1 + 0x1p-5) < m[3] * m[3] * (reach_ * reach_);
   }
 
-  /// The corner of the tetrahedron outside of the face (v, first, second), and its sphere. Returns: false if it is not
-  /// found.
+  /// Finds the apex of the tetrahedron outside of the face (v, first, second), and its sphere. Returns false if it is
+  /// not found.
   HWY_INLINE bool find_apex(Local first, Local second) {
     const std::size_t first_at = candidates_.position(first), second_at = candidates_.position(second);
     const Face face(first_at != Candidates::none ? candidates_.spoke(first_at) : spoke(first),
                     second_at != Candidates::none ? candidates_.spoke(second_at) : spoke(second));
     const std::size_t apex_at = choose(face);
     if (apex_at == Candidates::none) [[unlikely]]
-      return false;  // at the hull, mostly
+      return false;  // mostly at the hull
     sphere_ = sphere_of(face, candidates_.spoke(apex_at));
     apex_ = candidates_.id(apex_at);
     if (is_certain(sphere_) && candidates_.are_outside(sphere_, {first_at, second_at, apex_at})) [[likely]] {
@@ -122,7 +124,7 @@ class ApexSearch {
     return find_apex_exactly(first, second);
   }
 
-  /// The candidate that is probably the one wanted outside of the face.
+  /// Returns the position of the most probable candidate outside of the face.
   HWY_INLINE std::size_t choose(const Face& face) const {
     const auto& n = face.normal;
     const Vector3<double> x = cross(face.turned, n);
@@ -132,9 +134,9 @@ class ApexSearch {
                              single(dot(n, n) * (inverse_2_ * inverse_2_)));
   }
 
-  /// The same from some candidate on. Outside of the face, balls through it are ordered by what they contain there, so
-  /// that whatever is inside of one is the next to be tried, and what was outside before remains outside. Points on the
-  /// near side are in none of these balls.
+  /// Finds the apex exactly, starting from a candidate. Outside of the face, balls through it are ordered by inclusion:
+  /// a point inside one is the next to be tried, and a point outside remains outside. Points on the near side of the
+  /// face are in none of these balls.
   HWY_NOINLINE bool find_apex_exactly(Local first, Local second) {
     if (!is_certain(sphere_)) return false;  // the candidate may be on either side of the face
     const Face face(spoke(first), spoke(second));
@@ -170,7 +172,7 @@ class ApexSearch {
     return is_in;
   }
 
-  /// Calls visit(i) for each point in the cells that is not finished nor certainly outside of the sphere.
+  /// Calls visit(i) for each unfinished point in the cells that is not certainly outside of the sphere.
   template <typename Visit>
   void for_each_not_outside(const Sphere& sphere, const std::array<Tile::Range, 3>& ranges, Visit visit) const {
     const Doubles d;
@@ -206,13 +208,13 @@ class ApexSearch {
   Tile tile_;
   Block block_;
   Candidates candidates_;
-  std::vector<std::uint8_t> open_bits_;  // of points that are not finished
+  std::vector<std::uint8_t> open_bits_;  // one bit for each point: it is not finished
   std::size_t exact_ = 0;
 
-  // Of the point at hand.
+  // The current point.
   Local at_ = 0;
   Point3 v_{};
-  // Of the apex found.
+  // The apex found.
   Local apex_ = 0;
   Sphere sphere_{};
 };

@@ -1,4 +1,4 @@
-// What: faces of tetrahedra whose neighbor is not known, and which of them are the same.
+// What: faces of tetrahedra whose neighbor is unknown; finds pairs of them that are the same face.
 // How:  in buckets by their first corner.
 // Cost: linear, where few have the same first corner.
 #pragma once
@@ -17,10 +17,10 @@ namespace rbpa::space {
 
 struct BorderFace {
   std::array<std::uint32_t, 3> corners;  ///< ascending
-  std::uint32_t face;                    ///< 4 · (tetrahedron) + (corner across)
+  std::uint32_t face;                    ///< 4 · (tetrahedron) + (the corner across)
 };
 
-/// The face of a tetrahedron across from corner k.
+/// Returns the face of a tetrahedron across from corner k.
 inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std::size_t k) {
   std::array<std::uint32_t, 3> face = {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
   if (face[0] > face[1]) std::swap(face[0], face[1]);
@@ -29,14 +29,15 @@ inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std
   return {face, 4 * tetrahedron + static_cast<std::uint32_t>(k)};
 }
 
-/// Whether its ascending corners are counter-clockwise seen from outside of the tetrahedron.
+/// Returns whether the corners of the face, in ascending order, are counter-clockwise seen from outside of the
+/// tetrahedron.
 inline bool is_ascending_outside(const Row& corners, std::size_t k) {
   const auto& outer = outer_faces[k];
   const std::uint32_t a = corners[outer[0]], b = corners[outer[1]], c = corners[outer[2]];
   return ((a < b) + (b < c) + (c < a)) == 2;
 }
 
-/// Sets the neighbors across faces that come twice. `bound` is above all corners.
+/// Links the tetrahedra on both sides of faces that occur twice. Requires: all corners are below `bound`.
 void link_border_faces(std::span<const BorderFace> faces, std::size_t bound, meshops::FreshVector<Row>& neighbors);
 
 }  // namespace rbpa::space

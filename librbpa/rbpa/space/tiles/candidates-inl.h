@@ -1,9 +1,11 @@
-// What: the points that may be the fourth corner of a tetrahedron at a point v: those within reach whose stars are not finished.
-// How:  a block has the points in the cells around, once for all points of a cell. Of these the ones in a ball around v are
-//       candidates, seen from it, in double for certainty and in single to choose by. The centers of balls through v, p and q are
-//       x/2 + t n, and of the points above the plane the one of the least t is the corner wanted (docs/solid_triples.md has the quotients).
-//       What was chosen is then certain if every other candidate is outside of its sphere by more than the error, and the sphere
-//       within the ball: if its radius is at most half of the reach.
+// What: candidates for the fourth corner of a tetrahedron at a point v: the points within reach whose stars are not
+//       finished.
+// How:  a block has the points in the cells around a cell, once for all points of the cell. Points of the block in a
+//       ball around v are candidates. Their offsets from v are in double precision to decide and in single precision to
+//       choose. The centers of balls through v, p and q are x/2 + t n; of the points above the plane the one with the
+//       least t is the fourth corner (docs/solid_triples.md has the quotients). The choice is certain if every other
+//       candidate is outside of its sphere by more than the error, and the sphere is within the ball of candidates: if
+//       its radius is at most half of the reach.
 #if defined(RBPA_SPACE_TILES_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_CANDIDATES_INL_H_
 #undef RBPA_SPACE_TILES_CANDIDATES_INL_H_
@@ -51,7 +53,7 @@ struct Sphere {
   double constant, slope;
 };
 
-/// A sphere in all lanes.
+/// A sphere, repeated in all lanes.
 class SphereLanes {
  public:
   HWY_INLINE explicit SphereLanes(const Sphere& sphere)
@@ -62,7 +64,7 @@ class SphereLanes {
         constant_(hn::Set(Doubles(), sphere.constant)) {}
 
   using Lanes = hn::Vec<Doubles>;
-  /// A bit for each of the points, given from v, that is certainly outside.
+  /// Returns a bit for each point that is certainly outside. Points are relative to v.
   HWY_INLINE std::uint64_t outside(Lanes x, Lanes y, Lanes z, Lanes square) const {
     const auto most = hn::MulAdd(x, x_, hn::MulAdd(y, y_, hn::MulAdd(z, z_, hn::MulAdd(square, square_, constant_))));
     return bits_of(Doubles(), hn::Lt(most, hn::Zero(Doubles())));
@@ -72,19 +74,20 @@ class SphereLanes {
   Lanes x_, y_, z_, square_, constant_;
 };
 
-/// As many bits as there are lanes, from one on.
+/// Returns as many bits as there are lanes, from bit `first` on.
 HWY_INLINE std::uint64_t lane_bits(const std::uint8_t* bits, std::size_t first) {
   const std::uint32_t two = bits[first / 8] | static_cast<std::uint32_t>(bits[first / 8 + 1]) << 8U;
   return (two >> first % 8) & ((1U << double_lanes) - 1);
 }
 
-/// Points in the cells around a cell.
+/// The unfinished points in the cells around a cell.
 class Block {
  public:
-  /// The cells within so many of one.
+  /// How many cells on each side of a cell.
   static constexpr int cells = 2;
 
-  /// Those around a cell and `more` ones behind it in its row that are open: one bit each, which may be read beyond the end.
+  /// Gathers the open points in the cells around a cell and around `more` cells after it in its row. `open` has one bit
+  /// for each point, and is readable beyond the end.
   HWY_INLINE void gather(const Tile& tile, const std::array<int, 3>& cell, int more, const std::uint8_t* open) {
     const Doubles d;
     const hn::RebindToSigned<Doubles> numbers;
@@ -117,7 +120,7 @@ class Block {
       }
     count_ = count;
   }
-  /// Of which all points are in the block.
+  /// Returns the ranges of cells whose open points are all in the block.
   const std::array<Tile::Range, 3>& ranges() const { return cells_; }
 
   void remove(Local i) {
@@ -130,7 +133,7 @@ class Block {
     }
   }
 
-  /// Calls visit(i) for each point that is not certainly outside of a sphere, seen from v.
+  /// Calls visit(i) for each point that is not certainly outside of a sphere, which is relative to v.
   template <typename Visit>
   HWY_INLINE void for_each_not_outside(const Sphere& sphere, const Point3& v, Visit visit) const {
     const Doubles d;
@@ -169,7 +172,8 @@ class Candidates {
     if (lane_.size() < points) lane_.resize(2 * points);
   }
 
-  /// Those of the block within a distance of v, but for v, seen from it. The unit of single precision is 1 / inverse.
+  /// Collects the points of the block within `reach` of v, without v itself, relative to v. The unit of single
+  /// precision is 1 / inverse.
   HWY_INLINE void see(const Block& block, const Point3& v, double reach, double inverse) {
     if (block.count_ + 2 * single_lanes > dx_.size()) grow(block.count_);
     const Doubles d;
@@ -212,8 +216,8 @@ class Candidates {
   }
   Local id(std::size_t at) const { return static_cast<Local>(id_[at]); }
 
-  /// Where the point of about the least t is, among those clearly above the plane; none if there is none. In units of single
-  /// precision, n being a normal, `square` its square, and x so many times the one above.
+  /// Returns the position of a point with nearly the least t, among those clearly above the plane; none if there is
+  /// none. All in units of single precision: n is a normal, `square` its square, and x is `square` times the x above.
   HWY_INLINE std::size_t least(const Vector3<float>& x, const Vector3<float>& n, float square) const {
     const Singles d;
     const SingleNumbers di;
@@ -221,7 +225,7 @@ class Candidates {
                                          normal = {hn::Set(d, n.x), hn::Set(d, n.y), hn::Set(d, n.z)};
     const auto above = hn::Set(d, 0x1p-17f * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)));
     const auto nn = hn::Set(d, square), beyond = hn::Set(d, 1e30f);
-    // Of t the bits that a position takes are left out: what is nearly the least does as well.
+    // The low bits of t are replaced by the position: a value nearly the least suffices.
     constexpr std::int32_t position_bits = 1023;
     const auto rough = hn::Set(di, ~position_bits), step = hn::Set(di, static_cast<std::int32_t>(single_lanes)),
                count = hn::Set(di, static_cast<std::int32_t>(count_));
@@ -245,7 +249,7 @@ class Candidates {
     return smallest < 1e29f && position < count_ ? position : none;
   }
 
-  /// Whether all candidates are certainly outside of the sphere, but for those at the excluded positions.
+  /// Returns whether all candidates, except those at the excluded positions, are certainly outside of the sphere.
   HWY_INLINE bool are_outside(const Sphere& sphere, const std::array<std::size_t, 3>& excluded) const {
     constexpr std::size_t word = 64;
     std::uint64_t left = 0;
@@ -253,27 +257,27 @@ class Candidates {
     return left == 0;
   }
 
-  /// Calls visit(i) for each that is not.
+  /// Calls visit(i) for each candidate that is not certainly outside.
   template <typename Visit>
   void for_each_not_outside(const Sphere& sphere, Visit visit) const {
     constexpr std::size_t word = 64;
-    const Sphere of = sphere;  // the same while others are visited
+    const Sphere of = sphere;  // visit() may change the argument
     for (std::size_t first = 0; first < count_; first += word)
       for (std::uint64_t left = not_outside(of, {none, none, none}, first); left != 0; left &= left - 1)
         visit(id(first + static_cast<std::size_t>(std::countr_zero(left))));
   }
 
-  /// As seen from v, without a length.
+  /// Returns the offset of a candidate from v, without its length.
   HWY_INLINE Spoke spoke(std::size_t at) const { return {dx_[at], dy_[at], dz_[at], square_[at], 0}; }
 
-  /// Where a point is among the candidates, or none.
+  /// Returns the position of a point among the candidates, or none.
   std::size_t position(Local i) const {
     const std::size_t at = lane_[i];
     return at < count_ && id(at) == i ? at : none;
   }
 
  private:
-  /// A bit for each of the 64 from a position on.
+  /// Returns a bit for each of the 64 candidates from `first` on that is not certainly outside.
   HWY_INLINE std::uint64_t not_outside(const Sphere& sphere, const std::array<std::size_t, 3>& excluded,
                                        std::size_t first) const {
     const Doubles d;
@@ -303,7 +307,7 @@ class Candidates {
   std::vector<double> dx_, dy_, dz_, square_;
   std::vector<float> single_x_, single_y_, single_z_, single_square_;
   std::vector<std::int64_t> id_;
-  std::vector<std::uint16_t> lane_;  // of each of the tile's points, if it is a candidate
+  std::vector<std::uint16_t> lane_;  // for each point of the tile: its position, if it is a candidate
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// What: the Delaunay tetrahedra of circumradius at most alpha, tile by tile; those at points that no tile settles, from a
-//       triangulation of these points and their neighbors.
-// Law:  exact and complete, each once (docs/solid_tiles.md).
+// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Those at points that no tile settles
+//       come from a triangulation of these points and their neighbors.
+// Law:  exact and complete; each tetrahedron once (docs/solid_tiles.md).
 // Cost: about a microsecond a point, for points that fill a volume.
 #pragma once
 
@@ -20,24 +20,24 @@
 namespace rbpa::space {
 
 struct TiledSolid {
-  SolidRows rows;                             ///< of places
-  meshops::FreshVector<std::uint32_t> index;  ///< of each place
+  SolidRows rows;                             ///< corners are places
+  meshops::FreshVector<std::uint32_t> index;  ///< of each place, the input index
   std::vector<Duplicate> duplicates;
   std::size_t distinct = 0;
 };
 
-/// When to give up; tests set others.
+/// Limits beyond which find_by_tiles() gives up; tests set others.
 struct TileLimits {
   std::size_t points_in_leaf = 8192;
-  double most_crowded = 5;  ///< Leaves::crowding(), beyond which points are spread too unevenly
-  // Of the points; more at first, when most of the tiles so far may be at the hull.
+  double most_crowded = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
+  // Fractions of the points. More are allowed at first, when most of the tiles so far may be at the hull.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
-  double most_exact = 8;  ///< decisions a point
+  double most_exact = 8;  ///< exact decisions for each point
 };
 
-/// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each tile, in the calling
-/// thread or another; it may throw.
-/// Returns: false if it gave up, as too many points are at the hull, or have balls larger than tiles.
+/// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each
+/// tile, from any thread; it may throw.
+/// Returns false if it gave up, as too many points are at the hull or have balls larger than tiles.
 bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,
                    const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
                    const TileLimits& limits = {});

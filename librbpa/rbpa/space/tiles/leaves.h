@@ -1,8 +1,9 @@
-// What: points in space in leaves of a k-d tree, each with some thousand points, and within a leaf in cubic cells that fit its
-//       density.
-// Law:  equal points are one site, the one of the lowest index. The order of sites may depend on the order of the points; nothing
-//       that is computed from them does.
-// Cost: a few comparisons a point for the tree, whose planes come from a sample; a counting sort for the cells.
+// What: points in space in leaves of a k-d tree, each with some thousand points, and within a leaf in cubic cells that
+//       fit its density.
+// Law:  equal points are one site, represented by the lowest index. The order of sites may depend on the order of the
+//       points; results computed from them do not.
+// Cost: a few comparisons for each point to build the tree, whose planes come from a sample; a counting sort for the
+//       cells.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace rbpa::space {
 
-/// A position among the points in the order of leaves and cells. Those of repeated points are left out.
+/// A position among the points in the order of leaves and cells. Places of repeated points are no sites.
 using Place = std::uint32_t;
 
 struct Box3 {
@@ -30,8 +31,8 @@ struct Box3 {
   }
 };
 
-/// Which cubic cell a point is in: a monotone function of each coordinate, so that what lies between two coordinates is in the
-/// cells between theirs.
+/// Assigns points to cubic cells. The cell is a monotone function of each coordinate, so that any value between two
+/// coordinates is in the cells between theirs.
 struct CellGrid {
   Point3 low;
   double size = 1, inverse = 1;
@@ -44,7 +45,7 @@ struct CellGrid {
 
  private:
   static int floor_of(double value) {
-    // No call: conversion rounds towards 0.
+    // Without a function call: conversion rounds towards 0.
     constexpr double limit = farthest;
     const double bounded = value < -limit ? -limit : value > limit ? limit : value;
     const int whole = static_cast<int>(bounded);
@@ -54,39 +55,40 @@ struct CellGrid {
 
 struct Leaf {
   Box3 box;       ///< of its points
-  CellGrid grid;  ///< whose lower corner is that of a box of most of them
-  /// Along each axis. Points beyond are in the outermost cells.
+  CellGrid grid;  ///< its lower corner is that of a box of most of the points
+  /// Number of cells along each axis. Points beyond are in the outermost cells.
   std::array<int, 3> cells{};
   Place first = 0, end = 0;  ///< its sites
-  std::size_t start = 0;     ///< of its table of cells
-  double pairs = 0;          ///< of points in one cell, each with itself too and in both orders
+  std::size_t start = 0;     ///< start of the leaf's table of cells
+  double pairs = 0;          ///< number of ordered pairs of points in one cell, including each point with itself
 };
 
 class Leaves {
  public:
-  /// Requires: finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1; leaves of so many points at most, about.
+  /// Sorts the points. Requires: finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1. A leaf
+  /// has about `points_in_leaf` points at most.
   Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threads& threads);
 
   std::size_t size() const { return leaves_.size(); }
   const Leaf& operator[](std::size_t i) const { return leaves_[i]; }
   const Box3& box() const { return boxes_[1]; }
 
-  /// The number of places, some of which are no sites.
+  /// Returns the number of places; some are no sites.
   std::size_t places() const { return points_.size(); }
   std::size_t distinct() const { return distinct_; }
-  /// How many points are in the cell of a point, on average: three where points are spread evenly at random.
+  /// Returns the average number of points in the cell of a point: three where points are spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
-  /// By places.
+  /// Returns the input index of each place.
   std::span<const std::uint32_t> index() const { return index_; }
-  /// The same, which it does not have from then on.
+  /// Moves index() out; afterwards it is empty.
   meshops::FreshVector<std::uint32_t> release_index() { return std::move(index_); }
   std::vector<Duplicate> duplicates() const;
 
-  /// The first site of a cell of a leaf; of the number of cells, its end.
+  /// Returns the first site of a cell of a leaf; for the number of cells, the end of the last cell.
   Place first_in(const Leaf& leaf, std::size_t cell) const { return starts_[leaf.start + cell]; }
 
-  /// Calls visit(i) for each leaf whose box touches the given one, ascending.
+  /// Calls visit(i) for each leaf whose box touches `box`, ascending.
   template <typename Visit>
   void for_each_leaf(const Box3& box, Visit visit) const {
     visit_below(1, box, visit);
@@ -102,14 +104,14 @@ class Leaves {
   }
   void sort_leaf(std::size_t i, Place first, Place end);
 
-  std::vector<Box3> boxes_;  // of the nodes, the root being 1 and the children of i being 2 i and 2 i + 1
+  std::vector<Box3> boxes_;  // boxes of the nodes: 1 is the root, the children of i are 2 i and 2 i + 1
   std::vector<Leaf> leaves_;
   meshops::FreshVector<Point3> points_;
   meshops::FreshVector<std::uint32_t> index_;
   meshops::FreshVector<Place> starts_;
   std::size_t distinct_ = 0;
   double crowding_ = 0;
-  std::vector<std::vector<Duplicate>> repeated_;  // of each leaf
+  std::vector<std::vector<Duplicate>> repeated_;  // for each leaf
 };
 
 }  // namespace rbpa::space

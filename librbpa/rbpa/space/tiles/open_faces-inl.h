@@ -1,13 +1,15 @@
-// What: the faces of a tile's tetrahedra that wait for the one on the other side, each at one of its corners.
-// How:  a corner has fifteen faces in a line of keys, compared at once; the few that do not fit are in a list of all corners.
+// What: the faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each at one of its corners.
+// How:  each corner has room for fifteen faces in a line of keys, which are compared at once; further faces are in one
+//       list for all corners.
 //
 //           keys     other corners, the lesser first:  p << 16 | q
-//           faces    who waits: 4 · (tetrahedron) + (corner across), and whether p comes before q as seen from outside
-//           used     a bit for each that waits
+//           faces    4 · (tetrahedron) + (corner across), and whether p comes before q as seen from outside
+//           used     a bit for each waiting face
 //
-// Why:  the keys of the corner at hand are kept in registers, and those of others are written as they are read, a line at once: a
-//       register that is loaded from what was just written in parts waits until the processor has written that to its cache.
-// Cost: a comparison of registers to look a face up.
+// Why:  the keys of the current corner are kept in registers. Those of other corners are written as they are read, a
+//       whole line at once: loading a register from memory that was just written in parts stalls until the processor
+//       has written it to its cache.
+// Cost: one comparison of registers to look up a face.
 #if defined(RBPA_SPACE_TILES_OPEN_FACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_OPEN_FACES_INL_H_
 #undef RBPA_SPACE_TILES_OPEN_FACES_INL_H_
@@ -35,10 +37,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 using rbpa::HWY_NAMESPACE::bits_of;
 using rbpa::HWY_NAMESPACE::mask_of;
 
-/// A face (v, first, second), counter-clockwise seen from outside of the tetrahedron that it is one of.
+/// A face (v, first, second), counter-clockwise seen from outside of its tetrahedron.
 struct OpenFace {
   std::uint32_t first, second;
-  std::uint32_t face;  ///< 4 · (tetrahedron) + (corner across), below 2^31
+  std::uint32_t face;  ///< 4 · (tetrahedron) + (the corner across), below 2^31
 };
 
 class OpenFaces {
@@ -51,7 +53,7 @@ class OpenFaces {
     std::uint32_t used;
   };
 
-  /// The keys of a line in registers.
+  /// The keys of a line, in registers.
   class Keys {
    public:
     HWY_INLINE explicit Keys(const std::uint32_t* from) {
@@ -92,7 +94,7 @@ class OpenFaces {
   };
 
  public:
-  /// Forgets all faces, for corners numbered from 0 up to `corners`.
+  /// Removes all faces, for corners numbered below `corners`.
   void clear(std::size_t corners) {
     if (lines_.size() < corners) lines_.resize(2 * corners);
     for (std::size_t v = 0; v < corners; ++v) lines_[v].used = 0;
@@ -101,8 +103,8 @@ class OpenFaces {
 
   bool empty(std::uint32_t v) const { return lines_[v].used == 0; }
 
-  /// If the same face waits at v from the other side, removes it. Returns: who waited; otherwise `nobody`, and the face waits.
-  /// Which of both cannot be predicted, so that nothing branches.
+  /// Removes the same face if it waits at v from the other side, and returns the face that waited. Otherwise adds the
+  /// face, and returns `nobody`. The outcome cannot be predicted, so the code does not branch.
   HWY_INLINE std::uint32_t close_or_add(std::uint32_t v, const OpenFace& face, std::uint32_t nobody) {
     const Entry entry(face);
     Line& line = lines_[v];
@@ -120,7 +122,7 @@ class OpenFaces {
     return found != 0 ? other : nobody;
   }
 
-  /// The faces at one corner, while no other function is called for it.
+  /// The faces at one corner. While it exists, no other function may be called for that corner.
   class AtCorner {
    public:
     HWY_INLINE AtCorner(OpenFaces& faces, std::uint32_t v)
@@ -131,7 +133,7 @@ class OpenFaces {
 
     HWY_INLINE bool empty() const { return used_ == 0; }
 
-    /// As above.
+    /// As OpenFaces::close_or_add().
     HWY_INLINE std::uint32_t close_or_add(const OpenFace& face, std::uint32_t nobody) {
       const Entry entry(face);
       const std::uint32_t found = keys_.find(entry.key) & used_;
@@ -152,7 +154,7 @@ class OpenFaces {
       return found != 0 ? other : nobody;
     }
 
-    /// Removes one. Requires: not empty.
+    /// Removes one face and returns it. Requires: not empty.
     HWY_INLINE OpenFace pop() {
       const int at = std::countr_zero(used_);
       const std::uint32_t key = line_.keys[at], entry = line_.faces[at];
@@ -205,7 +207,7 @@ class OpenFaces {
     line.used |= 1U << at;
   }
 
-  /// So that none is elsewhere while there is room in the line.
+  /// Moves a face of v from the list to the line. So no face is in the list while there is room in its line.
   void refill(std::uint32_t v) {
     for (Further& other : further_) {
       if (other.v != v) continue;

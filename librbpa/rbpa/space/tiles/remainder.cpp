@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Faces that have a tetrahedron on one side only, with numbers of unsettled points as corners, in buckets by the first.
+/// Faces that have a tetrahedron on one side only, with numbers of unsettled points as corners, in buckets by the
+/// first.
 class OpenSides {
  public:
   /// Those of the border all of whose corners are unsettled. Others are at the hull.

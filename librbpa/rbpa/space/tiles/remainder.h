@@ -1,7 +1,7 @@
-// What: the tetrahedra that tiles have not found: those all of whose corners are unsettled.
-// How:  each of them is Delaunay among the unsettled points too. What else there is in the triangulation of these is left out by
-//       going from the faces that have a tetrahedron on one side only to the other side, and on from there to neighbors, never
-//       across such a face.
+// What: finds the tetrahedra that tiles have not found: those whose corners are all unsettled.
+// How:  each of them is also Delaunay among the unsettled points. To leave out the other tetrahedra of that
+//       triangulation, the search starts across the faces with a known tetrahedron on one side only, continues to
+//       neighbors, and never crosses such a face.
 // Cost: that of inserting the unsettled points.
 #pragma once
 
@@ -16,14 +16,15 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra with places as corners, each once.
+/// Tetrahedra found, with places as corners, each once.
 struct FoundRows {
   SolidRows rows;
-  meshops::FreshVector<std::uint8_t> is_within;  ///< of each, whether its circumradius is at most alpha
-  meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was not known when they were found
+  meshops::FreshVector<std::uint8_t> is_within;  ///< for each: whether its circumradius is at most alpha
+  meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was unknown when they were found
 };
 
-/// Appends them. Requires: all that have a settled corner, linked; the spread of the leaves' points.
+/// Appends the missing tetrahedra. Requires: `found` has all tetrahedra with a settled corner, linked; `spread` of the
+/// leaves' points.
 void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, const std::vector<Place>& unsettled,
                    FoundRows& found);
 

@@ -240,7 +240,8 @@ class StarSearch : public StarFinder, private ApexSearch {
   std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0;
 };
 
-/// From the nearest point, the smallest triangle with it: its least ball is empty, so that it has tetrahedra on both sides.
+/// From the nearest point, the smallest triangle with it: its least ball is empty, so that it has tetrahedra on both
+/// sides.
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
   // All points around, whether finished or not.
@@ -272,7 +273,8 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
       Local first = around_[nearest], second = around_[triangles[k].second];
       if (is_turned) std::swap(first, second);
       if (!find_apex(first, second)) continue;
-      // The face may not be one of the triangulation's: the sphere is looked at once more, for points on any side, finished or not.
+      // The face may not be one of the triangulation's: the sphere is looked at once more, for points on any side,
+      // finished or not.
       std::array<Tile::Range, 3> ranges;
       if (!tile_.ranges(box_of(sphere_), ranges)) continue;
       bool is_empty = true;

@@ -1,8 +1,8 @@
-// What: the points of a leaf and those around it, in the leaf's cells: all that is needed to find the tetrahedra at the leaf's
+// What: the points of a leaf and those around it, in the leaf's cells: sufficient to find the tetrahedra at the leaf's
 //       points, unless their balls are large.
-// Law:  every point whose cell is within the tile's is in it, and no other: a point of the leaf that is far from most of them may be
-//       outside. Points are in the order of cells.
-// Cost: some nanoseconds for each point looked at; three times as many as the leaf has, where points are spread evenly.
+// Law:  a point is in the tile if and only if its cell is within the tile's cells. So a point of the leaf that is far
+//       from most of the leaf may be outside. Points are in the order of cells.
+// Cost: some nanoseconds for each point visited; three times as many as the leaf has, where points are spread evenly.
 #pragma once
 
 #include <array>
@@ -20,17 +20,17 @@ class Tile {
   /// A position among the tile's points.
   using Local = std::uint32_t;
   static constexpr std::size_t most_points = 1u << 16;
-  /// Cells around those of the leaf.
+  /// Number of layers of cells around those of the leaf.
   static constexpr int margin = 3;
 
-  /// Replaces the points. Returns: false if there are too many, or the cells are too small for their coordinates.
+  /// Replaces the points. Returns false if there are too many, or the cells are too small for their coordinates.
   bool gather(const Leaves& leaves, std::size_t leaf);
 
   std::size_t size() const { return size_; }
   double x(Local i) const { return x_[i]; }
   double y(Local i) const { return y_[i]; }
   double z(Local i) const { return z_[i]; }
-  /// May be read a register beyond the end.
+  /// Returns the coordinates, readable up to one register beyond the end.
   const double* x() const { return x_.data(); }
   const double* y() const { return y_.data(); }
   const double* z() const { return z_.data(); }
@@ -38,7 +38,7 @@ class Tile {
   bool is_own(Local i) const { return place_[i] - first_own_ < own_; }
   Place first_own() const { return first_own_; }
 
-  /// Cells are numbered from 0 along each axis, those along z being neighbors.
+  /// Returns the number of cells along each axis. Cells are numbered from 0; consecutive numbers are neighbors along z.
   const std::array<int, 3>& cells() const { return cells_; }
   std::size_t cell(int x, int y, int z) const {
     return (static_cast<std::size_t>(x) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *
@@ -47,11 +47,12 @@ class Tile {
   }
   Local first_in(std::size_t cell) const { return start_[cell]; }
 
-  /// The cells that a box meets, as far as there may be points: from `low` to `high` along an axis.
+  /// A range of cells along an axis, from `low` to `high`.
   struct Range {
     int low, high;
   };
-  /// Returns: false if it has cells in which there may be points that are not in the tile.
+  /// Finds the cells that a box meets, as far as they may contain points. Returns false if it meets cells that may
+  /// contain points outside of the tile.
   bool ranges(const Box3& box, std::array<Range, 3>& of) const;
 
  private:
@@ -64,7 +65,7 @@ class Tile {
   std::vector<double> x_, y_, z_;
   std::vector<Place> place_;
   std::vector<Local> start_;
-  // Before they are sorted.
+  // The points before sorting.
   std::vector<Place> unsorted_;
   std::vector<std::uint32_t> cell_of_;
 };

@@ -1,6 +1,7 @@
-// What: the fourth corner of the tetrahedron on a side of a triangle (v, q, r), among the points near v, in double.
-// Law:  certain or left open. The same quotients as in clip_triples-inl.h, whose derivation holds for any precision; here lanes
-//       are points, and lengths are those of the input.
+// What: finds the fourth corner of the tetrahedron on a side of a triangle (v, q, r), among the points near v, in
+//       double precision.
+// Law:  certain or left open. The quotients are those of clip_triples-inl.h, whose derivation holds for any precision;
+//       here each lane is a point, and lengths are in units of the input.
 #if defined(RBPA_SPACE_TRIPLES_APEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_APEX_INL_H_
 #undef RBPA_SPACE_TRIPLES_APEX_INL_H_
@@ -28,10 +29,10 @@ namespace {
 using rbpa::HWY_NAMESPACE::bits_of;
 using rbpa::HWY_NAMESPACE::mask_of;
 
-/// What is known of a side of a triangle.
+/// The result for a side of a triangle.
 enum class Side {
   none,   ///< no tetrahedron of circumradius at most alpha with its apex after r
-  found,  ///< one
+  found,  ///< one such tetrahedron
   open,   ///< uncertain
 };
 
@@ -49,12 +50,12 @@ class ApexSearch {
     Vector3<double> x = cross(m, n);
     x = {x.x * inverse, x.y * inverse, x.z * inverse};
     const double kappa = std::sqrt(uu * ww * inverse), error = 512 * roundoff * kappa * alpha_ * alpha_;
-    is_bounded_ = kappa < 0x1p40;  // false for what is no number
+    is_bounded_ = kappa < 0x1p40;  // false for NaN too
     least_b_ = 64 * roundoff * std::sqrt(uu * ww) * alpha_;
     const double left = alpha_ * alpha_ - dot(x, x) / 4;
     farthest_ = std::sqrt(std::max(0.0, left + error) * inverse);
     nearest_ = left > error ? std::sqrt((left - error) * inverse) : 0;
-    const double loose = 16 * roundoff * kappa + 0x1p-40;  // n is off by less than 6uκ of it
+    const double loose = 16 * roundoff * kappa + 0x1p-40;  // the error of n is less than 6uκ of its length
     farthest_ *= 1 + loose;
     nearest_ *= 1 - loose;
     q_ = q, r_ = r, after_ = near.after();
@@ -79,7 +80,8 @@ class ApexSearch {
       const auto is_near_plane = hn::And(others, hn::Le(hn::Abs(b), hn::Set(d, least_b_)));
       const auto weak_a = hn::Add(a, e), strong_a = hn::Sub(a, e);
       if (!hn::AllFalse(d, is_near_plane)) {
-        // In the plane, or nearly: then it is inside every ball of the triangle, outside of them all, or nothing is certain.
+        // A point in the plane, or nearly: it is inside every ball of the triangle, outside of all, or the result is
+        // uncertain.
         const auto is_inside = hn::And(is_near_plane, hn::Lt(weak_a, hn::Neg(e)));
         const auto is_outside = hn::And(is_near_plane, hn::Gt(strong_a, e));
         if (!hn::AllFalse(d, is_inside)) is_violated_ = true;
@@ -93,7 +95,7 @@ class ApexSearch {
       upper_strong = hn::IfThenElse(is_above, hn::Min(strong, upper_strong), upper_strong);
       lower = hn::IfThenElse(is_below, hn::Max(weak, lower), lower);
       lower_strong = hn::IfThenElse(is_below, hn::Max(strong, lower_strong), lower_strong);
-      // A point that is on neither side is no side's first.
+      // A point on neither side is never the first on a side.
       hn::StoreU(hn::IfThenElse(is_above, strong, infinity), d, &above_[p]);
       hn::StoreU(hn::IfThenElse(is_below, strong, hn::Neg(infinity)), d, &below_[p]);
     }
@@ -104,12 +106,13 @@ class ApexSearch {
     size_ = size;
   }
 
-  /// What is on the side of positive t, or of negative t. Where there is one, apex() is its position among the near points.
+  /// Decides the side of positive or of negative t. If the result is `found`, apex() is the position of the apex among
+  /// the near points.
   HWY_INLINE Side look(bool is_positive) {
     if (!is_bounded_) return Side::open;
     if (is_violated_) return Side::none;
     if (is_flat_) return Side::open;
-    // By a reflection all is as for positive t: the first above is the one whose t is least.
+    // A reflection reduces negative t to positive t: the first point above is the one with the least t.
     const double first_weak = is_positive ? upper_ : -lower_,
                  first_strong = is_positive ? upper_strong_ : -lower_strong_;
     const double last_weak = is_positive ? lower_ : -upper_, last_strong = is_positive ? lower_strong_ : -upper_strong_;
@@ -130,7 +133,7 @@ class ApexSearch {
   std::size_t apex() const { return apex_; }
 
  private:
-  /// The lanes from p on that are near points, and neither q nor r.
+  /// Returns the lanes from p on that are near points other than q and r.
   HWY_INLINE hn::Mask<Doubles> others_at(std::size_t p, std::size_t size) const {
     const Doubles d;
     std::uint64_t lanes = size - p < double_lanes ? (std::uint64_t{1} << (size - p)) - 1 : ~std::uint64_t{0};
@@ -142,13 +145,13 @@ class ApexSearch {
   double alpha_;
   std::size_t q_ = 0, r_ = 0, after_ = 0, size_ = 0, apex_ = 0;
   bool is_bounded_ = false;
-  bool is_violated_ = false;  // a point in the plane is inside of every ball
-  bool is_flat_ = false;      // one in the plane may touch them all
+  bool is_violated_ = false;  // a point in the plane is inside every ball
+  bool is_flat_ = false;      // a point in the plane may touch every ball
   double least_b_ = 0;
   double farthest_ = 0, nearest_ = 0;  // T, at most and at least
-  // Of positive and of negative b: the least, and the greatest (a + E) / b and (a − E) / b.
+  // For points of positive and of negative b: the least, and the greatest, (a + E) / b and (a − E) / b.
   double upper_ = 0, lower_ = 0, upper_strong_ = 0, lower_strong_ = 0;
-  std::vector<double> above_, below_;  // (a − E) / b of each near point, or infinite
+  std::vector<double> above_, below_;  // (a − E) / b for each near point, or infinity
 };
 
 }  // namespace

@@ -1,12 +1,14 @@
-// What: a register of triangles (v, q, r), and which sides of each may have a tetrahedron whose other corner comes after r.
-// Law:  conservative: what is left out has none. docs/solid_triples.md derives the bounds.
-// How:  in alphas, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r and
-//       x = (|q|² r − |r|² q) × n / n². Such a ball holds p unless t b ≤ a, for a = p² − p · x and b = 2 p · n. Where the center
-//       is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| / |n|; 512 are used. So the
-//       t left by all points are between L and U, from (a + E) / b, and no apex after r has its t before (a − E) / b.
+// What: a register of triangles (v, q, r), and the sides of each on which there may be a tetrahedron whose fourth
+//       corner comes after r.
+// Law:  conservative: a side that is left out has no tetrahedron. docs/solid_triples.md derives the bounds.
+// How:  in units of alpha, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r
+//       and x = (|q|² r − |r|² q) × n / n². Such a ball contains p unless t b ≤ a, for a = p² − p · x and b = 2 p · n.
+//       Where the center is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| /
+//       |n|; 512 are used. So the t that all points leave are between L and U, from (a + E) / b, and an apex after r
+//       has no t before (a − E) / b.
 //
 //            L            A      U     T        t
-//       -----|------------|------|-----|------->      A: least (a − E) / b of a point after r.  Tried if A ≤ U and L ≤ U.
+//       -----|------------|------|-----|------->    A: least (a − E) / b of a point after r. Tried if A ≤ U and L ≤ U.
 #if defined(RBPA_SPACE_TRIPLES_CLIP_TRIPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_CLIP_TRIPLES_INL_H_
 #undef RBPA_SPACE_TRIPLES_CLIP_TRIPLES_INL_H_
@@ -37,10 +39,10 @@ using Single = hn::Vec<Singles>;
 
 using Vector = Vector3Lanes<Single>;
 
-/// The pairs (q, r) of points after v, by their positions among the points near v: q << 16 | r.
+/// The pairs (q, r) of points after v, as positions among the points near v: q << 16 | r.
 class Pairs {
  public:
-  /// Lists those whose triangle with v may have a circumradius of at most one alpha.
+  /// Lists the pairs whose triangle with v may have a circumradius of at most one alpha.
   HWY_INLINE void list(const NearPoints& near) {
     const Singles d;
     const SingleNumbers di;
@@ -56,7 +58,7 @@ class Pairs {
         const Single rr = hn::LoadU(d, &near.square[r]);
         const Vector n = cross(at_q, at_r),
                      side = {hn::Sub(at_r.x, at_q.x), hn::Sub(at_r.y, at_q.y), hn::Sub(at_r.z, at_q.z)};
-        // q² r² (q − r)² ≤ 4 n², n being off by 6u |q| |r|, so n² by less than 2⁻⁷ n² + 2⁻³⁴ q² r².
+        // q² r² (q − r)² ≤ 4 n². The error of n is 6u |q| |r|, so that of n² is less than 2⁻⁷ n² + 2⁻³⁴ q² r².
         const Single squares = hn::Mul(qq, rr);
         const Single underflow = hn::Set(d, 0x1p-120f);
         const Single most =
@@ -68,7 +70,7 @@ class Pairs {
         count_ += hn::CountTrue(d, keep);
       }
     }
-    for (std::size_t i = count_; i < count_ + single_lanes; ++i) pairs_[i] = 1;  // any pair
+    for (std::size_t i = count_; i < count_ + single_lanes; ++i) pairs_[i] = 1;  // any valid pair
   }
   std::size_t size() const { return count_; }
   const std::int32_t* operator[](std::size_t i) const { return &pairs_[i]; }
@@ -78,12 +80,12 @@ class Pairs {
   std::size_t count_ = 0;
 };
 
-/// As many bits as there are lanes, for the side of positive and of negative t.
+/// A bit for each lane, for the side of positive and of negative t.
 struct Sides {
   std::uint64_t positive, negative;
 };
 
-/// Values at positions of a table: of one or two registers by permutations, of a longer one by loads.
+/// Looks up values in a table: by permutations in a table of one or two registers, by loads in a longer one.
 template <int kRegisters>
 class Lookup {
  public:
@@ -139,7 +141,7 @@ class Triangles {
     is_bounded = hn::And(hn::Lt(kappa, hn::Set(d, 0x1p13f)), hn::Ge(squares, hn::Set(d, 0x1p-60f)));
   }
 
-  /// Of a near point: b; a / b and E / b, rounded.
+  /// The values of a near point: b, and a / b and E / b rounded.
   struct Cut {
     Single b, t, error;
   };
@@ -152,10 +154,10 @@ class Triangles {
     return {b, hn::Mul(a, over), hn::Mul(error_, over)};
   }
 
-  hn::Vec<SingleNumbers> r_number;  ///< position of r
-  Single farthest, least_b;         ///< T; what b may be off by
-  hn::Mask<Singles> is_small;       ///< the circumradius of the triangle may be within alpha
-  hn::Mask<Singles> is_bounded;     ///< the bounds hold: false also for what is hardly a triangle, and no number
+  hn::Vec<SingleNumbers> r_number;  ///< position of r among the near points
+  Single farthest, least_b;         ///< T; the greatest error of b
+  hn::Mask<Singles> is_small;       ///< the circumradius of the triangle may be at most alpha
+  hn::Mask<Singles> is_bounded;     ///< the bounds hold; false also for nearly degenerate triangles and NaN
 
  private:
   const NearPoints& near_;
@@ -163,17 +165,17 @@ class Triangles {
   Single error_;
 };
 
-/// What is compared is widened by more than a reciprocal is off.
+/// Widens a value before a comparison, by more than the error of an approximate reciprocal.
 HWY_INLINE Single raised(Single t) { return hn::MulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 HWY_INLINE Single lowered(Single t) { return hn::NegMulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 
-/// Pairs whose triangles all points leave something of the line of centers: its ends, L and U.
+/// Pairs for whose triangles the points leave part of the line of centers, between L and U.
 class OpenTriangles {
  public:
   void clear() { count_ = 0; }
   std::size_t size() const { return count_; }
 
-  /// Appends those of a register of pairs, of which the first `used` count.
+  /// Appends the open ones of a register of pairs; only the first `used` pairs are valid.
   template <int kRegisters>
   HWY_INLINE void append(const NearPoints& near, const std::int32_t* pairs, std::size_t used) {
     const Singles d;
@@ -204,13 +206,13 @@ class OpenTriangles {
     count_ += hn::CountTrue(d, is_open);
   }
 
-  /// The sides to be tried of a register of triangles from i on.
+  /// Returns the sides to be tried of a register of triangles, from triangle i on.
   template <int kRegisters>
   HWY_INLINE Sides sides(const NearPoints& near, std::size_t i) {
     const Singles d;
     const SingleNumbers di;
     const Single zero = hn::Zero(d), beyond = hn::Set(d, 1e30f);
-    if (count_ - i < single_lanes) std::fill_n(&pairs_[count_], single_lanes, 1);  // any pair
+    if (count_ - i < single_lanes) std::fill_n(&pairs_[count_], single_lanes, 1);  // any valid pair
     const Triangles<kRegisters> triangles(near, &pairs_[i]);
     Single first_above = beyond, first_below = hn::Neg(beyond), nearest_b = beyond;
     const std::size_t after = near.after();
@@ -230,7 +232,7 @@ class OpenTriangles {
     return {bits_of(d, hn::Or(is_above, is_any)) & used, bits_of(d, hn::Or(is_below, is_any)) & used};
   }
 
-  /// Positions of q and r among the near points.
+  /// Returns the position of q, or r, among the near points.
   std::size_t q(std::size_t i) const { return static_cast<std::size_t>(pairs_[i] >> 16); }
   std::size_t r(std::size_t i) const { return static_cast<std::size_t>(pairs_[i] & 0xffff); }
 

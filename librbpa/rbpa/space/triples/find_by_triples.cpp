@@ -152,7 +152,8 @@ bool find_by_triples(const Cells& cells, double alpha, std::size_t first_cell, s
 
 namespace {
 
-/// Of the points in the cells around some points, the share within the radius of the cells, which depends on whether points fill a volume or lie on a surface.
+/// Of the points in the cells around some points, the share within the radius of the cells, which depends on whether
+/// points fill a volume or lie on a surface.
 double share_of_near(const Cells& cells) {
   constexpr std::size_t samples = 512;
   const std::size_t stride = cells.size() / samples + 1;

@@ -1,5 +1,5 @@
-// What: the points near a point, those after it in the order of sites first, in single and double precision. Compiled once for
-//       each kind of vector unit; no include guard but the compiler's own per kind.
+// What: the points near a point, those after it in the order of sites first, in single and double precision. Compiled
+//       once for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_
 #undef RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_
@@ -29,7 +29,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using DoubleNumbers = hn::RebindToSigned<Doubles>;
 inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lanes = hn::MaxLanes(Doubles());
 
-/// The sites in the cells around a cell, in their order. Arrays may be read a register beyond their ends.
+/// The sites in the cells around a cell, in their order. Arrays are readable up to one register beyond their ends.
 class Block {
  public:
   explicit Block(double alpha) : inverse_(1 / alpha) {}
@@ -46,7 +46,8 @@ class Block {
       float *const to_x = &x[count_], *const to_y = &y[count_], *const to_z = &z[count_];
       Site* const to_site = &sites[count_];
       for (std::size_t i = 0; i < count; ++i) {
-        // In alphas, from the cell's first point: below 8, if it is near one of the cell's, and off by 2⁻²¹ at most.
+        // In units of alpha, relative to the cell's first point: below 8 for points near one of the cell's, with an
+        // error of at most 2⁻²¹.
         const Point3& p = points[first + i];
         to_x[i] = static_cast<float>((p.x - origin.x) * inverse_);
         to_y[i] = static_cast<float>((p.y - origin.y) * inverse_);
@@ -57,7 +58,7 @@ class Block {
     });
   }
   std::size_t size() const { return count_; }
-  /// The position of the first site of the cell.
+  /// Returns the position of the first site of the cell.
   std::size_t own() const { return own_; }
 
   std::vector<float> x, y, z;
@@ -75,13 +76,13 @@ class Block {
   std::size_t count_ = 0, own_ = 0;
 };
 
-/// The points within 2 alpha of a point v, and hardly any other, from v: the ones after v in the order of sites, in this order,
-/// then the ones before. All arrays may be read a register beyond their ends.
+/// The points within 2 alpha of a point v, and possibly few others, relative to v: first those after v in the order of
+/// sites, in this order, then those before. Arrays are readable up to one register beyond their ends.
 class NearPoints {
  public:
   explicit NearPoints(double alpha) : inverse_(1 / alpha) {}
 
-  /// Gathers those of the point at a position in the block.
+  /// Gathers the points near the point at position `at` of the block.
   HWY_INLINE void gather(const Block& block, std::size_t at, std::span<const Point3> points) {
     reserve(block.size());
     after_ = list(block, at, at + 1, block.size(), 0);
@@ -116,17 +117,17 @@ class NearPoints {
   std::size_t size() const { return count_; }
   std::size_t after() const { return after_; }
 
-  std::vector<double> dx, dy, dz;      ///< each rounded once
-  std::vector<float> x, y, z, square;  ///< in alphas, and the square of the length
+  std::vector<double> dx, dy, dz;      ///< each difference is rounded once
+  std::vector<float> x, y, z, square;  ///< in units of alpha, and the square of the length
   std::vector<Site> sites;
 
  private:
-  /// Lists the sites at positions from … to − 1 of the block that are near, behind the first `count`. Returns how many there are then.
+  /// Lists the near sites at positions from … to − 1 of the block, after the first `count`. Returns the new count.
   HWY_INLINE std::size_t list(const Block& block, std::size_t at, std::size_t from, std::size_t to, std::size_t count) {
     const Singles d;
     const hn::RebindToUnsigned<Singles> du;
     const auto vx = hn::Set(d, block.x[at]), vy = hn::Set(d, block.y[at]), vz = hn::Set(d, block.z[at]);
-    const auto farthest = hn::Set(d, 4 + 0x1p-14f);  // what is off by less is near
+    const auto farthest = hn::Set(d, 4 + 0x1p-14f);  // with room for the rounding errors
     const float *const bx = block.x.data(), *const by = block.y.data(), *const bz = block.z.data();
     const Site* const all = block.sites.data();
     Site* const listed = sites.data();

@@ -31,7 +31,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
 
-/// Every generated set of a moderate size is a group; a fifth of all points are in none. The points of the groups alternate.
+/// Every generated set of a moderate size is a group; a fifth of all points are in none. The points of the groups
+/// alternate.
 struct MixedSets {
   Points points;
   std::vector<std::uint32_t> labels;

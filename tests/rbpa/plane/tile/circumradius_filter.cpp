@@ -68,7 +68,8 @@ struct Counts {
   std::size_t inside = 0, outside = 0, uncertain = 0;
 };
 
-/// The filter's result for all triangles, checked. The front and the coordinates are used again, as they are from tile to tile.
+/// The filter's result for all triangles, checked. The front and the coordinates are used again, as they are from tile
+/// to tile.
 class Checked {
  public:
   Counts operator()(const Sample& sample, double alpha) {

@@ -157,7 +157,8 @@ TEST_CASE("normals of closed surfaces point outward, and nearly where they shoul
   check(box(12, 12, 12), 7);
 }
 
-/// A torus as a scanner with lines across its axis sees it: points along a line are a twentieth of the distance of lines.
+/// A torus as a scanner with lines across its axis sees it: points along a line are a twentieth of the distance of
+/// lines.
 Known scan_lines() {
   Known known;
   const int lines = 60;

@@ -22,7 +22,8 @@ Real square(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Each point is in its place, and around it are those that sorting all others by distance, then by coordinates, puts first.
+/// Each point is in its place, and around it are those that sorting all others by distance, then by coordinates, puts
+/// first.
 template <typename Real>
 void check(const Points3& points, std::size_t count) {
   rbpa::Threads threads(1);

@@ -29,8 +29,8 @@ struct Known {
   Points3 points, normals;
 };
 
-/// Over the square from −1 to 1: at random on both sides of a sheet of some thickness and on its rim, or for 0 on a sheet that has
-/// one; moved off it by noise.
+/// Over the square from −1 to 1: at random on both sides of a sheet of some thickness and on its rim, or for 0 on a
+/// sheet that has one; moved off it by noise.
 Known sheet(const std::string& name, std::size_t count, double thickness, double noise, const Height& height) {
   Random random(91);
   Known known{.name = name, .points = {}, .normals = {}};

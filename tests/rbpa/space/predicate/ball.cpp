@@ -35,7 +35,8 @@ Rational det(const Vector& u, const Vector& v, const Vector& w) {
 }
 int sign(const Rational& r) { return r.sign(); }
 
-/// The ball as textbooks have it: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals above.
+/// The ball as textbooks have it: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals
+/// above.
 struct RationalBall {
   RationalBall(const Point3& a, const Point3& b, const Point3& c, double radius)
       : u(from(a, b)), v(from(a, c)), n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x} {
@@ -142,7 +143,8 @@ TEST_CASE(
 }
 
 TEST_CASE("no filter decides wrongly: points on the sphere but for their rounding") {
-  // Of triangles as they come; much smaller than the ball; slivers; and as large as the ball allows, but for a few doubles.
+  // Of triangles as they come; much smaller than the ball; slivers; and as large as the ball allows, but for a few
+  // doubles.
   enum { any, small, sliver, just, shapes };
   using Long = rbpa::space::Vector3<long double>;
   Random random(64);

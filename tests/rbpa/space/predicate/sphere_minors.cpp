@@ -21,7 +21,8 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Any direction; of a length from 1 to 2^−70, or rounded to a grid. With few bits, so that sums of products are exact now and then.
+/// Any direction; of a length from 1 to 2^−70, or rounded to a grid. With few bits, so that sums of products are exact
+/// now and then.
 Point3 vector_of(Random& random) {
   const double length = std::ldexp(1.0, -static_cast<int>(random.below(random.below(2) == 0 ? 3 : 70)));
   const auto coordinate = [&] {

@@ -24,7 +24,8 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Of each site, and each of its triangles (v, x, y), the point z of the triangle (v, z, x) to which the ball rolls about x.
+/// Of each site, and each of its triangles (v, x, y), the point z of the triangle (v, z, x) to which the ball rolls
+/// about x.
 using Turns = std::map<std::array<Site, 3>, Site>;
 
 struct Found {
