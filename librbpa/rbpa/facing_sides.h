@@ -17,7 +17,8 @@
 
 namespace rbpa {
 
-/// A side of the triangle (from, to, apex), counter-clockwise seen from its positive side; corners are indices of points.
+/// A side of the triangle (from, to, apex), which is counter-clockwise seen from its positive side; corners are point
+/// indices.
 struct EdgeSide {
   std::uint32_t from, to, apex;
   std::uint32_t triangle;  ///< chosen by the caller

@@ -49,8 +49,8 @@ struct FillOptions {
   /// Called every few milliseconds with the number of triangles so far; returning false cancels the run. Empty: never
   /// called.
   std::function<bool(const Progress&)> progress = {};
-  /// Called once, before the first triangle, with an estimate of their number (fill/size_estimate.h states its accuracy),
-  /// so that a caller can compare it with the available memory. An exception that it throws ends the run. Empty: never
+  /// Called once, before the first triangle, with an estimate of their number, so that a caller can compare it with the
+  /// available memory; fill/size_estimate.h states its accuracy. An exception that it throws ends the run. Empty: never
   /// called.
   std::function<void(double)> estimated = {};
 
@@ -61,9 +61,9 @@ struct Filling {
   /// The input points under their indices, whether used or not; then the points inserted on edges of the boundary; then
   /// those inside.
   std::vector<Point> points;
-  /// number of points that are of the input or on edges that were cut; they come first
+  /// Number of points that are of the input or on cut edges; they come first.
   std::size_t boundary_points = 0;
-  /// Counter-clockwise, the smallest index first, in lexicographic order.
+  /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
   std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
   /// The triangle across from each corner, or TriangleArrays::none. Groups are neighbors along the edges that they

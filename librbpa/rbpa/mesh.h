@@ -6,7 +6,7 @@
 
 namespace rbpa {
 
-/// Coordinates are doubles: OpenMesh's default, float, cannot hold the input.
+/// Traits of the mesh. Coordinates are doubles, as OpenMesh's default, float, cannot hold the input.
 struct MeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;

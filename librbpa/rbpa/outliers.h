@@ -28,8 +28,8 @@ struct OutlierOptions {
   std::size_t neighbors = 8;
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called repeatedly, with no triangles, one call at a time but from any thread of the run. Returning false cancels the run.
-  /// Empty: never called.
+  /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
+  /// the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 

@@ -1,8 +1,8 @@
 // What:   the contribution of a region of the plane to a solid alpha complex: counts, finished polygons, and the rim,
 //         which depends on regions not merged yet. Contributions of all regions merge to the whole.
 // Law:    partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
-//         commutative: bytes (bytes.h) depend on which regions were merged, not on the order. When the whole plane is
-//         merged, finish() returns what rbpa(), count() and polygons() compute for all points.
+//         commutative: bytes (partial_bytes.h) depend on which regions were merged, not on the order. When the whole
+//         plane is merged, finish() returns what rbpa(), count() and polygons() compute for all points.
 // Cost:   that of triangulate(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
 //         kept in memory.
 // Source: docs/partial.md.

@@ -33,7 +33,7 @@ class RBPA_API RollingBall {
   RollingBall& operator=(RollingBall&&) noexcept;
   ~RollingBall();
 
-  /// All input points.
+  /// Returns all input points.
   std::span<const Point3> points() const;
 
   /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until it touches a point p.

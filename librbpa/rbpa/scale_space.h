@@ -27,8 +27,8 @@ struct ScaleSpaceOptions {
   std::size_t neighbors = 30;
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called repeatedly, with no triangles, one call at a time but from any thread of the run. Returning false cancels the run.
-  /// Empty: never called.
+  /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
+  /// the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 

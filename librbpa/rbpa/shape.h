@@ -33,7 +33,8 @@ struct Polygon {
   /// Clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
   std::vector<Ring> holes = {};
   double area = 0;  ///< of the shell without the holes: the real number rounded once
-  /// Of all rings, with an error of at most 4 · 2⁻⁵³ of itself; infinite, as is the area, beyond the range of double.
+  /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³; infinite, as is the area, beyond the range of
+  /// double.
   double perimeter = 0;
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };

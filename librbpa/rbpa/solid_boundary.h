@@ -40,7 +40,7 @@ RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& bo
 
 struct BoundaryMeasures {
   double volume = 0;  ///< of the solid, with a relative error of at most 2⁻⁵²; by the divergence theorem
-  /// With an error of at most 2⁻⁵⁰ of the sum, over all triangles, of the product of two of their sides.
+  /// Area, with an error of at most 2⁻⁵⁰ of the sum, over all triangles, of the product of two of their sides.
   double area = 0;
 };
 

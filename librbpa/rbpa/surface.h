@@ -24,8 +24,8 @@ namespace rbpa {
 struct SurfaceOptions {
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
-  /// Called repeatedly with the number of exposed triangles, one call at a time but from any thread of the run. Returning false
-  /// cancels the run. Empty: never called.
+  /// Called repeatedly with the number of exposed triangles so far, one call at a time but from any thread of the run.
+  /// Returning false cancels the run. Empty: never called.
   std::function<bool(const Progress&)> progress = {};
 };
 

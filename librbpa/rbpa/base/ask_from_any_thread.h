@@ -1,4 +1,4 @@
-// What: a function that returns whether to continue, called by several threads.
+// What: a function that decides whether to continue, made callable from several threads.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ namespace rbpa {
 /// Calls the function from any thread, one call at a time. Throws: Cancelled.
 class AskFromAnyThread {
  public:
-  /// Keeps a reference. Empty: asks nobody.
+  /// Keeps a reference. An empty function always continues.
   explicit AskFromAnyThread(const std::function<bool()>& go_on) : go_on_(go_on) {}
   void operator()() {
     if (!go_on_) return;

@@ -1,5 +1,5 @@
 // What: walks along boundary sides of triangles in arrays.
-// Law:  a walk that comes to a point where the complex touches itself (a pinch) goes on at the same fan of triangles.
+// Law:  at a point where the complex touches itself (a pinch), a walk continues along the same fan of triangles.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +22,20 @@ class BoundaryWalk {
   /// Keeps the spans. Requires: as require_linked().
   explicit BoundaryWalk(const TriangleArrays& of) : of_(of), seen_(of.triangles.size(), 0) {}
 
-  /// A boundary side that no curve has passed.
+  /// Returns whether the side is a boundary side that no curve has passed yet.
   bool is_new(const BoundarySide& side) const {
     return neighbor(side) == TriangleArrays::none &&
            (static_cast<unsigned>(seen_[side.triangle]) >> side.across & 1U) == 0;
   }
 
-  /// The points of the whole curve of a side that is new, with the triangles to the right; none of its sides is new any
-  /// more.
+  /// Returns the points of the whole curve through a new side, with the triangles to the right. None of its sides is
+  /// new afterwards.
   std::vector<std::uint32_t> curve_from(const BoundarySide& side) {
     std::vector<std::uint32_t> points;
     walk_from(side, [&](const BoundarySide& at) { points.push_back(of_.triangles[at.triangle][(at.across + 2) % 3]); });
     return points;
   }
-  /// The same, calling visit(side) for each side of the curve in this order.
+  /// Walks along the whole curve of a new side and calls visit(side) for each side in the order of curve_from().
   template <typename Visit>
   void walk_from(BoundarySide side, Visit visit) {
     for (; is_new(side); side = side_before(side)) {
@@ -45,7 +45,7 @@ class BoundaryWalk {
   }
 
  private:
-  /// The boundary side that ends where this one begins, at the other end of the fan around that point.
+  /// Returns the boundary side that ends where this one begins, at the other end of the fan around that point.
   BoundarySide side_before(const BoundarySide& side) const {
     const std::uint32_t pivot = of_.triangles[side.triangle][(side.across + 1) % 3];
     BoundarySide at{side.triangle, (side.across + 2) % 3};
@@ -59,7 +59,7 @@ class BoundaryWalk {
   std::uint32_t neighbor(const BoundarySide& side) const { return of_.neighbors[side.triangle][side.across]; }
 
   TriangleArrays of_;
-  std::vector<std::uint8_t> seen_;  // of each triangle, a bit for each side
+  std::vector<std::uint8_t> seen_;  // for each triangle, a bit for each side
 };
 
 }  // namespace rbpa

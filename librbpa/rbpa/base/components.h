@@ -9,7 +9,8 @@
 
 namespace rbpa {
 
-/// Sets of triangles. Throws Cancelled; every triangle is a step.
+/// Returns the components as sets of triangles.
+/// Throws: Cancelled; every triangle is a step.
 inline meshops::DisjointSets components_of(const TriangleArrays& complex, Steps& step) {
   const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
   meshops::DisjointSets components(triangles);

@@ -1,4 +1,4 @@
-// What: points that repeat none before them.
+// What: visits the points that repeat no point before them.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace rbpa {
 
-/// Calls visit(index) for each of so many points that is no duplicate, ascending. Requires: duplicates ascend by index.
+/// Calls visit(index) for each of the indices below `points` that is no duplicate, ascending.
+/// Requires: duplicates ascend by index.
 template <typename Visit>
 void for_each_distinct(std::size_t points, std::span<const Duplicate> duplicates, Visit visit) {
   std::uint32_t i = 0;

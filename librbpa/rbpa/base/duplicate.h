@@ -1,4 +1,4 @@
-// What: points that are given more than once.
+// What: an input point that repeats one before it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What: the ways in which a computation of librbpa ends without a result.
+// What: the exceptions with which a computation of librbpa ends without a result.
 #pragma once
 
 #include <stdexcept>
@@ -8,13 +8,13 @@
 
 namespace rbpa {
 
-/// The caller's data or parameters violate the function's requirements; nothing was computed.
+/// Thrown when the caller's data or parameters violate the function's requirements; nothing was computed.
 class RBPA_API InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// The progress callback returned false.
+/// Thrown when the progress callback returned false.
 using meshops::Cancelled;
 
 }  // namespace rbpa

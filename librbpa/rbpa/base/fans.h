@@ -1,4 +1,4 @@
-// What: the fans of triangles around points: of those at one point, the ones that are linked around it.
+// What: the fans of triangles around points: triangles at one point that are linked around it form a fan.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,10 @@
 
 namespace rbpa {
 
-/// Sets of corners, one for each fan; corner k of triangle t is 3t + k.
-/// Requires: as require_linked(). Throws: Cancelled. Cost: linear.
+/// Returns the fans as sets of corners; corner k of triangle t is 3t + k.
+/// Requires: as require_linked().
+/// Throws:   Cancelled.
+/// Cost:     linear.
 inline meshops::DisjointSets fans_of(const TriangleArrays& arrays, Steps& step) {
   meshops::DisjointSets fans(3 * arrays.triangles.size());
   const auto corner_at = [&](std::uint32_t triangle, std::uint32_t point) {

@@ -1,4 +1,5 @@
-// What: what plateaus of the plane and of space have in common: what is worth one, what has structure, and which comes first.
+// What:   the rules that plateaus of the plane and of space share: the least length, the meaning of structure, and the
+//         ranking.
 // Source: docs/which_alpha.md.
 #pragma once
 
@@ -10,28 +11,29 @@
 
 namespace rbpa::plateau_rules {
 
-inline constexpr double least_ratio = 1.25;      // of a plateau that is worth a line
-inline constexpr std::size_t most_plateaus = 8;  // that are looked for
-inline constexpr double least_share = 0.5;       // of the points, covered where a plateau begins
+inline constexpr double least_ratio = 1.25;      // lower bound of to / from
+inline constexpr std::size_t most_plateaus = 8;  // maximum number of plateaus
+inline constexpr double least_share = 0.5;       // share of the points that must be covered where a plateau begins
 
-/// Several parts of weight, or holes of weight.
+/// Returns whether there are several parts of significant size, or holes of significant size.
 inline bool is_structured(double effective_parts, double hole_share) {
-  constexpr double one_part = 1.1;  // effective parts: one of 95 points of a hundred has 1.1
+  constexpr double one_part = 1.1;  // a part with 95 of 100 points has 1.1 effective parts
   constexpr double small_holes = 0.05;
   return effective_parts >= one_part || hole_share >= small_holes;
 }
 
 struct Weight {
   bool is_structured;
-  double covered;  ///< share of the points
+  double covered;  ///< share of the points that are covered
 };
 
-/// Parts that join into one piece later come first; then that piece, or what closes around it, such as the mouth of a
-/// crescent; the rest is what all points become in the end, or chance: then who leaves many points out is last.
-/// Calls weight_of(plateau); plateaus have `from`, `ratio` and `is_long`.
+/// Sorts plateaus, the best first. First come structured plateaus whose parts join into one piece later; then that
+/// piece, or what closes around it, such as the mouth of a crescent. The rest come from the union of all points or from
+/// chance; those that leave many points out are last. Calls weight_of(plateau); plateaus have `from`, `ratio` and
+/// `is_long`.
 template <typename Plateau, typename WeightOf>
 void rank(std::vector<Plateau>& plateaus, const WeightOf& weight_of) {
-  constexpr double most = 0.9;  // of the points
+  constexpr double most = 0.9;  // share of the points
   double piece = std::numeric_limits<double>::infinity();
   for (const Plateau& p : plateaus)
     if (p.is_long && !weight_of(p).is_structured) piece = std::min(piece, p.from);

@@ -1,4 +1,4 @@
-// What: a point of the plane, in the coordinates the user gave.
+// What: a point of the plane, in the user's coordinates.
 #pragma once
 
 #include <cmath>

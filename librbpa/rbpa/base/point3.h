@@ -1,4 +1,4 @@
-// What: a point of space, in the coordinates the user gave.
+// What: a point of space, in the user's coordinates.
 #pragma once
 
 #include <cmath>

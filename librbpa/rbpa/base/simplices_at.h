@@ -1,4 +1,4 @@
-// What: the triangles, or the tetrahedra, with a corner at a point or a vertex.
+// What: the triangles or tetrahedra that have a corner at a point.
 // Cost: linear.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// One more than the greatest corner.
+/// Returns one more than the greatest corner.
 template <std::size_t corners>
 std::size_t corner_bound(std::span<const std::array<std::uint32_t, corners>> simplices) {
   std::size_t bound = 0;
@@ -28,7 +28,7 @@ class SimplicesAt {
   /// Requires: corners below `points`.
   SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
       : begin_(points + 2, 0) {
-    // begin_[p + 1] is where those of p begin, until each that is put there has moved it to where they end.
+    // begin_[p + 1] is where the simplices at p begin; each simplex put there advances it, until it is where they end.
     for (const auto& simplex : simplices)
       for (const std::uint32_t corner : simplex) ++begin_[corner + std::size_t{2}];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -37,7 +37,7 @@ class SimplicesAt {
       for (const std::uint32_t corner : simplices[t]) simplices_[begin_[corner + std::size_t{1}]++] = t;
   }
 
-  /// Ascending.
+  /// Returns the simplices at a point, ascending.
   std::span<const std::uint32_t> operator[](std::size_t point) const {
     return std::span(simplices_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
   }

@@ -1,4 +1,4 @@
-// What: values sorted, each once.
+// What: sorts values and removes repetitions.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What: cancellation of loops and sorts.
+// What: cancellation within loops and sorts.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@ namespace rbpa {
 
 using meshops::Steps;
 
-/// std::sort(), each comparison a step. Throws Cancelled, with the values in any order.
+/// Sorts like std::sort(), each comparison being a step.
+/// Throws: Cancelled; the values are then in any order.
 template <typename Values, typename Less>
 void sort(Values& values, Steps& step, const Less& less) {
   std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) {

@@ -1,6 +1,6 @@
-// What: ranges of radii, long as a ratio of their ends, over which a measure of change hardly grows.
-// Law:  a function of the arguments alone; scaled radii have the same ranges.
-// Cost: linear in the radii, for each range that is looked for.
+// What:   finds ranges of radii, long as a ratio of their ends, over which a measure of change hardly grows.
+// Law:    a function of the arguments alone; scaled radii have the same ranges.
+// Cost:   linear in the radii, for each range that is sought.
 // Source: docs/which_alpha.md.
 #pragma once
 
@@ -12,25 +12,26 @@
 
 namespace rbpa {
 
-/// Steps from `first` up to `last`, which is not in it.
+/// The steps from `first` to `last`, which is excluded.
 struct StepRange {
   std::size_t first, last;
 };
 
 class StillRanges {
  public:
-  /// Of each step its radius, ascending, and the change until there, which never falls. What is beyond `reach` is as long as if it ended there. Keeps the span.
+  /// Takes for each step its radius, ascending, and the change up to it, which never decreases. Radii beyond `reach`
+  /// count as `reach` in the length of a range. Keeps the span.
   StillRanges(std::span<const double> alpha, std::vector<long double> change, double reach)
       : alpha_(alpha), change_(std::move(change)), reach_(reach) {}
 
-  /// Of the ends, at least 1.
+  /// Returns the ratio of the ends, at least 1.
   double ratio_of(const StepRange& range) const {
     const double to = range.last == alpha_.size() ? reach_ : std::min(reach_, alpha_[range.last]);
     return std::max(1.0, to / alpha_[range.first]);
   }
 
-  /// Ranges that have no step in common, the longest first, each the longest of what the ones before have left: at most `most`, and only the first one where its ratio
-  /// is below `least_ratio`.
+  /// Returns at most `most` disjoint ranges, the longest first; each is the longest in the steps that those before have
+  /// left. Ranges with a ratio below `least_ratio` are left out, except the first.
   std::vector<StepRange> longest(const StepRange& all, std::size_t most, double least_ratio) const {
     struct Left {
       StepRange range, longest;
@@ -58,9 +59,9 @@ class StillRanges {
   }
 
  private:
-  static constexpr long double tolerance = 1.1L;  // how much the change may grow within a range
+  static constexpr long double tolerance = 1.1L;  // factor by which the change may grow within a range
 
-  /// Of equally long ones the first.
+  /// Returns the longest range; of equally long ones the first.
   StepRange longest_in(const StepRange& within) const {
     StepRange longest{within.first, within.first};
     double greatest = 0;

@@ -1,4 +1,4 @@
-// What: a triangle as three numbers: indices of its corners, in a list of points of the plane or of space.
+// What: a triangle as the three indices of its corners, in a list of points of the plane or of space.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@ namespace rbpa {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The same, turned the same way, from its least corner on.
+/// Returns the same triangle, with the same orientation, from its least corner on.
 inline Triangle from_least(const Triangle& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-/// Stands for the index of a triangle, or of another item of a list, where there is none.
+/// The value that stands for no triangle, or no item of a list.
 inline constexpr std::uint32_t no_index = 0xffffffff;
 
 }  // namespace rbpa

@@ -9,7 +9,7 @@
 namespace rbpa {
 namespace {
 
-/// The triangle across from corner k has the same side, and this triangle across of it.
+/// Returns whether the triangle across from corner k has the same side and refers back to this triangle.
 bool is_linked(const TriangleArrays& arrays, std::size_t t, std::size_t k) {
   const std::uint32_t other = arrays.neighbors[t][k];
   if (other == TriangleArrays::none) return true;

@@ -1,4 +1,4 @@
-// What: a view of triangles and their neighbors.
+// What: a view of triangles and their neighbors, and the check that they agree.
 #pragma once
 
 #include <array>
@@ -13,25 +13,26 @@
 
 namespace rbpa {
 
-/// The triangles and neighbors of a Triangulation, which converts to this. Owns nothing.
+/// A view of triangles and neighbors, to which a Triangulation converts.
 struct TriangleArrays {
-  /// In `neighbors`, stands for no neighbor.
+  /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
   std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none
 };
 
-/// The same, owned.
+/// Triangles and their neighbors, which convert to a view.
 struct OwnedTriangles {
   std::vector<Triangle> triangles, neighbors;
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
+/// Checks that triangles and neighbors agree.
 /// Requires: corners are three different numbers below `points`; neighbors are triangles, and each is the other's
 ///           neighbor across the side that they share.
-/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is
+///           called every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on = {});
 

@@ -1,6 +1,7 @@
 // What:   double-double: numbers of twice the precision of double, as an unevaluated sum of two.
-// Law:    let u = 2⁻⁵³. A difference of doubles is exact; a product is off by at most 9u² of it, a sum or difference of
-//         two by at most 4u² of the sum of their sizes: docs/predicates.md. Requires what expansion.h requires.
+// Law:    let u = 2⁻⁵³. A difference of doubles is exact. The error of a product is at most 9u² of it, that of a sum or
+//         difference of two numbers at most 4u² of the sum of their sizes: docs/predicates.md. Requires the same as
+//         expansion.h.
 // Cost:   about thirty operations a product.
 // Source: Dekker, A floating-point technique for extending the available precision (1971).
 #pragma once
@@ -9,7 +10,7 @@
 
 namespace rbpa {
 
-/// |low| ≤ u |high|.
+/// The number high + low, with |low| ≤ u |high|.
 struct DoubleDouble {
   double high, low;
 
@@ -30,7 +31,7 @@ struct DoubleDouble {
     const double rest = product.low + (a.high * b.low + a.low * b.high), sum = product.high + rest;
     return {sum, rest - (sum - product.high)};
   }
-  /// By two steps of long division.
+  /// Divides by two steps of long division.
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
     const double first = a.high / b.high;
     const DoubleDouble rest = a - DoubleDouble{first, 0} * b;

@@ -7,7 +7,7 @@
 namespace rbpa {
 namespace {
 
-// The last bit of a product is 2^−2148 at least. Rounding finds three digits wherever the first is.
+// The last bit of a product is at least 2^−2148. Rounding needs three digits below the first one, wherever that is.
 constexpr int offset = 2336;
 constexpr std::int64_t digit_mask = 0xFFFFFFFF;
 
@@ -21,7 +21,8 @@ Scaled scaled(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const auto field = static_cast<int>((bits >> 52U) & 0x7FFU);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
-  const std::uint64_t first = field == 0 ? 0 : std::uint64_t{1} << 52U;  // subnormal numbers have none
+  // the implicit bit; subnormal numbers have none
+  const std::uint64_t first = field == 0 ? 0 : std::uint64_t{1} << 52U;
   return {first | fraction, std::max(field, 1) - 1075, (bits >> 63U) != 0};
 }
 
@@ -36,7 +37,7 @@ void ExactSum::add_bits(std::uint64_t bits, unsigned position, bool negative) {
   for (std::size_t i = 0; i < 3; ++i) digits_[digit + i] += negative ? -parts[i] : parts[i];
 }
 
-/// Bits are added at these positions, and between them.
+/// Records that bits are added at positions from `first_position` to `last_position`.
 void ExactSum::touch(unsigned first_position, unsigned last_position) {
   begin_ = std::min<std::size_t>(begin_, first_position / 32);
   end_ = std::max<std::size_t>(end_, last_position / 32 + 3);
@@ -80,14 +81,14 @@ void ExactSum::carry(Digits& digits) {
     digits[i] = digit & digit_mask;
     carried = digit >> 32;  // rounds down
   }
-  digits.back() += carried;  // keeps the sign
+  digits.back() += carried;  // the last digit keeps the sign
 }
 
 ExactSum& ExactSum::operator+=(const ExactSum& other) {
   const Digits added = other.digits();
   carry(digits_);
   for (std::size_t i = 0; i < added.size(); ++i) digits_[i] += added[i];
-  additions_ = 1;  // two digits that are carried are less than a product adds
+  additions_ = 1;  // after a carry, the sum of two digits is less than what one product adds
   begin_ = 0;
   end_ = digits_.size();
   return *this;
@@ -110,9 +111,10 @@ ExactSum ExactSum::of(const Digits& digits) {
 
 double ExactSum::rounded(int exponent) const {
   if (begin_ >= end_) return 0;
-  // The digits of the absolute value, as far as they are not 0.
+  // The digits of the absolute value, without leading zeros.
   Digits size;
-  // Returns: what is carried behind the last of them. A sum fills no more than all digits, so that there is none behind `size`.
+  // Fills `size` from digits and returns the carry out of the last one. A sum never exceeds all digits, so there is no
+  // carry out of `size`.
   const auto carried_from = [&](const Digits& digits, bool negative) {
     std::int64_t carried = 0;
     for (std::size_t i = begin_; i < end_; ++i) {
@@ -137,7 +139,7 @@ double ExactSum::rounded(int exponent) const {
     return top < begin_ + below ? std::uint64_t{0} : static_cast<std::uint64_t>(size[top - below]);
   };
 
-  // The first 64 bits, the last of which also stands for everything behind: then the conversion rounds as it must.
+  // The first 64 bits. The last of them is set if any lower bit is: then the conversion rounds correctly.
   const auto width = static_cast<unsigned>(std::bit_width(at(0)));
   std::uint64_t bits = (((at(0) << 32U) | at(1)) << (32 - width)) | (at(2) >> width);
   const bool more = (at(2) & ((std::uint64_t{1} << width) - 1)) != 0 ||

@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// The sum of `size` components, smallest first, none zero; no component overlaps another. Zero has no component.
+/// A sum of `size` components, smallest first, none zero; no component overlaps another. Zero has no component.
 template <int Capacity>
 struct Expansion {
   std::array<double, static_cast<unsigned>(Capacity)> component;
@@ -51,7 +51,7 @@ inline TwoTerms two_product(double a, double b) {
 
 }  // namespace detail
 
-/// a − b.
+/// Returns a − b, exactly.
 inline Expansion<2> difference(double a, double b) {
   const auto [high, low] = detail::two_sum(a, -b);
   Expansion<2> result;
@@ -93,7 +93,7 @@ Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
   return e + (-f);
 }
 
-/// e times one double (Shewchuk, scale expansion with zero elimination).
+/// Multiplies an expansion by one double (Shewchuk, scale expansion with zero elimination).
 template <int N>
 Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   Expansion<2 * N> result;
@@ -114,7 +114,8 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
 
 template <int N, int M>
 Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
-  // Adds up one scaled copy per component of f. The copies are few: differences of neighbors are mostly one component.
+  // One scaled copy of e is added for each component of f. The copies are few: differences of nearby coordinates mostly
+  // have one component.
   Expansion<2 * N * M> result;
   for (int j = 0; j < f.size; ++j) {
     const auto sum = result + e * f.component[static_cast<unsigned>(j)];

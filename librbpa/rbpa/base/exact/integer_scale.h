@@ -1,4 +1,4 @@
-// What: doubles as integers, all multiplied by one power of two.
+// What: converts doubles to integers, all multiplied by one power of two.
 // Law:  exact; an expression that is homogeneous in all of them keeps its sign.
 // Cost: grows with the span of the exponents.
 #pragma once
@@ -15,7 +15,7 @@ using Integer = boost::multiprecision::cpp_int;
 
 class IntegerScale {
  public:
-  /// Before the first number is computed.
+  /// Extends the scale to a value. To be called for all values before the first conversion.
   void include(double value) {
     if (value == 0) return;
     int exponent;
@@ -23,7 +23,7 @@ class IntegerScale {
     unit_ = std::min(unit_, exponent - 53);
   }
 
-  /// Requires: the value was included.
+  /// Returns the value as an integer. Requires: the value was included.
   Integer operator()(double value) const {
     if (value == 0) return 0;
     int exponent;

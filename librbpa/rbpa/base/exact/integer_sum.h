@@ -1,4 +1,4 @@
-// What: a sum of products of whole numbers of three, without any error.
+// What: sums products of whole numbers without any error, in three words.
 // Cost: two multiplications and a few additions a term.
 #pragma once
 
@@ -30,7 +30,7 @@ class IntegerSum {
   }
 
  private:
-  /// Of 32 bits.
+  /// Adds a number digit by digit, in digits of 32 bits.
   static void add_digits(ExactSum& sum, Integer128 rest, int exponent, int sign) {
     for (; rest != 0; rest >>= 32, exponent += 32) {
       const auto digit = sign * static_cast<std::int64_t>(rest & 0xffffffff);
@@ -38,7 +38,7 @@ class IntegerSum {
     }
   }
 
-  // They count 1, 2⁶⁴ and 2¹²⁸; the first two are not negative.
+  // Their weights are 1, 2⁶⁴ and 2¹²⁸; the first two are not negative.
   Integer128 low_ = 0, middle_ = 0, high_ = 0;
 };
 

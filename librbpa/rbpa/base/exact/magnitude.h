@@ -1,4 +1,4 @@
-// What: how many bits the input spans, which decides the arithmetic that its predicates need.
+// What: computes how many bits the input spans, which decides the arithmetic that its predicates need.
 // Why:  in an arithmetic whose exponents cannot leave their range, the error bounds of the filters count roundings
 //       only: underflow to zero and infinity need no consideration.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// Every nonzero coordinate is a multiple of 2^lowest and below 2^highest in absolute value.
+/// The span of bits of coordinates: every nonzero one is a multiple of 2^lowest and below 2^highest in absolute value.
 struct Magnitude {
   int lowest = 0;
   int highest = 0;
@@ -17,20 +17,23 @@ struct Magnitude {
 
 Magnitude magnitude(std::span<const Point> points);
 
-/// The same, but `lowest` is as if every coordinate had all its bits: lower, if it is another. In a third of the time.
-/// Requires: finite.
+/// Returns a bound on the magnitude in a third of the time: `lowest` is computed as if every coordinate used all its
+/// bits, so it may be lower than the exact one.
+/// Requires: finite points.
 Magnitude magnitude_bound(std::span<const Point> points);
 
-/// Differences of such coordinates are 0 or between 2^−150 and 2^151; every product of them in the predicates, of
-/// degree six at most, then lies between 2^−900 and 2^920, well inside the range of double. Products with alpha may
-/// leave it; what becomes of them (infinity, or no number) decides no comparison, and the exact stage does.
+/// The bounds on coordinates within which double is enough. Differences of such coordinates are 0 or between 2^−150 and
+/// 2^151. Every product of them in the predicates, of degree six at most, then lies between 2^−900 and 2^920, well
+/// inside the range of double. Products with alpha may leave it; the resulting infinity or NaN decides no comparison,
+/// and the exact stage does.
 inline constexpr int least_in_double = -150, largest_in_double = 150;
 constexpr bool fits_double(const Magnitude& m) { return m.lowest >= least_in_double && m.highest <= largest_in_double; }
 
-/// No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross| with sides below
-/// 2^(highest + 1.5) and a cross product of at least 2^(2 lowest), or below the second, half the shortest edge.
+/// Bounds on circumradii. No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross|
+/// with sides below 2^(highest + 1.5) and a cross product of at least 2^(2 lowest), or below the second, half the
+/// shortest edge.
 struct RadiusBounds {
-  int above_all;  ///< as powers of two
+  int above_all;  ///< exponents of powers of two
   int below_all;
 };
 constexpr RadiusBounds radius_bounds(const Magnitude& m) {

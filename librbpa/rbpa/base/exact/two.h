@@ -1,5 +1,5 @@
-// What: two numbers with which the same is computed, in one register where they are double.
-// Why:  half as many instructions. A compiler that combines them by itself does so late, and the instructions stall.
+// What: a pair of numbers with element-wise arithmetic, in one register if they are double.
+// Why:  half as many instructions. A compiler that vectorizes by itself does so late, and the instructions stall.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ struct TwoOf<double> {
   using Type = double __attribute__((vector_size(16)));
 };
 
-/// v[0] and v[1], with sums, differences and products of each.
+/// A pair v[0], v[1] with element-wise sums, differences and products.
 template <typename Real>
 using Two = typename TwoOf<Real>::Type;
 

@@ -1,6 +1,7 @@
-// What: moves chosen lanes to the front, several vectors alike. Compiled once for each kind of vector unit; no include guard but
-//       the compiler's own per kind.
-// Why:  Highway's Compress of 64-bit lanes copies a table to the stack at each call, as some compilers translate it.
+// What: moves chosen lanes of several vectors to the front. Compiled once for each kind of vector unit; the only
+//       include guard is the compiler's own per kind.
+// Why:  some compilers translate Highway's Compress of 64-bit lanes so that it copies a table to the stack at each
+//       call.
 #if defined(RBPA_BASE_LANES_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_COMPRESS_INL_H_
 #undef RBPA_BASE_LANES_COMPRESS_INL_H_
@@ -21,7 +22,7 @@ namespace rbpa {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The order of lanes of 64 bits, at most eight, in which those of set bits come first.
+/// Returns the order of at most eight 64-bit lanes in which those with set bits come first.
 template <typename D>
 class LanesToFront {
  public:

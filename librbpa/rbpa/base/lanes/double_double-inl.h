@@ -1,5 +1,5 @@
-// What:   double-double in the lanes of registers: base/exact/double_double.h, several at a time, with its bounds. Compiled once for each kind of
-//         vector unit; no include guard but the compiler's own per kind.
+// What:   double-double in the lanes of registers: base/exact/double_double.h for several numbers at a time, with its
+//         bounds. Compiled once for each kind of vector unit; the only include guard is the compiler's own per kind.
 // Source: Dekker, A floating-point technique for extending the available precision (1971).
 #if defined(RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_
@@ -15,7 +15,7 @@ namespace rbpa {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// |low| ≤ u |high|.
+/// The numbers high + low, with |low| ≤ u |high| in each lane.
 template <typename D>
 struct DoubleDoubleLanes {
   using V = hwy::HWY_NAMESPACE::Vec<D>;
@@ -30,7 +30,7 @@ struct DoubleDoubleLanes {
   static HWY_INLINE DoubleDoubleLanes product_of(V a, V b) {
     namespace hn = hwy::HWY_NAMESPACE;
     const V product = hn::Mul(a, b);
-    // Where products and sums are two operations, factors are split into halves.
+    // Without fused multiply-add, factors are split into halves.
     constexpr bool is_fused = (HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL | HWY_NEON)) != 0;
     if constexpr (is_fused) return {product, hn::MulSub(a, b, product)};
     const auto half = [](V x) HWY_ATTR {

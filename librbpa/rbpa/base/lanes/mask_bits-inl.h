@@ -1,5 +1,5 @@
-// What: a vector's mask as the bits of an integer, and back. Compiled once for each kind of vector unit; no include guard but
-//       the compiler's own per kind.
+// What: converts a vector's mask to the bits of an integer, and back. Compiled once for each kind of vector unit; the
+//       only include guard is the compiler's own per kind.
 #if defined(RBPA_BASE_LANES_MASK_BITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_MASK_BITS_INL_H_
 #undef RBPA_BASE_LANES_MASK_BITS_INL_H_
@@ -20,11 +20,11 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The integer that a mask is stored to, read back with the width of the store. Avoids a store-forwarding stall.
+/// The integer type to which a mask is stored; reading with the width of the store avoids a store-forwarding stall.
 template <typename D>
 using MaskBits = std::conditional_t<hn::MaxLanes(D()) == 16, std::uint16_t, std::uint8_t>;
 
-/// Bit i is that of lane i. Requires: at most 16 lanes.
+/// Returns the mask as bits: bit i is that of lane i. Requires: at most 16 lanes.
 template <typename D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   std::uint8_t bytes[8];  // StoreMaskBits may write all of them
@@ -34,7 +34,7 @@ HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   return bits;
 }
 
-/// Lane i is bit i; further bits are ignored. Requires: at most 16 lanes.
+/// Returns the mask whose lane i is bit i; further bits are ignored. Requires: at most 16 lanes.
 template <typename D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t all) {
   std::uint8_t bytes[8];  // LoadMaskBits may read all of them

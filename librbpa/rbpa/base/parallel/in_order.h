@@ -1,6 +1,7 @@
-// What: work on many items whose results come together in their order.
-// Law:  join(i) is called once for each i, ascending, one at a time; so what it makes does not depend on the threads.
-// Cost: a few microseconds an item beside the work; as many workspaces as items are under way.
+// What: processes many items in several threads and joins their results in order.
+// Law:  join(i) is called once for each i, ascending, one at a time; its result therefore does not depend on the
+//       threads.
+// Cost: a few microseconds an item besides the work; one workspace for each item in progress.
 #pragma once
 
 #ifndef RBPA_SERIAL
@@ -16,9 +17,10 @@
 
 namespace rbpa {
 
-/// For each i below `count`, calls work(i, workspace) in any thread, then join(i, workspace) in the order of i, then
-/// finish(i, workspace) in any thread. A workspace is one item's at a time, and is used again afterwards: the one that was
-/// released last, which is still in a cache. Rethrows what one of the calls throws; then some of the calls are never made.
+/// Calls for each i below `count` work(i, workspace) in any thread, then join(i, workspace) in the order of i, then
+/// finish(i, workspace) in any thread. A workspace belongs to one item at a time and is used again afterwards: the one
+/// that was released last comes first, as it is still in a cache. Rethrows an exception of any call; then some of the
+/// calls are never made.
 template <typename Workspace, typename Work, typename Join, typename Finish>
 void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish finish) {
   if (threads.count() == 1 || count <= 1) {

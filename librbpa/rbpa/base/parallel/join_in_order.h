@@ -1,6 +1,7 @@
-// What: long work on numbered items, shared among threads of the standard library, whose results are joined in order.
-// Law:  join(i) is called once for each i, ascending, one at a time; so what it makes does not depend on the threads.
-// Cost: some locks an item; of results as many wait for their turn as there are threads, at most.
+// What: processes long numbered items in threads of the standard library and joins the results in order.
+// Law:  join(i) is called once for each i, ascending, one at a time; its result therefore does not depend on the
+//       threads.
+// Cost: some locks an item; at most as many results wait for their turn as there are threads.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +17,17 @@
 
 namespace rbpa {
 
-/// What threads that share work agree on.
+/// The state that threads share.
 class SharedWork {
  public:
   explicit SharedWork(std::size_t count) : count_(count) {}
 
-  /// The next number, or `count` when there is none or someone has failed.
+  /// Returns the next number, or `count` when there is none or a thread has failed.
   std::size_t take() {
     const std::lock_guard lock(mutex_);
     return failure_ ? count_ : next_ < count_ ? next_++ : count_;
   }
-  /// Waits until all before `i` have passed on. Returns false when someone has failed.
+  /// Waits until all items before `i` have had their turn. Returns false when a thread has failed.
   bool wait_for_turn(std::size_t i) {
     std::unique_lock lock(mutex_);
     turned_.wait(lock, [&] { return failure_ || turn_ == i; });
@@ -37,8 +38,8 @@ class SharedWork {
     ++turn_;
     turned_.notify_all();
   }
-  /// Leaves a result among those that wait for their turn, when it is its turn or fewer than `most` wait. Whoever has the next
-  /// joins it and those that follow, while others go on. Returns false when someone has failed.
+  /// Stores a result among the waiting ones, once it is its turn or fewer than `most` wait. The thread that stores the
+  /// next result joins it and those that follow, while others work on. Returns false when a thread has failed.
   template <typename Result, typename Join>
   bool hand_in(std::size_t i, Result made, std::map<std::size_t, Result>& waiting, std::size_t most, Join& join) {
     std::unique_lock lock(mutex_);
@@ -59,7 +60,7 @@ class SharedWork {
     return !failure_;
   }
 
-  /// Runs loop() in so many threads, the calling one included; throws the first failure.
+  /// Runs loop() in `threads` threads, the calling one included; throws the first failure.
   template <typename Loop>
   void run(std::size_t threads, Loop loop) {
     const auto guarded = [&] {
@@ -87,9 +88,10 @@ class SharedWork {
   std::condition_variable turned_;
 };
 
-/// For each i below `count`, calls work(i) in one of so many threads, the calling one included, and join(i, result) in whichever
-/// has the next. A thread whose result is not the next goes on with other items where is_small(i), as long as fewer results
-/// wait than there are threads, and waits itself otherwise. Throws the first of what the calls throw; then some are never made.
+/// Calls for each i below `count` work(i) in one of `threads` threads, the calling one included, and join(i, result) in
+/// the thread that has the next result. A thread whose result is not the next one continues with other items if
+/// is_small(i), as long as fewer results wait than there are threads; otherwise it waits itself. Throws the first
+/// exception of any call; then some calls are never made.
 template <typename Work, typename IsSmall, typename Join>
 void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {
 #ifdef RBPA_SERIAL

@@ -1,6 +1,6 @@
 // What: the library's two ways to share work among threads, with the standard library alone.
-// Why:  for the thread sanitizer. It cannot see how oneTBB, which is not built with it, puts one piece of work before
-//       another, and would report that instead of our mistakes.
+// Why:  for the thread sanitizer. oneTBB is not built with it, so the sanitizer cannot see how oneTBB orders pieces of
+//       work, and would report false races.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What: items that one thread makes while another works on those before.
-// Law:  they come in the order in which they are made; so does what making one throws.
+// What: items that one thread produces while another processes those before.
+// Law:  the items come in the order in which they are produced; so does an exception of the producer.
 // Cost: a thread; some items wait.
 #pragma once
 
@@ -17,8 +17,7 @@ namespace rbpa {
 template <typename Item>
 class ReadAhead {
  public:
-  /// Calls make(item), one call at a time and in any thread, which returns false when there is no further one. At most `most`
-  /// items wait.
+  /// Calls make(item) in any thread, one call at a time, until it returns false at the end. At most `most` items wait.
   ReadAhead(std::size_t most, std::function<bool(Item&)> make) : most_(most), make_(std::move(make)) {
 #ifndef RBPA_SERIAL
     thread_ = std::jthread([this] { run(); });
@@ -32,7 +31,7 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// False at the end.
+  /// Takes the next item. Returns false at the end.
   bool next(Item& item) {
 #ifdef RBPA_SERIAL
     return make_(item = Item());
@@ -60,7 +59,7 @@ class ReadAhead {
     ended_ = true;
     changed_.notify_all();
   }
-  /// False when nobody wants more.
+  /// Stores an item. Returns false when no more items are wanted.
   bool put(Item item) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return waiting_.size() < most_ || unwanted_; });
@@ -72,12 +71,12 @@ class ReadAhead {
 
   std::size_t most_;
   std::function<bool(Item&)> make_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::deque<Item> waiting_ = {};
   bool ended_ = false, unwanted_ = false;
   std::exception_ptr failure_ = nullptr;
-  std::jthread thread_;  // the last, as it uses the others
+  std::jthread thread_;  // the last member, as it uses the others
 };
 
 }  // namespace rbpa

@@ -1,6 +1,6 @@
 // What: runs work in several threads.
-// Law:  what is computed depends on how work is divided, never on how many threads there are or which of them is first.
-//       With RBPA_SERIAL there is one, and no oneTBB.
+// Law:  the result depends on how work is divided, never on the number of threads or their order. With RBPA_SERIAL
+//       there is one thread, and no oneTBB.
 #pragma once
 
 #ifndef RBPA_SERIAL
@@ -19,7 +19,7 @@
 
 namespace rbpa {
 
-/// How many threads may work on something, the calling one included.
+/// The number of threads that may work on a task, the calling one included.
 #ifdef RBPA_SERIAL
 class Threads {
  public:
@@ -29,7 +29,7 @@ class Threads {
 #else
 class Threads {
  public:
-  /// At most as many as there are processors; 0: that many.
+  /// Uses `count` threads, at most as many as there are processors; 0 = all processors.
   explicit Threads(unsigned count = 1) {
     const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
     count_ = count == 0 ? processors : std::min(count, processors);
@@ -37,7 +37,7 @@ class Threads {
 
   std::size_t count() const { return count_; }
 
-  /// Calls run() where the library may use so many threads. Throws what it throws.
+  /// Calls run() in an arena of this number of threads. Throws its exceptions.
   template <typename Run>
   void execute(Run run) {
     if (!arena_) arena_.emplace(static_cast<int>(count_));
@@ -46,11 +46,11 @@ class Threads {
 
  private:
   unsigned count_;
-  std::optional<tbb::task_arena> arena_;  // one thread does without
+  std::optional<tbb::task_arena> arena_;  // absent for one thread
 };
 #endif
 
-/// Calls visit(i) for each i below `count`, in any order and thread. Throws what one of them throws.
+/// Calls visit(i) for each i below `count`, in any order and thread. Rethrows an exception of any call.
 template <typename Visit>
 void for_each_index(Threads& threads, std::size_t count, Visit visit) {
   if (threads.count() == 1 || count <= 1) {

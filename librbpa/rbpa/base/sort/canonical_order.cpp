@@ -15,19 +15,21 @@
 namespace rbpa {
 namespace {
 
-constexpr std::size_t corners_per_bucket = 1u << 11;  // whose triangles, up to six each, fit a cache of half a megabyte
-// Memory is requested in parts so small that the allocator may reuse freed parts, which need not be cleared again.
+// up to six triangles a corner: a bucket fits a cache of half a megabyte
+constexpr std::size_t corners_per_bucket = 1u << 11;
+// Memory is requested in parts small enough for the allocator to reuse freed parts, which need not be cleared again.
 constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
-constexpr std::size_t max_buckets = 1u << 11;         // whose ends fit the nearest cache
+constexpr std::size_t max_buckets = 1u << 11;         // so that the ends of all buckets fit the nearest cache
 
-/// Smallest corners are shifted by so much to be numbers of buckets. Blocks that stay nearly empty shall be few.
+/// Returns the number of bits by which smallest corners are shifted to become bucket numbers. Few blocks shall stay
+/// nearly empty.
 int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
   int shift = std::countr_zero(corners_per_bucket);
   while ((bound >> shift) >= std::min(max_buckets, most_open_blocks + 1)) ++shift;
   return shift;
 }
 
-/// An item without its smallest corner: the second and third one, to be compared at once.
+/// An item without its smallest corner: the second and third corner, to be compared at once.
 struct Rest {
   std::uint64_t key;
 };
@@ -42,8 +44,8 @@ Triangle corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
-/// All bits if b comes before a, or none: which is unpredictable, so that nothing may branch. (Of a choice between two
-/// values the compiler makes a branch where the next one depends on it.)
+/// Returns all bits if b comes before a, otherwise none. The comparison is unpredictable, so nothing may branch. (The
+/// compiler makes a branch of a choice between two values if the next choice depends on it.)
 template <typename R>
 std::uint64_t all_if_behind(const R& a, const R& b) {
   return -std::uint64_t{b.key < a.key};
@@ -75,8 +77,8 @@ struct Network<8> {
 };
 constexpr std::size_t max_network = 8;
 
-/// Calls put(place, rest) with a few rests in order. How many there are changes from corner to corner, and a branch for it
-/// would be foretold wrongly: they are sorted as if they were `size`, the others being greater than all, and put as well.
+/// Calls put(place, rest) with a few rests in order. Their number changes from corner to corner, and a branch on it
+/// would be mispredicted: `size` rests are sorted and put, the additional ones being greater than all.
 template <std::size_t size, typename R, typename Put>
 void put_few(const R* few, std::size_t count, Put put) {
   std::array<R, size> r;
@@ -92,8 +94,8 @@ void put_few(const R* few, std::size_t count, Put put) {
   for (std::size_t i = 0; i < size; ++i) put(i, r[i]);
 }
 
-/// Puts the triangles at one smallest corner in order: two on average, and up to a dozen where it is one of the least of
-/// all. Up to max_network are put in any case, those behind the last to no purpose.
+/// Puts the triangles at one smallest corner in order: two on average, and up to a dozen if it is one of the least
+/// corners of all. At least max_network are put; those behind the last have no meaning.
 template <typename R, typename Put>
 void put_star(R* star, std::size_t count, Put put) {
   if (count <= 4) return put_few<4>(star, count, put);
@@ -108,8 +110,8 @@ void put_star(R* star, std::size_t count, Put put) {
 template <typename Item>
 struct CanonicalOrder<Item>::Workspace {
   using Rests = std::vector<decltype(rest_of(Item()))>;
-  Rests rests;                      // by smallest corner, and max_network more; as with all
-  std::vector<std::uint32_t> next;  // of each smallest corner, where its next one goes
+  Rests rests;                      // by smallest corner; max_network additional ones at the end, for put_star()
+  std::vector<std::uint32_t> next;  // for each smallest corner, where its next triangle goes
   meshops::FreshVector<Triangle> triples;
   meshops::FreshVector<std::uint32_t> numbers;
   std::size_t count = 0;
@@ -167,7 +169,7 @@ std::vector<std::vector<typename CanonicalOrder<Item>::Run>> CanonicalOrder<Item
   return of_bucket;
 }
 
-/// By counting the smallest corners.
+/// Sorts a bucket by counting the smallest corners.
 template <typename Item>
 void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners,
                                 Workspace& workspace) const {
@@ -198,7 +200,7 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 
   std::size_t first = 0;
   for (std::size_t c = 0; c < corners; ++c) {
-    const std::size_t last = next[c];  // all of c are put, so this is where those of c + 1 begin
+    const std::size_t last = next[c];  // all triangles of c are put, so this is where those of c + 1 begin
     put_star(rests.data() + first, last - first, [&](std::size_t i, const auto& rest) {
       triples[first + i] = corners_of(first_corner + c, rest.key);
       if constexpr (std::is_same_v<Item, NumberedTriangle>) numbers[first + i] = rest.number;

@@ -1,7 +1,7 @@
 // What: brings triangles into canonical order: lexicographic, each from its smallest corner on.
-// Law:  the order depends on the triangles, and on nothing else: not on the order in which they come, nor on threads.
-// How:  a triangle is put into a bucket as soon as it comes. A bucket covers a range of smallest corners, and is a list of
-//       blocks of common memory, so that its size is not needed in advance, and nothing is moved:
+// Law:  the order depends on the triangles only, not on the order in which they come or on threads.
+// How:  a triangle is put into a bucket as soon as it comes. A bucket covers a range of smallest corners, and is a list
+//       of blocks of common memory: its size need not be known in advance, and nothing is moved:
 //
 //           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
 //
@@ -22,14 +22,15 @@
 
 namespace rbpa {
 
-/// `Item` is Triangle, or NumberedTriangle.
+/// A sorter of triangles. `Item` is Triangle, or NumberedTriangle.
 template <typename Item>
 class CanonicalOrder {
  public:
-  /// For at most `most` triangles, all corners being less than `bound`, which so many threads put in at a time.
+  /// Prepares for at most `most` triangles, with all corners below `bound`, written by at most `threads` threads at a
+  /// time.
   CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads);
 
-  /// Puts items in, in one thread at a time.
+  /// Adds items, in one thread at a time.
   class Writer {
    public:
     void add(const Item& item) {
@@ -45,7 +46,7 @@ class CanonicalOrder {
     explicit Writer(CanonicalOrder& order);
     void begin_block(std::size_t bucket);
 
-    /// A block that is not full: where the next item goes, and its end.
+    /// A block that is not full: the place of the next item, and the end.
     struct Open {
       Item *next, *end;
     };
@@ -55,11 +56,12 @@ class CanonicalOrder {
     };
     CanonicalOrder* order_;
     int shift_;
-    std::vector<Open> open_;     // of each bucket
-    std::vector<Block> blocks_;  // all that were begun
+    std::vector<Open> open_;     // one for each bucket
+    std::vector<Block> blocks_;  // all blocks that were begun
   };
 
-  /// Calls write(Writer&) with a writer that no other thread has meanwhile. From as many threads at a time as were announced.
+  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. At most the announced number of threads
+  /// may call it at a time.
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();
@@ -68,10 +70,10 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// All triangles in order. Nothing is added afterwards. `rank`, if any, gets the new place of each number. Calls `ask`, if any,
-  /// after each bucket, one call at a time; it may throw.
+  /// Returns all triangles in order. Nothing may be added afterwards. `rank`, if any, gets the new place of each
+  /// number. Calls `ask`, if any, after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
-  /// Likewise, of numbers that are not places: `numbers` gets the number of each triangle, in their order.
+  /// Returns the same for numbers that are not places: `numbers` gets the number of each triangle, in their order.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const std::function<void()>& ask = {});
   /// Frees the memory.
@@ -80,7 +82,7 @@ class CanonicalOrder {
  private:
   static constexpr std::size_t items_in_block = 256;  // 3 kilobytes
   static constexpr std::size_t items_ahead = 16;      // memory of a bucket is prefetched before it is written
-  /// A part of a bucket.
+  /// A contiguous part of a bucket.
   struct Run {
     const Item* first;
     std::size_t count;
@@ -101,7 +103,7 @@ class CanonicalOrder {
   std::size_t buckets_;
   std::size_t blocks_in_slab_;
   std::vector<meshops::FreshVector<Item>> slabs_;
-  std::size_t blocks_left_ = 0;  // of the last slab
+  std::size_t blocks_left_ = 0;  // blocks left in the last slab
   std::mutex slabs_mutex_, mutex_;
   std::vector<std::unique_ptr<Writer>> writers_;
   std::vector<Writer*> idle_;

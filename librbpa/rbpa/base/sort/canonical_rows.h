@@ -1,8 +1,9 @@
 // What: brings rows of four numbers, such as tetrahedra, into lexicographic order.
-// Law:  the order depends on the rows alone: not on the order in which they come, nor on threads.
-// How:  rows are counted by their first number, and those of one number, which are few, sorted by insertion. Each thread has a range of
-//       first numbers, and passes by all rows.
-// Cost: linear where few rows have the same first number. Where rows with the same one are near each other, few waits for memory.
+// Law:  the order depends on the rows alone, not on the order in which they come or on threads.
+// How:  rows are counted by their first number; the few rows of one first number are sorted by insertion. Each thread
+//       has a range of first numbers, and scans all rows.
+// Cost: linear if few rows have the same first number. If rows with the same one are near each other, few waits for
+//       memory.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ namespace rbpa {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// Replaces `sorted` by distinct rows, whose first numbers are below `bound`, in order. Returns: of each row, where it is there.
+/// Replaces `sorted` by the distinct rows in order. Requires: first numbers below `bound`.
+/// Returns: for each row, its place in `sorted`.
 meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,
                                               std::vector<Row>& sorted);
 

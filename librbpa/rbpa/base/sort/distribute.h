@@ -1,5 +1,5 @@
 // What: distributes items over buckets: a bucket sort's first pass.
-// Law:  items of one bucket keep their order, so that nothing depends on the number of threads.
+// Law:  items of one bucket keep their order, so the result does not depend on the number of threads.
 // Cost: linear in the items, and in the buckets of each part.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace rbpa {
 
-/// Calls put(i, place) for each of the items 0 … `items` − 1, bucket_of(i) being below `buckets`; `part` of them at a time in
-/// one thread. bucket_of() is called twice for each, as to store what it returns would take longer.
+/// Calls put(i, place) for each of the items 0 … `items` − 1, `part` of them at a time in one thread. bucket_of(i) is
+/// below `buckets`; it is called twice for each item, as storing its result would take longer.
 /// Returns: the first place of each bucket, and the end.
 template <typename BucketOf, typename Put>
 std::vector<std::uint32_t> distribute(std::size_t items, std::size_t buckets, std::size_t part, Threads& threads,
                                       const BucketOf& bucket_of, const Put& put) {
   const std::size_t parts = (items + part - 1) / part;
-  // Of each part, where its items of each bucket go.
+  // For each part, the place of its next item of each bucket.
   std::vector<std::uint32_t> place(parts * buckets, 0);
   for_each_part(threads, items, part, [&](std::size_t first, std::size_t last) {
     std::uint32_t* const count = &place[first / part * buckets];

@@ -1,4 +1,4 @@
-// What: points, and their names.
+// What: points with names, which are numbers.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace rbpa {
 
 struct NamedPoints {
   std::span<const Point> points;
-  const std::uint32_t* names = nullptr;  ///< of each point; without, its position
+  const std::uint32_t* names = nullptr;  ///< the name of each point; if null, its position
   std::uint32_t name(std::size_t i) const { return names ? names[i] : static_cast<std::uint32_t>(i); }
 };
 

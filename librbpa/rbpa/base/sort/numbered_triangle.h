@@ -1,4 +1,4 @@
-// What: a triangle as three numbers of points, the smallest first, and where it stood in a list.
+// What: a triangle as three point numbers, the smallest first, with its position in a list.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace rbpa {
 
-/// A triangle, and its place in a list.
+/// A triangle, and its position in a list.
 struct NumberedTriangle {
   Triangle corners;
   std::uint32_t number;
 };
 
-/// The names of a triangle's corners, turned so that the least comes first. Which is the least cannot be predicted, so that
-/// nothing branches.
+/// Returns the names of a triangle's corners, rotated so that the least comes first. Which one is the least cannot be
+/// predicted, so nothing branches.
 inline Triangle from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
   const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
   const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);

@@ -1,7 +1,7 @@
 // What: brings points into the order of the cells of a grid.
 // Law:  points of one cell keep their order. The result does not depend on the number of threads.
-// Cost: linear. Many points are first parted into bands of rows, where they are to be, so that each band is sorted within
-//       a cache and by one thread: 24 bytes for each point of the bands at work.
+// Cost: linear. Many points are first distributed over bands of rows, at their final range, so that one thread sorts
+//       each band within a cache: 24 bytes for each point of the bands at work.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,9 @@
 
 namespace rbpa {
 
-/// Sorts points into `sorted` and `names`, both as long and apart from the input, in the order of the cells `first_cell` …
-/// `last_cell` − 1 of a level, in which all of them lie. Fills in `level.start` of these cells, `first` being that of the first.
+/// Sorts points into `sorted` and `names`, both as long as the input and apart from it, by the cells `first_cell` …
+/// `last_cell` − 1 of a level, in which all of them lie. Fills in `level.start` of these cells; `first` is the value
+/// for the first one.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell, std::size_t last_cell,
                   std::uint32_t first, Point* sorted, std::uint32_t* names) {
@@ -42,7 +43,8 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell
   for (std::size_t c = 0; c < cells; ++c) start[c] += first;
 }
 
-/// The same for all cells of a level, and its end; in several threads when there are many points.
+/// Sorts points into all cells of a level, and fills in the end of the last one; in several threads when there are many
+/// points.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, Point* sorted, std::uint32_t* names,
                   Threads& threads) {
