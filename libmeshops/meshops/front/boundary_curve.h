@@ -12,8 +12,8 @@
 
 namespace meshops {
 
-/// The closed curve of boundary halfedges through a given one, in the order of `next`. A view: it owns nothing, and
-/// holds as long as the boundary is not changed.
+/// Closed curve of the boundary halfedges through a given one, in the order of `next`. It is a view: it owns nothing,
+/// and is valid as long as the boundary does not change.
 class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
@@ -63,10 +63,11 @@ class MESHOPS_API BoundaryCurve {
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Whether a boundary halfedge is on this curve. Throws ContractViolation when it is none. Cost: the shorter way to it, or the shorter of two curves.
+  /// Returns whether a boundary halfedge is on this curve. Throws ContractViolation when `h` is no boundary halfedge.
+  /// Cost: the shorter way to it; the shorter of the two curves when it is on another.
   bool contains(Halfedge h) const;
 
-  /// The number of edges. Cost: linear in it.
+  /// Returns the number of edges. Cost: linear in it.
   std::size_t length() const;
 
  private:
@@ -74,12 +75,12 @@ class MESHOPS_API BoundaryCurve {
   Halfedge through_;
 };
 
-/// The boundary curve that leaves a vertex, given from there; nothing when the vertex is inner or isolated.
+/// Returns the boundary curve that leaves a vertex, starting there; nothing when the vertex is inner or isolated.
 /// Requires: the vertex is live. Throws ContractViolation.
 /// Cost:     constant.
 MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 
-/// Every boundary curve once, each given from its least halfedge, in ascending order of that.
+/// Returns every boundary curve once, each starting at its least halfedge, in ascending order of these halfedges.
 /// Cost: linear in the number of halfedges.
 MESHOPS_API std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
 

@@ -1,4 +1,4 @@
-// What: notifies a visitor of what a triangle has done to the curves of a front.
+// What: reports to a visitor how a triangle changed the boundary curves of a front.
 // Law:  begun − joined + split − closed is the change of the number of boundary curves.
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace meshops::detail {
 
-/// Some boundary halfedges, each on a curve of its own.
+/// Set of boundary halfedges, each on a curve of its own.
 class DistinctCurves {
  public:
-  /// Through those of the halfedges that are valid.
+  /// Holds the curves through those halfedges that are valid.
   DistinctCurves(const Connectivity& mesh, const std::array<Halfedge, 3>& through) : mesh_(mesh) {
     for (const Halfedge h : through)
       if (h.is_valid()) add(h);
   }
-  /// Through those of the vertices that are on the boundary.
+  /// Holds the curves through those vertices that are on the boundary.
   DistinctCurves(const Connectivity& mesh, const std::array<Vertex, 3>& through) : mesh_(mesh) {
     for (const Vertex v : through)
       if (mesh.is_boundary(v)) add(mesh.halfedge_handle(v));
@@ -43,7 +43,7 @@ inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
   return {mesh.from_vertex_handle(first), mesh.from_vertex_handle(second), mesh.to_vertex_handle(second)};
 }
 
-/// The events that make `now` of `before` curves: several are joined first, and then split.
+/// Reports the events that lead from `before` curves to the curves `now`: first joins, then splits.
 template <typename Visitor>
 void notify_of_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor,
                       AllSteps& steps) {

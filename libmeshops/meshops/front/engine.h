@@ -1,9 +1,9 @@
-// What:   the advancing-front engine.
-// Law:    when it returns, every boundary halfedge is frozen: the policy proposed nothing for it, or a triangle that was
-//         refused. Whatever a policy returns, the mesh is sound; and on a given number of sites the engine terminates,
-//         unless the policy detaches triangles again and again, or returns ever new seeds that are refused.
-// Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, and one more each time that it
-//         was deferred; and what an order costs.
+// What:   the advancing-front engine: calls a policy edge by edge until nothing is left to do.
+// Law:    when advance() returns, every boundary halfedge is frozen: the policy proposed nothing for it, or a triangle
+//         that was refused. The mesh is sound, whatever the policy returns. With a fixed number of sites, the engine
+//         terminates unless the policy detaches triangles forever or returns ever new seeds that are refused.
+// Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, one more each time that
+//         it was deferred, and the cost of the order.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
 //         "Algorithm outline".
 #pragma once
@@ -17,13 +17,14 @@
 
 namespace meshops {
 
-/// Advances the active front until it runs dry, and then from seed to seed until no seed is left, or the same is refused
-/// twice in a row. After Front::next_level() it begins with what was frozen. Deferred edges come whenever the front runs dry
-/// before the next seed, and are frozen when there is none; then seed() is called once more.
-/// Throws: whatever the policy or the visitor throws, a key's order and moves included; the mesh is sound then, what was
-///         active or in hand is active, and another advance() continues with it, in the order in which this one would have.
-///         ContractViolation when the mesh is changed meanwhile, or the front: by the policy at all, by the visitor other
-///         than by activate() and freeze().
+/// Advances the active front until no active halfedge is left, then inserts a seed and continues, until there is no
+/// further seed or the same seed is refused twice in a row. After Front::next_level() it begins with the halfedges that
+/// were frozen. Deferred edges get their turn whenever no other edge is active, before the next seed; when there is no
+/// seed, they are frozen, and seed() is called once more.
+/// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
+///         sound, the edges that were active or being processed are active, and another advance() continues with them
+///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in
+///         any way, by the visitor other than by activate() and freeze().
 template <FrontPolicy Policy, typename Visitor>
 void advance(Front& front, Policy& policy, Visitor&& visitor) {
   static_assert(!detail::misses_key<Policy>,
@@ -45,7 +46,7 @@ void advance(Front& front, Policy& policy, Visitor&& visitor) {
   detail::Run<Policy, std::remove_reference_t<Visitor>>(front, policy, visitor).advance();
 }
 
-/// Without a visitor.
+/// Advances the front without a visitor.
 template <FrontPolicy Policy>
 void advance(Front& front, Policy& policy) {
   advance(front, policy, FrontVisitor{});

@@ -1,5 +1,5 @@
-// What: operations on a front for the engine alone: calling a policy or a visitor while the front refuses changes, and
-//       ordering its queue.
+// What: operations on a front for the engine alone: calls of a policy or a visitor during which the front refuses
+//       changes, and the order of its queue.
 #pragma once
 
 #include <exception>
@@ -13,7 +13,7 @@ class EngineSide {
  public:
   explicit EngineSide(Front& front) : front_(front) {}
 
-  /// Returns: what the policy returns. During the call, changes of the front are refused.
+  /// Calls the policy. During the call, changes of the front are refused. Returns: the answer of the policy.
   /// Throws:  what the policy throws; ContractViolation when it changed the mesh.
   template <typename Ask>
   auto ask(Ask question) const {
@@ -34,32 +34,34 @@ class EngineSide {
   /// Returns whether no other code has changed the mesh.
   bool is_intact() const { return front_.guard_.is_intact(); }
 
-  /// The next in the queue that is active, and stays so; it is in no queue any more.
+  /// Removes and returns the next active halfedge of the queue. It stays active.
   Halfedge next_queued() const {
     front_.guard_.require_intact();
     return front_.waiting_.next();
   }
-  /// An active halfedge that is not deferred is active no longer. Returns: whether it was one.
+  /// Makes an active halfedge inactive, unless it is deferred. Returns: whether it did.
   bool take(Halfedge h) const {
     front_.guard_.require_intact();
     return front_.waiting_.release_queued(h);
   }
-  /// A boundary halfedge in hand is active again, and waits for a triangle that is inserted or detached.
+  /// Makes the halfedge being processed active again, to wait until a triangle is inserted or detached.
   void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
-  /// Queues those that have waited for it. Returns: whether there were any.
+  /// Queues the deferred halfedges for which a triangle was inserted or detached since. Returns: whether there were
+  /// any.
   bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }
-  /// The first that waits for it, which is active, and in no queue any more.
+  /// Removes and returns the first deferred halfedge. It stays active.
   Halfedge next_deferred() const { return front_.waiting_.next_deferred(); }
-  /// After a throw: queues every active halfedge once that is not deferred. First the one in hand, if it is still to be
-  /// processed, then `next`, then what was queued, then all others. Nothing when the front is not intact.
+  /// After a throw, queues every active halfedge once that is not deferred: first the one being processed, if it is
+  /// still a boundary halfedge, then `next`, then those that were queued, then all others. Does nothing when the front
+  /// is not intact.
   void requeue(Halfedge in_hand, std::span<const Halfedge> next) const { front_.requeue(in_hand, next); }
 
  private:
   Front& front_;
 };
 
-/// Takes all steps of one change, also those behind one that throws, so that none of it is lost; but none on a mesh
-/// that somebody else has changed.
+/// Runs all steps of one change, also those after a step that throws, so that none is lost; but stops when other code
+/// has changed the mesh.
 class AllSteps {
  public:
   explicit AllSteps(const EngineSide& engine) : engine_(engine) {}
@@ -73,7 +75,7 @@ class AllSteps {
       if (!first_) first_ = std::current_exception();
     }
   }
-  /// Throws what came first.
+  /// Throws the first exception, if there was one.
   void end() const {
     if (first_) std::rethrow_exception(first_);
   }

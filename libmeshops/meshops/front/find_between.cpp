@@ -1,4 +1,4 @@
-// Edges and triangles, found by their sites.
+// Finds edges and triangles by their sites.
 #include "meshops/front/fitting.h"
 
 namespace meshops::detail {
@@ -11,7 +11,7 @@ class Leaving {
     begin(vertices.first(s));
   }
 
-  /// An invalid handle behind the last.
+  /// Returns the next halfedge; an invalid handle after the last.
   Halfedge next() {
     const Halfedge found = at_;
     if (!found.is_valid()) return found;
@@ -34,7 +34,7 @@ class Leaving {
 }  // namespace
 
 Halfedge Fitting::edge_between(Site from, Site to) const {
-  // Around both in turns: a site with many edges must not make its neighbors slow.
+  // The walk alternates between both sites: a site with many edges must not make its neighbors slow.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
     const Halfedge out = out_of.next();
@@ -46,7 +46,7 @@ Halfedge Fitting::edge_between(Site from, Site to) const {
 }
 
 std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
-  // In turns, too; who is around first has met all.
+  // The walk alternates here, too. The one that completes its turn first has met all edges.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   std::vector<Halfedge> met_out, met_back;
   for (;;) {
@@ -60,7 +60,8 @@ std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
 }
 
 Halfedge Fitting::boundary_between(Site from, Site to) const {
-  // As above. A fan that is open has one boundary halfedge that leaves its vertex, and one that leads there.
+  // The walk alternates here, too. An open fan has one boundary halfedge that leaves its vertex, and one that enters
+  // it.
   Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
   while (leaving.is_valid()) {
     const Halfedge out = mesh_.halfedge_handle(leaving);

@@ -1,4 +1,4 @@
-// What: where a triangle goes in a front.
+// What: the place of a triangle in a front.
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@ namespace meshops {
 
 class Front;
 
-/// Where a triangle goes, and what it will be glued to; or why it cannot go there. What Front::fit() returns holds until a
-/// triangle is attached or detached. A caller that has determined corners and sides itself can construct one of them, and
-/// then ensures that no triangle comes twice and that the sides glued are those meant.
+/// Place of a triangle: its corners and the sides to which it will be glued, or the reason why it cannot be inserted.
+/// The result of Front::fit() is valid until a triangle is attached or detached. A caller that has determined corners
+/// and sides itself can construct a Fit, and must then ensure that no triangle is inserted twice and that the right
+/// sides are glued.
 struct Fit {
   explicit Fit(const std::array<Site, 3>& sites) : corners(sites) {}
 
   std::array<Site, 3> corners;
-  TriangleSides sides;  ///< those that are boundary halfedges already; `corner` is not looked at
+  TriangleSides sides;  ///< the sides that are boundary halfedges already; `corner` is not read
   std::optional<Refusal> refusal;
 
  private:
@@ -28,8 +29,8 @@ struct Fit {
   Fit(const std::array<Site, 3>& sites, const Front& front, std::size_t revision)
       : corners(sites), front_(&front), revision_(revision) {}
 
-  const Front* front_ = nullptr;  // that made it; none where it was made by hand
-  std::size_t revision_ = 0;      // of the front then
+  const Front* front_ = nullptr;  // the front that made it; null if a caller made it
+  std::size_t revision_ = 0;      // the revision of that front at the time
 };
 
 }  // namespace meshops

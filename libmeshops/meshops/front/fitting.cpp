@@ -7,7 +7,7 @@ namespace meshops::detail {
 void Fitting::check_corners(Fit& fit) const {
   const std::size_t sites = vertices_.sites();
   const auto& [a, b, c] = fit.corners;
-  std::size_t end = sites;  // of old and new ones
+  std::size_t end = sites;  // one past the greatest site, old or new
   if (std::max({a, b, c}) >= sites)
     for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
   for (unsigned i = 0; i < 3; ++i) {
@@ -40,7 +40,8 @@ void Fitting::find_other_sides(Fit& fit) const {
   refuse_closed(fit);
 }
 
-/// Whether the triangle has the side for itself, or finds it on the boundary.
+/// Finds the boundary halfedge to which a side is glued, or none if no edge joins its sites. Returns: false, with a
+/// refusal, when the side is taken.
 bool Fitting::finds_side(Fit& fit, unsigned side) const {
   const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
   if (is_new(from) || is_new(to) || vertices_.is_free(from) || vertices_.is_free(to)) return true;
@@ -51,7 +52,8 @@ bool Fitting::finds_side(Fit& fit, unsigned side) const {
   return false;
 }
 
-/// A site is done when all faces around it close: a corner that is glued to nothing there may not begin another fan.
+/// Refuses a triangle with a corner that is glued to nothing at a site around which all faces close: no other fan may
+/// begin there.
 void Fitting::refuse_closed(Fit& fit) const {
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = fit.corners[i];

@@ -1,5 +1,6 @@
-// What: what is found by sites on a mesh: edges, triangles, and where a triangle can go.
-// Law:  it only reads. Unless the caller decides what is glued, it refuses what would put a second edge between two sites.
+// What: finds edges, triangles and places for triangles on a mesh by sites.
+// Law:  nothing is changed. Unless the caller decides what is glued, a triangle that would put a second edge between
+//       two sites is refused.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// Requires of halfedges that there are such.
+/// Lookups by sites. Requires: halfedges exist.
 class MESHOPS_API Fitting {
  public:
   Fitting(const Connectivity& mesh, const SiteVertices& vertices) : mesh_(mesh), vertices_(vertices) {}
@@ -19,18 +20,20 @@ class MESHOPS_API Fitting {
   Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
   Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
 
-  // Of Front, which documents them.
+  // Documented at Front.
   Halfedge edge_between(Site from, Site to) const;
   std::vector<Halfedge> edges_between(Site from, Site to) const;
   Halfedge boundary_between(Site from, Site to) const;
   Face triangle_on(Site a, Site b, Site c) const;
 
-  /// The requirements on every triangle: its corners are distinct, and exist or are the next new ones.
+  /// Checks the requirements on every triangle: its corners are distinct, and exist or are the next new ones.
   void check_corners(Fit& fit) const;
-  /// Finds what the sides are glued to, which sites decide. The second begins with the first side as given.
+  /// Find the boundary halfedges to which the sides are glued, as sites decide. The second starts with the first side
+  /// given.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// The same for a caller that decides: glues(halfedge, apex) is called with the boundary halfedges between the sites of a side.
+  /// Finds them for a caller that decides: glues(halfedge, apex) is called for the boundary halfedges between the sites
+  /// of a side.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 

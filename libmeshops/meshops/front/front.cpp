@@ -117,7 +117,7 @@ Fit Front::fit(Halfedge h, Site apex) const {
   return fit;
 }
 
-/// As if nothing was known of it: what is made by hand, and what was changed since fit(), may be anything.
+/// Checks everything about a fit: a caller may have made it, or the front may have changed since fit().
 void Front::check(const Fit& fit) const {
   const auto refuse = [](const Refusal& refusal) { throw ContractViolation("insert: " + describe(refusal)); };
   if (fit.refusal) refuse(*fit.refusal);
@@ -260,7 +260,7 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 
 LevelTransfer Front::next_level() {
   guard_.require_changeable();
-  // Sites on the boundary are known from its halfedges, so that no fan of any other is read.
+  // The boundary halfedges give the sites on the boundary, so that no fan of any other site is read.
   std::vector<Site> on_boundary;
   waiting_.for_each([&](Halfedge h) { on_boundary.push_back(from_site(h)); });
   LevelTransfer transfer = levels_.begin_next(vertices_, std::move(on_boundary), faces_);

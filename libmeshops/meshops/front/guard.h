@@ -1,4 +1,5 @@
-// What: who may change a front: nobody else its mesh; and whom the engine calls, only as far as that is allowed.
+// What: detects forbidden changes: changes of the mesh by code other than the front, and changes of the front by a
+//       policy or a visitor.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +16,13 @@ class MESHOPS_API Guard {
  public:
   explicit Guard(const Connectivity& mesh) : mesh_(mesh) {}
 
-  /// The mesh is as it is to be from now on: after each change of the front's own.
+  /// Records the mesh as it is now, after each change by the front itself.
   void count_elements() { counts_ = ElementCounts::of(mesh_); }
   void finish() { counts_ = finished; }
-  /// Neither finished nor changed by others.
+  /// Returns whether the front is not finished and no other code has changed the number of elements.
   bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
 
-  // Throw ContractViolation, which names the cause.
+  // These throw ContractViolation, which names the cause.
   void require_intact() const {
     if (!is_intact()) [[unlikely]]
       violated();
@@ -37,9 +38,9 @@ class MESHOPS_API Guard {
       changed_while_called();
   }
 
-  /// Whom the engine is calling: a policy changes nothing meanwhile, a visitor activates and freezes only.
+  /// The code that the engine is calling: a policy may change nothing, a visitor may only activate and freeze.
   enum class Caller : std::uint8_t { user, policy, visitor };
-  /// As long as it lives.
+  /// Marks a call as long as the object lives.
   class Call {
    public:
     Call(Guard& guard, Caller caller) : guard_(guard), before_(guard.caller_) { guard.caller_ = caller; }
@@ -59,7 +60,7 @@ class MESHOPS_API Guard {
   [[noreturn, gnu::cold, gnu::noinline]] void changed_while_called() const;
 
   const Connectivity& mesh_;
-  ElementCounts counts_;  // as the front left them; impossible ones when it is finished
+  ElementCounts counts_;  // as the front left them; impossible values when it is finished
   Caller caller_ = Caller::user;
 };
 

@@ -1,4 +1,4 @@
-// What: halfedges by their keys: the least first, of equal ones the oldest.
+// What: priority queues of halfedges by their keys: the least key first, of equal keys the oldest halfedge.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// A halfedge and when it came.
+/// Halfedge with its age.
 struct Aged {
   std::size_t age = 0;
   Halfedge halfedge;
@@ -29,7 +29,7 @@ struct KeyedEdge {
   friend bool operator>(const KeyedEdge& a, const KeyedEdge& b) { return b < a; }
 };
 
-/// Keys that stay: a heap. A halfedge that comes twice is in it twice.
+/// Queue for keys that do not change: a heap. A halfedge that is pushed twice is in it twice.
 template <typename Key>
 class KeyedEdges {
  public:
@@ -44,9 +44,9 @@ class KeyedEdges {
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     heap_.pop_back();
   }
-  /// What pop() has outside the heap while it compares and moves keys, which may throw.
+  /// Returns the entry that pop() holds outside the heap while it compares and moves keys, which may throw.
   Aged moved_by_pop() const { return {heap_.back().age, heap_.back().halfedge}; }
-  /// All, in any order.
+  /// Returns all entries, in any order.
   std::vector<Aged> aged() const {
     std::vector<Aged> all;
     all.reserve(heap_.size() + 1);
@@ -58,15 +58,15 @@ class KeyedEdges {
   std::vector<Entry> heap_;
 };
 
-/// Keys that change: a search tree, in which a halfedge is found by its handle. One that comes twice is in it once, with its
-/// last key and age.
+/// Queue for keys that change: a search tree, in which a halfedge is found by its handle. A halfedge that is pushed
+/// twice is in it once, with its last key and age.
 template <typename Key>
 class RekeyedEdges {
  public:
   using Entry = KeyedEdge<Key>;
   bool empty() const { return tree_.empty(); }
   bool contains(Halfedge h) const { return index(h) < place_.size() && place_[index(h)] != tree_.end(); }
-  /// Requires: contains(h); likewise below.
+  /// Returns the age of `h`. Requires: contains(h); so does rekey().
   std::size_t age(Halfedge h) const { return place_[index(h)]->age; }
   void rekey(Halfedge h, Key key) {
     auto entry = tree_.extract(std::exchange(place_[index(h)], tree_.end()));
@@ -84,7 +84,7 @@ class RekeyedEdges {
     place_[index(least().halfedge)] = tree_.end();
     tree_.erase(tree_.begin());
   }
-  /// Nothing: keys are neither compared nor moved.
+  /// Returns an empty entry: pop() neither compares nor moves keys.
   Aged moved_by_pop() const { return Aged(); }
   std::vector<Aged> aged() const {
     std::vector<Aged> all;
@@ -97,7 +97,7 @@ class RekeyedEdges {
   using Tree = std::set<Entry>;
   static std::size_t index(Halfedge h) { return static_cast<std::size_t>(h.idx()); }
   Tree tree_;
-  std::vector<typename Tree::iterator> place_;  // of each halfedge; the end where it has none
+  std::vector<typename Tree::iterator> place_;  // for each halfedge: its entry, or the end of the tree
 };
 
 }  // namespace meshops::detail

@@ -41,7 +41,7 @@ LevelTransfer Levels::begin_next(const SiteVertices& vertices, std::vector<Site>
 }
 
 void Levels::clear_sites() {
-  // Not = {}, which empties a vector and keeps its memory.
+  // Assigning {} would empty the vector but keep its memory.
   carried_ = std::vector<Site>();
   reopened_ = std::vector<Site>();
 }

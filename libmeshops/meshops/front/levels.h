@@ -1,5 +1,6 @@
-// What:   the levels of a front: which sites go on from one to the next, and at which one a face came.
-// Law:    a transfer reads the sites that the one before carried, and those added or reopened since: no others.
+// What:   the levels of a front: the sites that a transfer carries to the next level, and the level at which each face
+//         was inserted.
+// Law:    a transfer reads only the sites that the previous one carried, and those added or reopened since.
 // Source: Restricted BPA, section 6; it is an operation on the mesh alone.
 #pragma once
 
@@ -12,34 +13,34 @@
 
 namespace meshops {
 
-/// What goes on from one level to the next.
+/// Result of a transfer from one level to the next.
 struct LevelTransfer {
-  std::vector<Site> carried;    ///< sites that are free or on the boundary, in ascending order
-  std::size_t left_behind = 0;  ///< sites that have turned inner since the transfer before
-  std::size_t reactivated = 0;  ///< frozen halfedges that are active again
+  std::vector<Site> carried;    ///< sites that are free or on the boundary, ascending
+  std::size_t left_behind = 0;  ///< number of sites that became inner since the previous transfer
+  std::size_t reactivated = 0;  ///< number of frozen halfedges that became active again
 };
 
 namespace detail {
 
 class MESHOPS_API Levels {
  public:
-  /// The number of transfers so far.
+  /// Returns the number of transfers so far.
   std::size_t count() const { return faces_before_.size(); }
-  /// What count() was when a face came. Cost: its logarithm.
+  /// Returns the value of count() when a face was inserted. Cost: its logarithm.
   std::size_t level(Face f) const;
-  /// A site that had turned inner is on the boundary again, or free.
+  /// Notes that a site that had become inner is on the boundary again, or free.
   void reopen(Site s) { reopened_.push_back(s); }
-  /// Begins the next level. `on_boundary` has the sites there, in any order and some several times; of faces there are so many,
-  /// dead ones included. Returns: the transfer, but for the halfedges.
+  /// Begins the next level. `on_boundary` holds the sites on the boundary, in any order and with repetitions; `faces`
+  /// is the number of faces, dead ones included. Returns: the transfer, except for the number of halfedges.
   LevelTransfer begin_next(const SiteVertices& vertices, std::vector<Site> on_boundary, std::size_t faces);
-  /// Frees the memory of what only transfers need.
+  /// Frees the memory that only transfers need.
   void clear_sites();
 
  private:
-  std::vector<Site> carried_;              // by the last transfer
-  std::size_t carried_before_ = 0;         // the number of sites then; later ones have been added since
-  std::vector<Site> reopened_;             // since then
-  std::vector<std::size_t> faces_before_;  // of each transfer, dead ones included
+  std::vector<Site> carried_;              // sites carried by the last transfer
+  std::size_t carried_before_ = 0;         // the number of sites at that time; later sites were added since
+  std::vector<Site> reopened_;             // sites reopened since then
+  std::vector<std::size_t> faces_before_;  // for each transfer, dead ones included
 };
 
 }  // namespace detail

@@ -1,5 +1,5 @@
-// What: compile-time checks for members of a policy or a visitor that have the name of an optional member but another
-//       signature, and would be ignored without an error.
+// What: compile-time checks that find members of a policy or a visitor which have the name of an optional member but
+//       another signature, and would be ignored without an error.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace meshops::detail {
 
-/// A name that a class has, however it is declared, is ambiguous beside that of another base.
+/// Base with a name. If another base has the same name, however it is declared, the name is ambiguous in a class
+/// derived from both.
 struct NamedKey {
   int key;
 };
@@ -54,13 +55,14 @@ constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFro
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
 
-/// `false` is an answer, also of a policy without keys.
+/// A value of `false` is allowed, also for a policy without keys.
 template <typename Policy>
 constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
   requires !std::bool_constant<Policy::rekeys_neighbours>::value;
 };
 
-/// The visitor overrides no event of triangles and edges, or none of curves. A member of another form overrides.
+/// The visitor overrides no event of triangles and edges (KeepsEvents), or none of curves (KeepsCurves). A member of
+/// another form counts as an override.
 template <typename V>
 concept KeepsEvents = std::same_as<decltype(&V::seeded), decltype(&FrontVisitor::seeded)> &&
     std::same_as<decltype(&V::attached), decltype(&FrontVisitor::attached)> &&
@@ -75,7 +77,7 @@ concept KeepsCurves = std::same_as<decltype(&V::curve_begun), decltype(&FrontVis
     std::same_as<decltype(&V::curve_split), decltype(&FrontVisitor::curve_split)> &&
     std::same_as<decltype(&V::curve_closed), decltype(&FrontVisitor::curve_closed)>;
 
-/// The visitor overrides an event of curves, but would not receive it.
+/// Returns whether the visitor overrides an event of curves that it would not receive.
 template <typename Visitor>
 constexpr bool misses_curves() {
   if constexpr (std::derived_from<Visitor, FrontVisitor>)
@@ -84,7 +86,7 @@ constexpr bool misses_curves() {
     return false;
 }
 
-/// A member can be called as an event, by another form of its name.
+/// The visitor has a member that can be called as an event but has another form of its name.
 template <typename V>
 concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t) {
   v.seed(f, t);
@@ -106,7 +108,8 @@ concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t)
 || requires(V v, const Front& f, Halfedge h) { v.curve_splitted(f, h, h); }
 || requires(V v, const Front& f) { v.curves_closed(f); };
 
-/// The visitor derives from FrontVisitor, and none of its members is an event; or one has nearly the name of one.
+/// Returns whether the visitor derives from FrontVisitor and none of its members is an event, or one of its members has
+/// nearly the name of an event.
 template <typename Visitor>
 constexpr bool misses_events() {
   if constexpr (std::derived_from<Visitor, FrontVisitor> && !std::same_as<Visitor, FrontVisitor> &&

@@ -13,7 +13,7 @@
 
 namespace meshops::detail {
 
-/// First in, first out: the front's own queue.
+/// Order first in, first out: the front's own queue.
 template <typename Policy>
 class FirstInFirstOut {
  public:
@@ -29,8 +29,8 @@ class FirstInFirstOut {
   Front& front_;
 };
 
-/// The least key first, of equal ones the oldest. The front's queue only has what is new; the front decides whether a
-/// halfedge is still active when its turn comes.
+/// Order by keys: the least key first, of equal keys the oldest halfedge. The front's queue holds only new halfedges;
+/// the front decides whether a halfedge is still active when its turn comes.
 template <typename Policy>
 class LeastKeyFirst {
  public:
@@ -60,7 +60,7 @@ class LeastKeyFirst {
     return Halfedge();
   }
 
-  /// A triangle at the vertex has come or gone.
+  /// Notes that a triangle at the vertex was inserted or detached.
   void neighbours_changed(Vertex v) {
     const Connectivity& mesh = front_.mesh();
     const Halfedge out = mesh.halfedge_handle(v);
@@ -69,8 +69,8 @@ class LeastKeyFirst {
     changed_.push_back(mesh.prev_halfedge_handle(out));
   }
 
-  /// After a throw: what is still active goes back to the front's queue, the oldest first. Keys, their order and their moves
-  /// may have thrown: only the halfedges they belong to are read.
+  /// After a throw, gives the halfedges that are still active back to the front's queue, the oldest first. Comparing or
+  /// moving keys may have thrown, so that only the halfedges are read.
   void give_back(Halfedge in_hand) {
     std::vector<Aged> waiting = keyed_.aged();
     waiting.push_back(moving_);
@@ -91,8 +91,8 @@ class LeastKeyFirst {
   Front& front_;
   Policy& policy_;
   std::conditional_t<rekeys, RekeyedEdges<Key>, KeyedEdges<Key>> keyed_;
-  std::vector<Halfedge> changed_;  // whose neighbors on the curve changed
-  Aged moving_;                    // on its way into keyed_, or within it
+  std::vector<Halfedge> changed_;  // halfedges whose neighbors on the curve changed
+  Aged moving_;                    // the entry that is being moved into keyed_ or within it
   std::size_t age_ = 0;
 };
 

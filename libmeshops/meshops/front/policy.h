@@ -1,4 +1,4 @@
-// What:   the functions that an advancing front calls, by which methods differ.
+// What:   the functions by which an advancing-front method decides: seeds, proposals, gluing and order.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once
 
@@ -13,32 +13,34 @@
 
 namespace meshops {
 
-/// What is to be done at an edge of the front: attach a triangle with its apex on a site, insert a list of triangles,
-/// detach a triangle, defer the edge, or freeze it.
+/// Action that a policy proposes for an edge of the front: attach a triangle with its apex on a site, insert a list of
+/// triangles, detach a triangle, defer the edge, or freeze it.
 class Proposal {
  public:
   using Triangle = std::array<Site, 3>;
 
-  /// The site at the apex; nothing to freeze the edge. Of no other type: the −1 of an int is no site.
+  /// Proposes a triangle with its apex on a site, or to freeze the edge when there is no site. Other types are not
+  /// accepted: the −1 of an int is no site.
   template <typename Apex>
   requires std::same_as<Apex, Site> || std::same_as<Apex, std::optional<Site>> Proposal(Apex apex) : apex_(apex) {}
   Proposal(std::nullopt_t) {}
-  /// A triangle at the front is detached, and the policy is called again for the edge, if it still exists, when its turn comes.
+  /// Proposes to detach a triangle at the front. The policy is called again for the edge, if it still exists, when its
+  /// turn comes.
   static Proposal detach(Face f) {
     Proposal proposal(std::nullopt);
     proposal.detached_ = f;
     return proposal;
   }
-  /// Triangles for Front::create(), one after another, wherever they lie: each takes a number that follows the last site for
-  /// a new one when it is inserted. The first that is refused ends the list; those before it stay. The edge is frozen if it
-  /// is still on the boundary then.
+  /// Proposes triangles for Front::create(), one after another, anywhere. A number that follows the last site at the
+  /// time of the insertion stands for a new site. The first triangle that is refused ends the list; those before it
+  /// stay. The edge is frozen if it is still on the boundary afterwards.
   static Proposal triangles(std::vector<Triangle> triangles) {
     Proposal proposal(std::nullopt);
     proposal.triangles_ = std::move(triangles);
     return proposal;
   }
-  /// The edge stays active, and its turn comes again when no other edge waits and a triangle has been inserted or detached
-  /// since. Without such a change, and without another seed, it is frozen.
+  /// Proposes to defer the edge: it stays active, and its turn comes again when no other edge waits and a triangle has
+  /// been inserted or detached since. Without such a change and without another seed, it is frozen.
   static Proposal defer() {
     Proposal proposal(std::nullopt);
     proposal.is_deferred_ = true;
@@ -57,47 +59,49 @@ class Proposal {
   bool is_deferred_ = false;
 };
 
-/// A policy decides geometry, the engine topology. Ball pivoting in the plane and in space, and classical advancing-front
-/// meshing, are policies.
+/// Methods such as ball pivoting in the plane and in space, or classical advancing-front meshing, are policies: the
+/// policy decides geometry, the engine decides topology. A policy has two functions:
 ///   seed(front)        the sites of a triangle that begins a component or touches the mesh, counter-clockwise; nothing
 ///                      when there is none left
 ///   propose(front, h)  the site at the apex of the triangle to attach to the boundary halfedge h, on its left; nothing
 ///                      to freeze it; or another Proposal
-/// The numbers that follow the last site, front.sites() and so on, stand for new ones, which are added when the triangle
-/// is: so a policy places points. A triangle that the front refuses (Front::attach_blocker) is not attached: the edge is
-/// frozen, and the visitor is called.
+/// The numbers that follow the last site, front.sites() and so on, stand for new sites, which are added together with
+/// the triangle: this is how a policy places points. A triangle that the front refuses (Front::attach_blocker) is not
+/// attached: the edge is frozen, and the visitor is called.
 template <typename P>
 concept FrontPolicy = requires(P policy, const Front& front, Halfedge h) {
   { policy.seed(front) } -> std::same_as<std::optional<std::array<Site, 3>>>;
   { policy.propose(front, h) } -> std::convertible_to<Proposal>;
 };
 
-/// A policy may decide which sides are glued. Without that, sites decide: between two of them there is one edge.
-///   glues(front, h, apex)  the boundary halfedge h is glued to the side, between the same sites, of a triangle whose third
-///                          corner is the apex. It is called for the halfedges that exist when a triangle is inserted;
-///                          where it returns false for all of them, the side is a new edge.
-/// With it, any number of triangles can lie at two sites, in pairs or each with an edge of its own, and a site around which
-/// faces close can have further fans. A triangle is refused when it exists already.
+/// Policy that decides which sides are glued. Other policies leave this to sites: between two sites there is one edge.
+///   glues(front, h, apex)  returns whether the boundary halfedge h is glued to the side, between the same sites, of a
+///                          triangle whose third corner is the apex. It is called for the halfedges that exist when a
+///                          triangle is inserted; if it returns false for all of them, the side is a new edge.
+/// With this function, any number of triangles can lie between two sites, in pairs or each with an edge of its own, and
+/// a site around which faces close can have further fans. A triangle that exists already is refused.
 template <typename P>
 concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h, Site apex) {
   { policy.glues(front, h, apex) } -> std::same_as<bool>;
 };
 
-/// A policy may have an order of its own.
-///   key(front, h)      of a boundary halfedge that has become active: the least comes first, of equal ones the oldest. It
-///                      is called once each time, and must not change the front.
-/// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is an
-/// error when compiling, and not passed over; so is one that a `requires` clause disables: put it into a class derived of
-/// the policy.
+/// Policy with an order of its own:
+///   key(front, h)      returns the key of a boundary halfedge that has become active: the least key comes first, of
+///                      equal keys the oldest halfedge. It is called once each time that a halfedge becomes active, and
+///                      must not change the front.
+/// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is
+/// not ignored but an error at compile time; so is one that a `requires` clause disables: put it into a class derived
+/// from the policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;
 };
 
-/// Keys may depend on the neighbors on the curve, as angles between edges do. A policy that declares it,
+/// Policy whose keys depend on the neighbors on the curve, as angles between edges do. A policy that declares
 ///   static constexpr bool rekeys_neighbours = true;
-/// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached, if
-/// they are active. Their age stays: where no triangle is detached, keys that stay the same make the same run.
+/// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached,
+/// if they are active. Their age stays the same: if no triangle is detached, and the new keys equal the old ones, the
+/// run is the same.
 template <typename P>
 concept RekeyingFrontPolicy = OrderedFrontPolicy<P> && requires {
   requires std::bool_constant<P::rekeys_neighbours>::value;

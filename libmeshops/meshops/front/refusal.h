@@ -1,4 +1,4 @@
-// What: why a front refuses to insert a triangle, or to detach one.
+// What: the reasons for which a front refuses to insert or to detach a triangle.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 namespace meshops {
 
 enum class RefusalKind {
-  no_boundary_halfedge,  ///< `index`: there is no such halfedge, or a face lies on it
-  no_such_site,          ///< `site`
-  corner_repeated,       ///< `site` is two corners of the triangle
-  site_closed,           ///< the faces around `site` close, in each of its fans: it is done
+  no_boundary_halfedge,  ///< halfedge `index` does not exist, or has a face
+  no_such_site,          ///< `site` does not exist
+  corner_repeated,       ///< two corners of the triangle are `site`
+  site_closed,           ///< faces close around `site` in each of its fans
   side_taken,            ///< a face already lies on the left of the edge from `site` to `to`
-  no_such_face,          ///< `index`
+  no_such_face,          ///< face `index` does not exist
   no_triangle,           ///< face `index` is not a triangle
   not_at_front,          ///< no side of face `index` is on the boundary
-  triangle_there,        ///< face `index` has these corners in this order, `site` and `to` two of them
+  triangle_there,        ///< face `index` has the same corners in this order; `site` and `to` are two of them
   no_status              ///< the mesh needs status to mark face `index` as deleted
 };
 
@@ -27,13 +27,13 @@ struct Refusal {
   RefusalKind kind;
   Site site = 0;
   Site to = 0;
-  int index = -1;  ///< of the halfedge or the face
+  int index = -1;  ///< index of the halfedge or the face
   friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 
 MESHOPS_API std::string_view name(RefusalKind kind);
 
-/// For people: "a face already lies on the left of the edge from site 3 to site 7".
+/// Returns a text for people: "a face already lies on the left of the edge from site 3 to site 7".
 MESHOPS_API std::string describe(const Refusal& refusal);
 
 }  // namespace meshops

@@ -18,9 +18,10 @@ class Run {
   Run(Front& front, Policy& policy, Visitor& visitor)
       : front_(front), engine_(front), policy_(policy), visitor_(visitor), order_(front, policy) {}
 
-  /// Throws: what the policy or the visitor throws; then what waited, waits in the front's queue.
+  /// Runs until every boundary halfedge is frozen.
+  /// Throws: whatever the policy or the visitor throws; the halfedges that waited are then in the front's queue.
   void advance() {
-    Halfedge h;  // in hand
+    Halfedge h;  // the one being processed
     try {
       do {
         for (h = order_.next(); h.is_valid(); h = order_.next())
@@ -35,7 +36,7 @@ class Run {
  private:
   const Front& seen() const { return front_; }
 
-  /// Carries out what the policy proposes for an edge.
+  /// Carries out the proposal of the policy for an edge.
   void follow(Halfedge h, const Proposal& proposal) {
     if (proposal.apex()) {
       if (!insert(h, h, *proposal.apex())) freeze(h);
@@ -67,7 +68,7 @@ class Run {
     std::optional<std::array<Site, 3>> refused;
     for (;;) {
       const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
-      // A policy that proposes the same again has no other.
+      // A policy that returns the same seed again has no other.
       if (!seed || seed == refused) return false;
       const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
       if (!fit.refusal) {
@@ -79,7 +80,8 @@ class Run {
     }
   }
 
-  /// Where a triangle goes, given by its corners or by a halfedge and the apex: glued by its sites, or as the policy decides.
+  /// Returns the place of a triangle, given by its corners or by a halfedge and the apex. Sites decide what is glued,
+  /// or the policy if it has glues().
   template <typename... Place>
   Fit fit(Place... place) {
     if constexpr (GluingFrontPolicy<Policy>)
@@ -90,7 +92,7 @@ class Run {
       return front_.fit(place...);
   }
 
-  /// Inserts a triangle that fits. `event` comes before those of curves.
+  /// Inserts a triangle that fits. `event` is sent before the events of curves.
   template <typename Event>
   void put(const Fit& fit, Event event) {
     std::size_t before = 0;
@@ -105,15 +107,16 @@ class Run {
       freeze(h);
       return;
     }
-    front_.activate(h);  // it may go with the triangle
+    front_.activate(h);  // it may be deleted with the triangle
     std::size_t before = 0;
     if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), corners(front_.mesh(), f)).count();
     const DetachedTriangle triangle = front_.detach(f);
     notify_of_change([&] { return triangle.side; }, before, [&] { visitor_.detached(seen(), triangle); });
   }
 
-  /// Of a triangle that has come or gone: keys move, then the visitor is called, which may throw at any of its events
-  /// and receives all of them nevertheless. around() are its corners or the sides that it left.
+  /// Reports a triangle that was inserted or detached: first keys are updated, then the visitor is called. The visitor
+  /// may throw at any of its events, and still receives all of them. around() returns the corners of the triangle, or
+  /// the sides that it left.
   template <typename Around, typename Event>
   void notify_of_change(Around around, std::size_t curves_before, Event event) {
     if constexpr (RekeyingFrontPolicy<Policy>) neighbours_changed(around());
@@ -143,7 +146,8 @@ class Run {
     engine_.notify([&] { visitor_.frozen(seen(), h); });
   }
 
-  /// When nothing will change any more. Returns: whether there were any; the visitor may have woken others meanwhile.
+  /// Freezes all deferred halfedges, when nothing will change any more. Returns: whether there were any; the visitor
+  /// may have activated others meanwhile.
   bool freeze_deferred() {
     Halfedge h = engine_.next_deferred();
     const bool any = h.is_valid();

@@ -1,4 +1,4 @@
-// What: the events of an advancing front.
+// What: the events that an advancing front reports.
 #pragma once
 
 #include <array>
@@ -7,34 +7,35 @@
 
 namespace meshops {
 
-/// A visitor overrides the events that it uses; the others cost nothing. The mesh is sound at each of them. It may be a local
-/// class, and may throw to end the run.
+/// Base of visitors. A visitor overrides the events that it uses; the others cost nothing. The mesh is sound at each
+/// event. A visitor may be a local class, and may throw to end the run.
 struct FrontVisitor {
   void seeded(const Front&, const InsertedTriangle&) {}
-  /// A proposal for the boundary halfedge `at` has led to this triangle: its side 0 is `at` when an apex was proposed.
+  /// Called when a proposal for the boundary halfedge `at` has led to this triangle. Its side 0 is `at` if an apex was
+  /// proposed.
   void attached(const Front&, Halfedge /*at*/, const InsertedTriangle&) {}
-  /// The edge stays active, and its turn comes again after a change.
+  /// Called when an edge is deferred: it stays active, and its turn comes again after a change.
   void deferred(const Front&, Halfedge) {}
   void frozen(const Front&, Halfedge) {}
   void detached(const Front&, const DetachedTriangle&) {}
-  /// What the policy proposed for this edge was refused. If the edge is still on the boundary, it is frozen next.
+  /// Called when the proposal for this edge is refused. If the edge is still on the boundary, it is frozen next.
   void refused(const Front&, Halfedge, const Refusal&) {}
-  /// The same of a seed.
+  /// Called when a seed is refused.
   void seed_refused(const Front&, const std::array<Site, 3>& /*seed*/, const Refusal&) {}
 
-  /// Only a visitor for which it is true receives the events of curves: see CurveVisitor.
+  /// If true, the visitor receives the events of curves: see CurveVisitor.
   static constexpr bool follows_curves = false;
-  /// A curve has begun, through this halfedge.
+  /// Called when a curve has begun, through this halfedge.
   void curve_begun(const Front&, Halfedge) {}
-  /// Two curves have become one, on one component (a handle) or by joining two.
+  /// Called when two curves have become one: a handle was made on one component, or two components were joined.
   void curves_joined(const Front&, Halfedge /*through*/) {}
-  /// One curve has become two, through these.
+  /// Called when one curve has become two, through these halfedges.
   void curve_split(const Front&, Halfedge, Halfedge) {}
-  /// A curve has vanished.
+  /// Called when a curve has vanished.
   void curve_closed(const Front&) {}
 };
 
-/// The base of visitors that receive the events of curves. Cost: what on_same_curve() does, at every triangle.
+/// Base of visitors that receive the events of curves. Cost: that of on_same_curve() at every triangle.
 struct CurveVisitor : FrontVisitor {
   static constexpr bool follows_curves = true;
 };

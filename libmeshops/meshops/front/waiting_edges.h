@@ -1,7 +1,7 @@
 // What: the boundary halfedges of a front that wait for a triangle: active ones for their turn, deferred ones for a change,
 //       frozen ones for the next level.
-// Law:  a boundary halfedge waits in one way at most, however often it was queued; what is on the boundary no longer does
-//       not wait.
+// Law:  a boundary halfedge waits in at most one way, however often it was queued; a halfedge that left the boundary
+//       does not wait.
 #pragma once
 
 #include <cstddef>
@@ -25,40 +25,44 @@ class MESHOPS_API WaitingEdges {
   bool is_frozen(Halfedge h) const { return state(h) == State::frozen; }
   bool is_waiting(Halfedge h) const { return state(h) != State::neither; }
 
-  /// Makes a boundary halfedge active, last in the queue, whatever it was.
+  /// Makes a boundary halfedge active and puts it at the end of the queue, whatever its state was.
   void queue(Halfedge h);
   void freeze(Halfedge h) {
     frozen_.push_back(h);
     set_state(h, State::frozen);
   }
-  /// Active halfedges, in the order of the queue; for a front that has none yet.
+  /// Queues halfedges in this order; for a front that has none yet.
   void queue_all(std::vector<Halfedge>&& active);
-  /// The halfedge waits no longer: it was popped, or its edge was deleted.
+  /// Ends the waiting of a halfedge that was popped, or whose edge was deleted.
   void release(Halfedge h) { set_state(h, State::neither); }
-  /// The same of an active one that is not deferred. Returns: whether it was one.
+  /// Ends the waiting of an active halfedge that is not deferred. Returns: whether it was one.
   bool release_queued(Halfedge h) {
     const bool was_queued = state(h) == State::active;
     if (was_queued) release(h);
     return was_queued;
   }
 
-  /// Removes from the queue the next that is active, not deferred, and stays so; an invalid handle when there is none.
-  /// Throws: ContractViolation when others have deleted it.
+  /// Removes and returns the next halfedge of the queue that is active and not deferred, which stays active; an invalid
+  /// handle when there is none.
+  /// Throws: ContractViolation when other code has deleted it.
   Halfedge next();
-  /// Queues every active halfedge once that is not deferred: those of `first`, then what was queued, then all others.
+  /// Queues every active halfedge once that is not deferred: first those of `first`, then those that were queued, then
+  /// all others.
   void requeue(std::span<const Halfedge> first);
 
-  /// Puts off a boundary halfedge until the revision of the front, which only grows, is no longer this one.
+  /// Defers a boundary halfedge until the revision of the front, which only grows, has changed.
   void defer(Halfedge h, std::size_t revision);
-  /// Queues those that were deferred at other revisions than this one, in that order. Returns: whether there were any.
+  /// Queues the halfedges that were deferred at other revisions, in that order. Returns: whether there were any.
   bool wake_deferred(std::size_t revision);
-  /// Removes the one that was deferred first, which stays active; an invalid handle when there is none.
+  /// Removes and returns the halfedge that was deferred first, which stays active; an invalid handle when there is
+  /// none.
   Halfedge next_deferred();
 
-  /// What was frozen at this level, in that order; some of it may have been woken or attached to since.
+  /// Returns the halfedges that were frozen at this level, in that order; some may have been activated, or a triangle
+  /// attached to them, since.
   const std::vector<Halfedge>& frozen() const { return frozen_; }
-  /// Visits those that are frozen, queued and deferred, some of them several times.
-  /// Throws: ContractViolation when others have deleted one.
+  /// Visits the frozen, queued and deferred halfedges, some of them several times.
+  /// Throws: ContractViolation when other code has deleted one.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const Halfedge h : frozen_)
@@ -68,7 +72,7 @@ class MESHOPS_API WaitingEdges {
     for (const Halfedge h : deferred_)
       if (is_deferred(h)) visit(checked(h));
   }
-  /// Queues what is frozen, in that order. Returns: how many those are.
+  /// Queues the frozen halfedges, in that order. Returns: their number.
   std::size_t wake_all();
 
   /// Frees the memory.
@@ -82,7 +86,8 @@ class MESHOPS_API WaitingEdges {
     return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
   }
   void set_state(Halfedge h, State state);
-  /// An edge leaves the boundary by the front only.
+  /// Returns `h`. Throws ContractViolation if other code has deleted its edge: only the front takes edges off the
+  /// boundary.
   Halfedge checked(Halfedge h) const {
     if (!is_live(mesh_, h)) [[unlikely]]
       deleted_by_others();
@@ -91,13 +96,13 @@ class MESHOPS_API WaitingEdges {
   [[noreturn, gnu::cold, gnu::noinline]] static void deleted_by_others();
 
   const Connectivity& mesh_;
-  std::vector<State> state_;      // of each edge's boundary halfedge, if it has one; behind the end: neither
-  std::vector<Halfedge> active_;  // a queue from head_ on; what is no longer active is passed over
+  std::vector<State> state_;      // of the boundary halfedge of each edge, if it has one; past the end: neither
+  std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that are no longer active are skipped
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
   std::vector<Halfedge> deferred_;  // a queue from deferred_head_ on, in the order of revisions
   std::size_t deferred_head_ = 0;
-  std::size_t deferred_now_ = 0;       // where those of the last revision begin
+  std::size_t deferred_now_ = 0;       // start of those of the last revision
   std::size_t deferred_revision_ = 0;  // the last
 };
 
