@@ -12,7 +12,7 @@ namespace {
 /// An array of numbers, by rows or by columns.
 class ArrayCloud final : public Cloud {
  public:
-  /// `content` at the array's first number.
+  /// `content` is at the array's first number. `is_whole`: the number of rows in `array` is known.
   ArrayCloud(Content content, const NpyLayout& array, const CloudRequest& request, bool is_whole)
       : array_(array),
         is_whole_(is_whole),
@@ -72,7 +72,7 @@ class ArrayCloud final : public Cloud {
     if (array_.columns_first) sources_.pop_back();
   }
 
-  /// How many rows there are in `size` bytes: the last of a file that does not say how many it has.
+  /// Returns the number of rows in the last `size` bytes of a file of raw numbers; throws BadInput if rows are missing.
   std::size_t end_early(std::size_t size, std::size_t step) {
     const std::string& name = sources_.front().name();
     if (is_whole_)
@@ -84,10 +84,10 @@ class ArrayCloud final : public Cloud {
   }
 
   NpyLayout array_;
-  bool is_whole_;  // it is known how many rows there are
+  bool is_whole_;  // the number of rows is known
   bool keeps_heights_, looks_at_heights_;
   std::vector<std::size_t> columns_ = {};
-  std::vector<Content> sources_ = {};  // one, or one of each column
+  std::vector<Content> sources_ = {};  // one, or one for each column
   std::size_t first_ = 0;
 };
 

@@ -44,11 +44,9 @@ class AtomSource {
   /// Throws BadInput if a value before the current atom may be missing, so that later values are in wrong columns.
   virtual void require_columns() const {}
 
-  std::size_t models() const { return models_; }  ///< number of models with atoms; known at the end
-  std::size_t blocks() const {
-    return blocks_;
-  }                                   ///< number of data blocks with atoms, the first of them is read; known at the end
-  UnitCell& cell() { return cell_; }  ///< known at the end
+  std::size_t models() const { return models_; }  ///< models with atoms; known at the end
+  std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms, of which only the first is read; likewise
+  UnitCell& cell() { return cell_; }              ///< likewise
 
  protected:
   std::size_t models_ = 0, blocks_ = 1;

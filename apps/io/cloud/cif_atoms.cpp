@@ -17,8 +17,8 @@ using Kind = CifTokens::Kind;
 
 constexpr std::string_view missing_columns = "Cartn_x, Cartn_y and Cartn_z";
 
-/// What atom_columns are called, in their order; where the first has no value the next counts. Author's names are those
-/// of the PDB file of the same structure.
+/// The items of CIF for each of atom_columns; the second counts if the first has no value. Names of the author (auth_)
+/// are those of the PDB file of the same structure.
 constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names_in_cif = {
     {{"id"},
      {"auth_asym_id", "label_asym_id"},
@@ -34,8 +34,8 @@ constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names
      {"occupancy"},
      {"B_iso_or_equiv"}}};
 
-/// What is behind the category in the name of an item, which the first dictionaries write with an underscore; else
-/// nothing.
+/// Returns the name of an item of the category without the category; empty for an item of another one. Early
+/// dictionaries have an underscore in place of the dot.
 std::string_view item_of(std::string_view name, std::string_view category) {
   if (name.size() <= category.size() + 1 || !same_letters(name.substr(0, category.size()), category)) return {};
   const char dot = name[category.size()];
@@ -69,11 +69,11 @@ class CifAtoms final : public AtomSource {
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// Goes to the first value of the next atoms; false at the end of the file.
+  /// Goes to the first value of the next loop of atoms; returns false at the end of the file.
   bool find_rows() {
     for (;;) {
       const std::string_view item = tokens_.kind() == Kind::name ? item_of(tokens_.text(), "_atom_site") : "";
-      if (item.empty() && !columns_.empty()) return begin_rows();  // atoms, or one whose values stand beside names
+      if (item.empty() && !columns_.empty()) return begin_rows();  // one atom, as pairs of name and value
       if (tokens_.kind() == Kind::end) return false;
       if (tokens_.kind() == Kind::block) {
         ++block_;
@@ -89,7 +89,7 @@ class CifAtoms final : public AtomSource {
     }
   }
 
-  /// The names of a loop, and whether they are of atoms.
+  /// Reads the names of a loop; returns whether they are items of atoms.
   bool read_names() {
     bool is_of_atoms = false;
     for (tokens_.next(); tokens_.kind() == Kind::name; tokens_.next()) {
@@ -100,7 +100,7 @@ class CifAtoms final : public AtomSource {
     return is_of_atoms;
   }
 
-  /// A name and its value.
+  /// Reads a name and its value.
   void read_pair(std::string_view item) {
     constexpr std::array<std::string_view, 6> of_cell = {"length_a",    "length_b",   "length_c",
                                                          "angle_alpha", "angle_beta", "angle_gamma"};
@@ -147,7 +147,7 @@ class CifAtoms final : public AtomSource {
     return true;
   }
 
-  /// The values of the next atom; false where there are no more.
+  /// Reads the values of the next atom; returns false if there are no more.
   bool take_row() {
     if (std::exchange(has_pairs_, false)) {
       is_by_lines_ = false;
@@ -177,7 +177,7 @@ class CifAtoms final : public AtomSource {
     return true;
   }
 
-  /// Refuses the line where values are missing or too many.
+  /// Throws BadInput for a line with missing or surplus values.
   [[noreturn]] void refuse_row(std::size_t line) const {
     Lines lines(text_);
     while (lines.number() < line && lines.next()) continue;
@@ -212,9 +212,9 @@ class CifAtoms final : public AtomSource {
   const std::string& name_;
   CifTokens tokens_;
   std::array<std::string_view, 6> cell_values_ = {};
-  std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // of data; the first that has atoms, the last that has
-  std::vector<std::string_view> columns_ = {}, values_ = {};  // of a loop, or names and their values
-  std::vector<std::string_view> row_ = {};                    // of the current atom
+  std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // data block; the first and the last one with atoms
+  std::vector<std::string_view> columns_ = {}, values_ = {};  // items of a loop; or items of pairs and their values
+  std::vector<std::string_view> row_ = {};                    // values of the current atom
   std::array<std::array<std::size_t, 2>, atom_columns.size()> places_ = {};
   std::size_t width_ = 0, model_ = none, row_line_ = 0, odd_line_ = 0;
   bool in_rows_ = false, has_pairs_ = false, is_by_lines_ = true, is_first_row_ = true;

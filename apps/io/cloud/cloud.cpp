@@ -18,8 +18,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Text claims nothing, but has no zero bytes, of which a few kilobytes would become a line of gigabytes; UTF-16 has,
-/// and is named by its reader.
+/// Returns any_size, as text claims no size. Refuses zero bytes, of which a few kilobytes would become a line of
+/// gigabytes, except in UTF-16, which its reader refuses with a better message.
 double claimed_text_size(std::string_view first, const std::string& name) {
   const std::size_t zero = first.find('\0');
   if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))
@@ -103,7 +103,7 @@ void load_column(std::vector<double>& column, Scalar type, const char* at, std::
       at += stride;
     }
   };
-  with_type(type, [&](auto value) {  // the order of nearly all files is known where it is compiled
+  with_type(type, [&](auto value) {  // a compile-time constant for the byte order of nearly all files
     order == std::endian::native ? load_all(value, std::endian::native) : load_all(value, order);
   });
 }
@@ -151,7 +151,7 @@ void select_points(Selection& selection, CloudBlock& block, std::span<const std:
       continue;
     }
     for (std::vector<double>& column : block.column)
-      if (!column.empty()) column[i] = 0;  // whatever it was
+      if (!column.empty()) column[i] = 0;  // points that are left out need not be finite
   }
   require_finite(block, first, name);
   const auto select = [&](std::vector<double>& column) {

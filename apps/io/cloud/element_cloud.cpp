@@ -16,19 +16,19 @@
 namespace rbpa::app {
 namespace {
 
-/// The three bytes 0xRRGGBB behind the colors of a block.
+/// Appends the three bytes 0xRRGGBB to the colors of a block.
 void append_color(std::uint32_t bits, CloudBlock& block) {
   for (std::size_t k = 0; k < 3; ++k) block.column[CloudBlock::color + k].push_back(bits >> (16 - 8 * k) & 0xFFU);
 }
 
-/// The bits of a color in text: of a float those of the number that is written.
+/// Returns the bits of a color in text; those of a float's representation if the property is a float.
 std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
   const bool bits_of_float = type == Scalar::float32;
   const double least = bits_of_float ? -0x1.fffffep127 : -0x1p31,
                greatest = bits_of_float ? 0x1.fffffep127 : 0x1p32 - 1;
   if (!(number >= least && number <= greatest)) bad_input(here, in_quotes(ShortestText(number)), "a colour of 4 bytes");
   if (bits_of_float) return std::bit_cast<std::uint32_t>(static_cast<float>(number));
-  return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed, or not
+  return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed or unsigned
 }
 
 class ElementCloud final : public Cloud {
@@ -94,7 +94,7 @@ class ElementCloud final : public Cloud {
     if (keeps_heights_) block.heights[i - first_] = z;
   }
 
-  /// Where the values of a property begin, of some vertices, and how far each is from the one before.
+  /// The values of a property of some vertices: the first, and the distance in bytes between two.
   struct Strip {
     const char* first;
     std::size_t stride;
@@ -144,7 +144,7 @@ class ElementCloud final : public Cloud {
   }
 
   void read_text(CloudBlock& block) {
-    std::vector<double*> target(vertex_.properties.size(), nullptr);  // where the numbers of a property go
+    std::vector<double*> target(vertex_.properties.size(), nullptr);  // column for the numbers of a property
     std::vector<double> color(layout_.color ? block.count : 0);
     for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.condition[k]] = fields_[k].data();
     if (layout_.color) target[*layout_.color] = color.data();
@@ -168,7 +168,7 @@ class ElementCloud final : public Cloud {
       if (layout_.colors_behind) colors_.take(rest.substr(0, rest.find('#')), text_->lines().number(), block);
     });
     for (const double z : block.heights) facts_.file.heights.take(z);
-    for (std::size_t k = 0; k < fields_.size(); ++k)  // which may be a column as well
+    for (std::size_t k = 0; k < fields_.size(); ++k)  // a field may be a column of the block as well
       std::copy_n(target[layout_.condition[k]], block.count, fields_[k].data());
   }
 
@@ -179,13 +179,13 @@ class ElementCloud final : public Cloud {
       bad_input(here(), in_quotes(ShortestText(number)), "a channel of a colour, from 0 to 255");
   }
 
-  /// Looks at the next word, whatever it is.
+  /// Notes the height in the next word, if it is a number.
   void find_height(CloudBlock& block, std::size_t i, std::string_view rest) {
     const ParsedNumber z = parse_whole_number(take_word(rest));
     if (z.fault == NumberFault::none) take_height(block, i, z.value);
   }
 
-  /// The elements behind the vertices of a binary file.
+  /// Skips the elements behind the vertices of a binary file, so that a truncated file is noticed.
   void pass_rest() {
     for (std::size_t i = layout_.element + 1; i < header_.elements.size(); ++i) {
       binary_->require_room(header_.elements[i]);
@@ -199,7 +199,7 @@ class ElementCloud final : public Cloud {
   PlyHeader header_;
   PointLayout layout_;
   const PlyElement& vertex_;
-  std::vector<std::vector<double>> fields_;  // columns of what the condition asks for
+  std::vector<std::vector<double>> fields_;  // columns of the condition's fields
   bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;
   std::optional<PlyBinary> binary_ = std::nullopt;

@@ -12,7 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-/// No double is larger than what the largest integers become: then no point is infinite.
+/// Throws BadInput if the largest integers give coordinates beyond the range of a double: otherwise all points are
+/// finite.
 void require_range(const LasHeader& header, std::size_t axis, const std::string& name) {
   constexpr double largest = 0x1p31;
   if (!std::isfinite(largest * std::abs(header.scale[axis]) + std::abs(header.offset[axis])))
@@ -58,7 +59,7 @@ class LasCloud final : public Cloud {
     }
     if (!system.remark.empty() && !in_space_) facts_.file.remarks.push_back(system.remark);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    if (!selection_ && is_settled_) facts_.expected = count_;  // whose records are all there
+    if (!selection_ && is_settled_) facts_.expected = count_;  // all records are there
     content_.skip(header_.begin);
   }
 
@@ -90,7 +91,7 @@ class LasCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return content_.bytes_read(); }
 
  private:
-  /// Also behind the points.
+  /// Returns the system of the file; also reads the records behind the points.
   LasCrs find_system(std::string_view before) const {
     const bool has_more = !content_.is_packed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
@@ -150,7 +151,7 @@ class LasCloud final : public Cloud {
   void end() {
     ended_ = true;
     if (!is_settled_) {
-      // How many records there are is known when the file is unpacked.
+      // The number of records is known once the file is decompressed.
       std::size_t found = first_;
       for (; found < header_.count.room() && content_.ahead(header_.length).size() >= header_.length; ++found)
         content_.skip(header_.length);
@@ -167,7 +168,7 @@ class LasCloud final : public Cloud {
   std::vector<ScaledInteger> axes_ = {};
   std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
-  std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue are behind red
+  std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
   std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;
   std::uint16_t greatest_channel_ = 0;
   bool is_settled_ = false, ended_ = false;

@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// What stands behind the fields that all formats of a family have.
+/// The offsets of the fields behind those that all formats of a family have.
 struct FieldLayout {
   std::size_t size;
   std::size_t time = 0, colour = 0, infrared = 0;  // 0: there is none
@@ -37,7 +37,7 @@ constexpr unsigned first_of_new_family = 6;
 
 enum class Since { any, version_1_1, new_family };
 
-/// A field and where each family of formats has it, or where it is from the place of `behind` on.
+/// A field and its place in each family of formats; with `behind`, the place relative to that offset.
 struct Known {
   std::string_view name;
   LasField old_family, new_family;
@@ -71,7 +71,7 @@ std::string folded(std::string_view name) {
   std::string result;
   for (const char c : name)
     if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  // As PDAL and LAStools call them.
+  // Names of PDAL and LAStools.
   if (result == "nir") return "infrared";
   if (result == "class") return "classification";
   if (result == "scananglerank") return "scanangle";
@@ -99,7 +99,7 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
   for (const Known& field : fields) {
     if (!is(name, field.name)) continue;
     if (field.since == Since::new_family && !is_new) return std::nullopt;
-    // Version 1.0 knows no flags there: the class is the whole byte.
+    // Version 1.0 has no flags in this byte: the class is the whole byte.
     if (!is_new && minor == 0 && field.since == Since::version_1_1) return std::nullopt;
     if (!is_new && minor == 0 && field.name == "classification") return LasField{15, u8};
     LasField found = is_new ? field.new_family : field.old_family;
@@ -131,16 +131,16 @@ std::string las_field_names() {
 
 namespace {
 
-constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // up to it every integer is a double
-constexpr int max_places = 15;                                  // ten to that is exact, and below 2^53
+constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // doubles represent every integer up to it
+constexpr int max_places = 15;                                  // 10^15 is exact, and below 2^53
 
-/// digits · 10^-places.
+/// The number digits · 10^-places.
 struct Decimal {
   std::int64_t digits;
   int places;
 };
 
-/// The digits with so many places, when they stay small enough.
+/// Returns the digits of `decimal` for a greater number of places; nothing if they exceed greatest_exact.
 std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   for (; decimal.places < places; ++decimal.places) {
     if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
@@ -149,7 +149,7 @@ std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   return decimal.digits;
 }
 
-/// The shortest decimal that reads back to the value, when it has few enough digits and places.
+/// Returns the shortest decimal that reads back to the value; nothing if it has too many digits or places.
 std::optional<Decimal> decimal_of(double value) {
   char text[32];
   char* const end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
@@ -159,7 +159,7 @@ std::optional<Decimal> decimal_of(double value) {
   int exponent = 0;
   std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, exponent);
   Decimal decimal{0, static_cast<int>(point == e ? 0 : e - point - 1) - exponent};
-  std::from_chars(text, std::remove(text, e, '.'), decimal.digits);  // at most 17 of them
+  std::from_chars(text, std::remove(text, e, '.'), decimal.digits);  // at most 17 digits
   if (decimal.digits == 0) return Decimal{0, 0};
   if (decimal.places > max_places) return std::nullopt;
   if (decimal.places >= 0) return decimal;
@@ -184,7 +184,7 @@ ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offse
 
 namespace {
 
-/// The formats that have a field, for a message.
+/// Returns the formats that have a field, for a message.
 std::string formats_with(std::string_view field, unsigned minor) {
   std::string formats;
   for (unsigned format = 0; format <= last_las_format; ++format)

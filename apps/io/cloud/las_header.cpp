@@ -179,7 +179,8 @@ std::string text_of_unit(unsigned unit) {
   return unit == us_survey_foot ? "US survey feet" : "another unit, number " + std::to_string(unit) + " of EPSG";
 }
 
-/// The system if `unit` is its own. Some write the code of the system in meters beside a unit of their own, feet.
+/// Returns the system if `unit` is its unit, and a warning otherwise: some writers name the system in meters and,
+/// beside it, feet as the unit.
 LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
   unsigned code = 0;
   if (crs && crs->authority == "EPSG") std::from_chars(crs->code.data(), crs->code.data() + crs->code.size(), code);
@@ -191,9 +192,9 @@ LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
                             crs->text() + " takes this one nevertheless)"};
 }
 
-/// The unit of EPSG with this factor to meters; 0 where it is another.
+/// Returns EPSG's code of the unit with this factor to meters; 0 if it is neither meter nor foot.
 unsigned unit_of_factor(double factor) {
-  constexpr double places = 1e8;  // in which feet of both kinds differ, and few texts have more
+  constexpr double places = 1e8;  // enough to tell both kinds of feet apart; few texts have more digits
   const auto is = [&](double known) { return std::round(factor * places) == std::round(known * places); };
   if (is(1)) return metre;
   if (is(0.3048)) return foot;
@@ -205,7 +206,7 @@ LasCrs crs_of_text(std::string_view text) {
   return in_unit(crs_of_wkt(text), factor ? unit_of_factor(*factor) : 0);
 }
 
-/// GeoTIFF: four numbers, of which the last counts the keys; then four for each key.
+/// Returns the system by GeoTIFF keys: four numbers, the last of them the number of keys; then four for each key.
 LasCrs crs_of_keys(std::string_view data) {
   constexpr std::size_t entry = 8;
   const auto number = [&](std::size_t i, std::size_t k) {
@@ -215,7 +216,7 @@ LasCrs crs_of_keys(std::string_view data) {
   const std::size_t keys = std::min<std::size_t>(number(0, 3), data.size() / entry - 1);
   unsigned model = 0, geographic = 0, projected = 0, unit = 0;
   for (std::size_t i = 1; i <= keys; ++i) {
-    if (number(i, 1) != 0) continue;  // its value is elsewhere: a text or doubles
+    if (number(i, 1) != 0) continue;  // a text or doubles, whose values are elsewhere
     if (number(i, 0) == 1024) model = number(i, 3);
     if (number(i, 0) == 2048) geographic = number(i, 3);
     if (number(i, 0) == 3072) projected = number(i, 3);
@@ -241,8 +242,8 @@ void take_note(Found& found, std::string_view user, unsigned number, std::string
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 
-/// Records from `at` on, which end before `end`. A header has reserved (2), user (16), number (2), length (2, or 8 of
-/// extended records) and description (32).
+/// Collects the systems in `count` records from `at` to `end`. The header of a record has reserved bytes (2), user
+/// (16), number (2), length (2; 8 in an extended record) and description (32).
 void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended) {
   const std::size_t frame = extended ? 60 : 54;
   for (std::size_t i = 0; i < count && at <= end && end - at >= frame; ++i) {

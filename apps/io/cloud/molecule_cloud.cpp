@@ -41,9 +41,9 @@ class AlternateLocations {
   const std::string& first() const { return first_; }
 
  private:
-  std::unordered_map<std::string, std::size_t> places_ = {};  // of each atom that may have several
+  std::unordered_map<std::string, std::size_t> places_ = {};  // of each atom with a letter of an alternate location
   std::size_t count_ = 0;
-  std::string first_ = {};  // of their letters
+  std::string first_ = {};  // the first of these letters
 };
 
 class MoleculeCloud final : public Cloud {
@@ -127,7 +127,7 @@ class MoleculeCloud final : public Cloud {
     ++block.count;
   }
 
-  /// A question mark stands for nothing, as in PDBx/mmCIF.
+  /// Whether the atom has the text that the condition asks for; '?' matches an empty value, as in PDBx/mmCIF.
   bool has_text(const std::pair<std::size_t, std::string>& asked) const {
     const std::string& field = atom_.fields[asked.first];
     return field == asked.second || (field.empty() && asked.second == "?");
@@ -135,7 +135,7 @@ class MoleculeCloud final : public Cloud {
 
   double coordinate(std::size_t column) const { return parsed(column, ""); }
 
-  /// NaN where there is none.
+  /// Returns the number in a column of the atom; NaN if the column is empty.
   double number_at(std::size_t column, std::string_view where) const {
     if (atom_.fields[column].empty()) return std::numeric_limits<double>::quiet_NaN();
     return parsed(column, where);
@@ -154,10 +154,10 @@ class MoleculeCloud final : public Cloud {
   std::unique_ptr<AtomSource> source_;
   Waters waters_;
   Atom atom_ = {};
-  std::vector<std::size_t> places_ = {};                         // of the condition's fields
-  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // of its texts, and these
+  std::vector<std::size_t> places_ = {};                         // columns of the condition's fields
+  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // columns of its texts, and the texts
   std::optional<Selection> selection_ = std::nullopt;
-  std::vector<TextNumbers> numbers_ = {};  // of texts in each of its columns
+  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of its columns
   AlternateLocations alternates_ = {};
   std::size_t atoms_ = 0, water_atoms_ = 0;
 };

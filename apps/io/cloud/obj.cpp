@@ -54,7 +54,7 @@ std::uint32_t take_obj_number(std::string_view word, std::string_view text, std:
 
 namespace {
 
-/// All in one block: faces behind the points say which normals are theirs.
+/// Reads all points as one block, since the faces behind the points assign the normals.
 class ObjCloud final : public Cloud {
  public:
   explicit ObjCloud(Content content) : content_(std::move(content)), lines_(content_.ahead()), name_(content_.name()) {
@@ -89,7 +89,7 @@ class ObjCloud final : public Cloud {
  private:
   static constexpr std::uint32_t none = ~0U;
 
-  /// A corner of a face that names a normal.
+  /// A corner of a face with a normal.
   struct Corner {
     std::uint32_t vertex, normal;
     std::size_t line;
@@ -100,7 +100,7 @@ class ObjCloud final : public Cloud {
     return {x, y, z};
   }
 
-  /// Of a corner v//vn or v/vt/vn both count.
+  /// Reads the corners of a face: v and vn of v//vn or v/vt/vn.
   void take_face(std::string_view rest, std::size_t points, std::size_t line) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       if (word.front() != '-' && std::isdigit(static_cast<unsigned char>(word.front())) == 0)
@@ -119,7 +119,7 @@ class ObjCloud final : public Cloud {
                 "a " + noun + " number from 1 to " + std::to_string(count));
   }
 
-  /// Gives each vertex its normal, or none to all.
+  /// Gives every vertex its normal, or no vertex a normal and a warning.
   void settle_normals(CloudBlock& block) {
     if (corners_.empty()) {
       if (normals_.size() == block.count)

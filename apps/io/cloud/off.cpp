@@ -14,8 +14,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether a word is OFF with the prefixes of a three-dimensional ASCII file, and which of them; with the number of
-/// vertices right behind it or not.
+/// The keyword of a three-dimensional ASCII file: OFF with prefixes, perhaps with the number of vertices right behind
+/// it.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
@@ -65,7 +65,7 @@ OffHeader read_off_header(std::string_view text, std::size_t size, const std::st
                          .faces = *faces,
                          .line = line,
                          .lines = lines};
-  // The shortest vertex line is "0 0" and its end, but for the last.
+  // The shortest line of a vertex is "0 0" and a line end, which the last line may lack.
   if (*vertices > (left + 1) / 4)
     bad_input(name, counted(left, "byte") + " of data", announced(header.elements(0).elements.front()));
   return header;
@@ -88,7 +88,7 @@ double claimed_off_size(std::string_view first, const std::string& name) {
 
 namespace {
 
-/// In the plane vertices may have two coordinates, as the first has.
+/// Returns the number of coordinates of a vertex, by the first: 3, or in the plane also 2.
 std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
   if (off.normals) return in_space ? 6 : 3;
   Lines lines = off.lines;

@@ -1,4 +1,4 @@
-// What:   points of the Point Cloud Library's format, version 0.5 to 0.7.
+// What:   reads PCD, the format of the Point Cloud Library, versions 0.5 to 0.7.
 // Source: https://pointclouds.org/documentation/tutorials/pcd_file_format.html
 #include <algorithm>
 #include <bit>
@@ -24,15 +24,15 @@ std::vector<std::string_view> all_words(std::string_view rest) {
   return words;
 }
 
-/// Points are the one element.
+/// A header as that of PLY, with points as the only element.
 struct PcdHeader {
   PlyHeader header = {};
-  bool is_compressed = false;  ///< all of one field are behind each other, and then all of the next
+  bool is_compressed = false;  ///< the data are columns: all values of one field, then those of the next
 };
 
 class PcdHeaderReader {
  public:
-  /// Of a file of `size` bytes of which `bytes` are the first.
+  /// Reads the header of a file of `size` bytes, which begins with `bytes`.
   PcdHeaderReader(std::string_view bytes, std::size_t size, const std::string& name)
       : lines_(bytes), missing_(size - bytes.size()), ends_within_line_(!bytes.ends_with('\n')), name_(name) {}
 
@@ -91,7 +91,7 @@ class PcdHeaderReader {
   }
 
   void take_data(std::string_view kind) {
-    // "binary" may go on as "binary_compressed".
+    // A cut-off "binary" may be the beginning of "binary_compressed".
     if (missing_ > 0 && ends_within_line_ && lines_.rest().empty()) refuse_end();
     is_compressed_ = kind == "binary_compressed";
     if (kind != "ascii" && kind != "binary" && !is_compressed_) refuse("ascii, binary or binary_compressed");
@@ -123,8 +123,8 @@ class PcdHeaderReader {
       if (!count || *count > most)
         bad_input(name_ + ": field " + shown(fields_[i]), "a count of " + in_quotes(counts_[i]),
                   "one from 0 to " + std::to_string(most));
-      if (*count == 0) continue;  // which takes no bytes
-      // Where it compresses, the Point Cloud Library leaves out what is so called: the gaps between the others.
+      if (*count == 0) continue;  // takes no bytes
+      // The Point Cloud Library leaves out gaps between fields, which are called "_", if it compresses.
       if (is_compressed_ && fields_[i] == "_") continue;
       points_.properties.push_back({std::string(fields_[i]), *type, std::nullopt, *count});
     }
@@ -143,7 +143,7 @@ class PcdHeaderReader {
     header_.elements.push_back(std::move(points_));
   }
 
-  /// Of text each number takes a character, and another behind it unless it is the last of the file.
+  /// Throws BadInput if the file is too short for its points. In text each number takes two characters, the last one.
   void require_room() const {
     const std::size_t left = header_.data.size() + missing_;
     const std::size_t room = header_.binary ? left / points_.least_size() : (left + 1) / (2 * points_.least_words());
@@ -188,7 +188,7 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
   return layout;
 }
 
-/// Before compressed data: how many bytes they are, and how many they become.
+/// The sizes before compressed data, in bytes.
 struct CompressedSizes {
   static constexpr std::size_t room = 8;
   std::uint32_t packed = 0, unpacked = 0;
@@ -198,7 +198,7 @@ struct CompressedSizes {
         unpacked(load<std::uint32_t>(data.data() + sizeof packed, std::endian::little)) {}
 };
 
-/// What the compressed data behind the header become.
+/// Returns the decompressed data.
 std::vector<char> unpack(const PlyHeader& header, const std::string& name) {
   const PlyElement& points = header.elements.front();
   const std::string_view data = header.data;

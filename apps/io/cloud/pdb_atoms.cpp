@@ -22,14 +22,15 @@ bool has_digit(std::string_view line, std::size_t column) {
   return line.size() >= column && is_digit(line[column - 1]);
 }
 
-/// The record ATOM may be short of room for a serial of six digits.
+/// Whether a line is a record ATOM or HETATM. A serial number of six digits may take the blank behind ATOM.
 bool is_atom(std::string_view line) {
   const auto may_follow = [](char c) { return c == ' ' || is_digit(c); };
   return line.starts_with("HETATM") ||
          (line.starts_with("ATOM") && line.size() > 5 && may_follow(line[4]) && may_follow(line[5]));
 }
 
-/// A number, or in so many columns one beyond them: A000 is 10000 in four. Nothing of asterisks, which are none.
+/// Returns the decimal text of a number in so many columns, also in hybrid-36 notation: A000 in four columns is 10000.
+/// Asterisks give an empty text.
 std::string number_in(std::string_view text, std::size_t columns) {
   if (text.find_first_not_of('*') == std::string_view::npos) return {};
   const auto is_upper = [](char c) { return c >= 'A' && c <= 'Z'; };
@@ -59,7 +60,7 @@ class PdbAtoms final : public AtomSource {
       if (line.starts_with("CRYST1"))
         cell_ = unit_cell("CRYST1", {at_columns(line, 7, 15), at_columns(line, 16, 24), at_columns(line, 25, 33),
                                      at_columns(line, 34, 40), at_columns(line, 41, 47), at_columns(line, 48, 54)});
-      // Behind END there is another structure, or the next frame of a simulation.
+      // Another structure, or the next frame of a simulation, may follow END.
       if (line.starts_with("MODEL ") || line.starts_with("ENDMDL") || line == "END") is_new_model_ = true;
       if (!is_atom(line)) continue;
       if (std::exchange(is_new_model_, false)) ++models_;
@@ -80,7 +81,7 @@ class PdbAtoms final : public AtomSource {
                    std::string(at_columns(line, 22, 22)),
                    number_in(at_columns(line, 23, residue_end), 4),
                    std::string(at_columns(line, residue_end + 1, 27)),
-                   std::string(at_columns(line, 18, 21)),  // of four letters in files of simulations
+                   std::string(at_columns(line, 18, 21)),  // four letters in files of simulations
                    std::string(at_columns(line, 13, 16)),
                    std::string(at_columns(line, 77, 78)),
                    std::string(at_columns(line, 31, 38)),

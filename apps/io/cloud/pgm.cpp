@@ -12,12 +12,12 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // as many points are too many
+constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // rbpa() refuses as many points
 
 Shade ground_of(const Shades& image) {
   std::array<std::size_t, 3> count{};
   for (std::size_t row = 0; row < image.height; ++row) {
-    const bool is_of_border = row == 0 || row + 1 == image.height;  // else its ends are
+    const bool is_of_border = row == 0 || row + 1 == image.height;  // of other rows only the two ends are
     const std::size_t step = is_of_border ? 1 : std::max<std::size_t>(image.width - 1, 1);
     for (std::size_t column = 0; column < image.width; column += step)
       ++count[static_cast<std::size_t>(image.pixels[row * image.width + column])];
@@ -59,12 +59,12 @@ std::vector<Point> foreground_points(const Shades& image, const std::optional<Fo
 
 namespace {
 
-/// A text as whole numbers apart by blanks, line ends, and comments from '#' to the end of the line.
+/// Whole numbers in a text, separated by blanks, line ends, and comments from '#' to the end of the line.
 class Numbers {
  public:
   Numbers(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
-  /// The next number, which must lie between `least` and `greatest`; `expected` says so.
+  /// Takes the next number. Throws BadInput with `expected` unless it is between `least` and `greatest`.
   std::size_t take(std::size_t least, std::size_t greatest, const std::string& expected) {
     const std::string_view word = next_word();
     if (word.empty()) bad_input(at_line(name_, line_), "the end of the file", expected);
@@ -73,13 +73,13 @@ class Numbers {
     rest_.remove_prefix(word.size());
     return *value;
   }
-  /// Passes over the next word; false, and at the end, where it may go on behind the text.
+  /// Skips the next word. Returns false, and stays at the end, if the word may continue behind the text.
   bool pass() {
     rest_.remove_prefix(next_word().size());
     return !rest_.empty();
   }
   std::string_view rest() const { return rest_; }
-  /// What follows the one blank or line end that must come next.
+  /// Returns the text behind the single blank or line end that must come next.
   std::string_view rest_behind_blank() const {
     if (rest_.empty() || !is_space(rest_.front()))
       bad_input(at_line(name_, line_), rest_.empty() ? "the end of the file" : in_quotes(rest_.substr(0, 1)),
@@ -115,15 +115,15 @@ class Numbers {
   const std::string& name_;
 };
 
-/// A header, and what follows it.
+/// A header and the data behind it.
 struct Pgm {
   bool text;
   std::size_t width, height, white;
-  Numbers numbers;  ///< the pixels of text
+  Numbers numbers;  ///< the pixels of a text file
   std::string_view data;
 
   std::size_t pixels() const { return width * height; }
-  /// Bytes of the pixels; of text at least, as before each number there is a blank.
+  /// Returns the size of the pixels in bytes; a lower bound in text, where a blank precedes each number.
   std::size_t size() const { return (text || white >= 256 ? 2 : 1) * pixels(); }
 };
 

@@ -152,7 +152,8 @@ std::size_t find_number(const PlyElement& element, std::string_view property, st
 
 namespace {
 
-/// Where in `data` the element that begins at `at` ends; nothing when a length of its lists is not there.
+/// Returns the offset in `data` of the end of the element that begins at `at`; nothing if the length of one of its
+/// lists is not in `data`.
 std::optional<double> end_of_element(const PlyElement& element, double at, std::string_view data, std::endian order) {
   for (const PlyProperty& property : element.properties) {
     auto values = static_cast<double>(property.count);
@@ -228,7 +229,7 @@ void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t in
 
 void PlyText::require_room(const PlyElement& element) const {
   if (element.properties.empty()) return;
-  // Each value takes a character, and another behind it unless it is the last of the file.
+  // Each value takes two characters, except the last of the file, which takes one.
   const std::size_t left = rest_.size() + lines_.rest().size();
   if (element.count > (left + 1) / (2 * element.least_words()))
     bad_input(name_, counted(left, "byte") + " of data", announced(element));
@@ -246,7 +247,7 @@ void PlyText::next(const PlyElement& element, std::size_t index) {
   rest_ = lines_.line();
 }
 
-/// There are words behind an element in its line.
+/// Decides about words behind an element in its line: they are ignored, or the next elements.
 void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   if (rest_.front() != '#' && is_by_words_) return;
   if (rest_.front() != '#' && !is_by_lines_) {
@@ -268,7 +269,7 @@ void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   rest_ = {};
 }
 
-/// Whether the words that follow are those of all elements behind one, and no more.
+/// Whether exactly the words of all later elements follow an element.
 bool PlyText::are_words_of_rest(const PlyElement& element, std::size_t index) const {
   Lines lines = lines_;
   std::string_view rest = rest_;

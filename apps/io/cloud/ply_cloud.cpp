@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Where columns are among the properties of a vertex.
+/// Returns the layout of points: the properties of a vertex that are columns.
 PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const std::string& name) {
   const PlyElement& vertex = vertices_of(header, name);
   PointLayout layout{.element = static_cast<std::size_t>(&vertex - header.elements.data())};

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t bytes_per_pixel = 8;  // red, green, blue, opacity of 16 bits each
 
-/// libpng on a file in memory. It reports an error by a jump, which must not pass over a destructor: each step below
-/// holds none, and returns false when libpng jumped.
+/// libpng for a file in memory. libpng reports an error by longjmp(), which must not skip a destructor: the steps below
+/// have no objects with destructors, and return false after an error.
 class PngDecoder {
  public:
   explicit PngDecoder(std::string_view bytes) : left_(bytes) {
@@ -34,11 +34,12 @@ class PngDecoder {
   bool read_header() {
     return attempt([this] {
       png_set_read_fn(png_, this, read);
-      png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // our limits have messages of their own
+      png_set_user_limits(png_, PNG_UINT_31_MAX,
+                          PNG_UINT_31_MAX);  // require_image_size() refuses with a better message
       png_read_info(png_, info_);
     });
   }
-  /// From here on every row is red, green, blue, opacity of 16 bits, whatever the file has.
+  /// Makes libpng convert every row to red, green, blue, opacity of 16 bits each.
   bool begin_rows() {
     return attempt([this] {
       png_set_expand_16(png_);
@@ -57,7 +58,7 @@ class PngDecoder {
   png_uint_32 width() const { return png_get_image_width(png_, info_); }
   png_uint_32 height() const { return png_get_image_height(png_, info_); }
   bool interlaced() const { return png_get_interlace_type(png_, info_) == PNG_INTERLACE_ADAM7; }
-  /// Why the last step failed.
+  /// Returns why the last step failed.
   const char* message() const { return message_.data(); }
 
  private:
@@ -93,8 +94,8 @@ Shade shade_of_pixel(const png_byte* pixel, double threshold) {
   return shade_of(grey, 10000.0 * 65535.0, threshold);
 }
 
-/// Fills in the pixels, or returns false. An interlaced image is a sequence of ever finer ones, each of which has the pixels
-/// that those before it left out.
+/// Reads the pixels; returns false after an error. An interlaced image is a sequence of finer and finer images, each
+/// with the pixels that the earlier ones left out.
 bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
   if (!decoder.begin_rows()) return false;
   std::vector<png_byte> row(bytes_per_pixel * image.width);
@@ -116,8 +117,8 @@ bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
   return decoder.read_end();
 }
 
-/// Throws BadInput when rows are too long to be held in memory in every form they pass through, or the file is too small.
-/// Its rows are compressed, at best 1032 to 1, from at least a bit a pixel.
+/// Throws BadInput if rows are too long for libpng's buffers, or if the file is too small for its pixels: it is
+/// compressed at best 1032 to 1, from at least one bit per pixel.
 void require_room(std::size_t file_size, const PngDecoder& decoder, const std::string& name) {
   constexpr std::size_t widest = 1000000, max_pixels_per_byte = std::size_t{8} * 1032;
   const std::size_t width = decoder.width(), height = decoder.height();

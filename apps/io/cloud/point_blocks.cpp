@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A file that is read as it goes.
+/// A file that is read piece by piece.
 class CloudBlocks final : public PointBlocks {
  public:
   explicit CloudBlocks(const PointSource& source)
@@ -43,7 +43,7 @@ class CloudBlocks final : public PointBlocks {
   bool ended_ = false, is_finished_ = false;
 };
 
-/// A file that has to be in memory as a whole.
+/// A file that has to be wholly in memory.
 class WholeFile final : public PointBlocks {
  public:
   explicit WholeFile(const PointSource& source) {

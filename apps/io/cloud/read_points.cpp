@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Geometries and pixels are no columns.
+/// Reads points by their format; geometries and pixels have readers of their own, as they are no columns.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   switch (source.format) {
     case Format::png:
@@ -38,7 +38,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     file.degrees = true;
   }
   if (file.degrees) remark_on_degrees(file);
-  if (!source.heights) file.z = {};  // which geometries have
+  if (!source.heights) file.z = {};  // readers of geometries always fill it
   return file;
 }
 
@@ -123,7 +123,7 @@ PointFile read_points(const PointSource& source) {
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), point_formats, Format::text);
   if (known.format == Format::geojson) {
-    if (known.where && !known.where->selects()) known.where.reset();  // of groups, by properties
+    if (known.where && !known.where->selects()) known.where.reset();  // it only names properties of groups
   } else {
     known.properties = {};
   }
@@ -132,7 +132,7 @@ PointFile read_points(const PointSource& source) {
 }
 
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
-  // No points may be meant; no bytes at all come from a command that failed before.
+  // A file without points may be intended; an empty one comes from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   std::string room;
   if (!is_table(source.format)) bytes = plain_text(bytes, name, source.format, room);

@@ -16,7 +16,7 @@ namespace {
 
 using Channel3 = std::array<float, 3>;
 
-/// Columns `first` to `first` + 2 of a block as vectors behind those there are.
+/// Appends columns `first` to `first` + 2 of a block as vectors.
 void append_vectors(const CloudBlock& block, std::size_t first, std::vector<Point3>& vectors) {
   for (std::size_t i = 0; i < block.count; ++i)
     vectors.push_back({block.column[first][i], block.column[first + 1][i], block.column[first + 2][i]});
@@ -32,7 +32,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   SpacePoints space;
   space.points.reserve(facts.expected);
   if (facts.normals) space.normals.reserve(facts.expected);
-  std::vector<Channel3> colors;  // what their channels are of shows at the end
+  std::vector<Channel3> colors;  // the range of the channels is known at the end
   if (facts.colors) colors.reserve(facts.expected);
   CloudBlock block;
   while (cloud.next(block)) {
@@ -66,7 +66,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   return space;
 }
 
-/// A normal says a direction.
+/// Throws BadInput for a normal of length 0, which has no direction.
 void require_directions(const SpacePoints& file, const std::string& name) {
   for (std::size_t i = 0; i < file.normals.size(); ++i)
     if (file.normals[i] == Point3{})
@@ -86,7 +86,7 @@ SpacePoints read_space_points(const std::string& path, Format format, const Clou
 
 SpacePoints space_points_in(std::string_view bytes, const std::string& name, Format format,
                             const CloudRequest& request) {
-  // No points may be meant; no bytes at all come from a command that failed before.
+  // A file without points may be intended; an empty one comes from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   CloudRequest in_space = request;
   in_space.in_space = true;

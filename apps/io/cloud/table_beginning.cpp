@@ -40,7 +40,8 @@ class Starter {
     if (start_.has_line && !lines_.comment_before().empty()) comment_ = lines_.comment_before();
   }
 
-  /// The .xyz of chemistry; only that ending, or none, may have numbers for elements.
+  /// Takes the count and the comment of the .xyz of chemistry. Elements may be numbers only if the ending is .xyz or
+  /// absent.
   bool take_atoms() {
     if (kind_ != TableKind::any || !parse_count(lines_.line())) return false;
     const std::string_view known = input_ending(lines_.name());
@@ -49,7 +50,7 @@ class Starter {
     start_.announced = AnnouncedPoints{atoms->count, lines_.number(), true};
     lines_.pass_line(atoms->behind_comment);
     start_.has_line = lines_.next();
-    if (request_.columns) {  // which may be chosen by these names
+    if (request_.columns) {  // columns may be chosen by these names
       comment_.clear();
       for (const std::string& name : atoms->names) comment_ += name + ' ';
       return false;
@@ -61,7 +62,7 @@ class Starter {
     return true;
   }
 
-  /// A line with one whole number, before lines with more, is the number of points.
+  /// Takes the number of points: a line with one whole number, before lines with more fields.
   void take_count() {
     const std::optional<std::size_t> count = parse_count(lines_.line());
     if (!count || start_.announced) return;
@@ -78,7 +79,7 @@ class Starter {
 
   void lay_out(std::optional<char> said) {
     std::deque<std::string> room;
-    constexpr std::size_t most_tries = 1000;  // each looks at the lines ahead
+    constexpr std::size_t most_tries = 1000;  // each try reads the lines ahead
     std::optional<SeparatorChoice> choice;
     for (std::size_t tries = 0;; ++tries) {
       if (tries < most_tries)
@@ -101,7 +102,8 @@ class Starter {
     std::vector<std::string> remarks;
     char separator = choice.separator;
     lines_.set_layout(separator, choice.fields.to_last_text);
-    if (!is_said && choice.lines > 0 && count_fields(lines_.line(), separator).all == 1) {  // a header has its own
+    if (!is_said && choice.lines > 0 &&
+        count_fields(lines_.line(), separator).all == 1) {  // the header has another separator
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
@@ -132,7 +134,7 @@ class Starter {
     lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
   }
 
-  /// Of the line, where nothing is known of others. The commas of a geometry separate none of its fields.
+  /// Returns the separator of the data. Commas within a geometry separate nothing.
   char separator_of_data(char of_header) {
     if (start_.layout.wkt) return count_fields(start_.header, of_header).all > 1 ? of_header : ';';
     lines_.set_layout(of_header, 0);
@@ -149,7 +151,7 @@ class Starter {
     start_.separator = separator;
     start_.first_line = lines_.number();
     selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
-    start_.layout.names.clear();  // which may not stay
+    start_.layout.names.clear();  // they view a line that is about to go
     lines_.set_layout(separator, start_.layout.width.to_last_text);
   }
 
@@ -158,7 +160,7 @@ class Starter {
   const CloudRequest& request_;
   LineSelection& selection_;
   std::vector<std::string>& remarks_;
-  std::string comment_ = {};  // right before the first line of the table, or the count before that
+  std::string comment_ = {};  // right before the first line of the table, or before the count
   TableStart start_ = {};
 };
 

@@ -59,7 +59,7 @@ class TableCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
 
  private:
-  /// What a column is: a number by its place in a block, and others.
+  /// The role of a column: the index of a column of a block, or one of those below.
   static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
   static constexpr double greatest_channel = 65535, none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
@@ -82,7 +82,7 @@ class TableCloud final : public Cloud {
     first_point_ = lines_.number();
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
-    // A point takes two characters a number, or more; room that is not used costs nothing.
+    // A point takes at least two characters for each number; unused room costs nothing.
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
     facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
@@ -131,7 +131,7 @@ class TableCloud final : public Cloud {
     return numbers_ == 6 && !is_by_content_ && value[3] == 0 && value[4] == 0 && value[5] == 0;
   }
 
-  /// Reads the lines that hold nothing but fields without quotes, as nearly all do: without looking for their ends first.
+  /// Reads lines of plain fields without quotes, which nearly all are, without first searching for their ends.
   void read_plain_lines(CloudBlock& block) {
     Numbers value{};
     while (block.count < points_at_once && point_lines_ < last_line_) {
@@ -143,7 +143,7 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// Where the next line ends, when it is plain and a point; else null.
+  /// Returns the end of the next line if it is plain and a point; null otherwise.
   const char* read_plain_line(Numbers& value) {
     z_ = none;
     const char* at = lines_.rest().data();
@@ -175,7 +175,7 @@ class TableCloud final : public Cloud {
         at = number.end;
       } else {
         const char* const field = at;
-        if (column == 0 && at != end && *at == '/') return nullptr;  // two of them begin a comment
+        if (column == 0 && at != end && *at == '/') return nullptr;  // perhaps "//", which begins a comment
         while (at != end && !is_blank(*at) && *at != separator && *at != '\n' && *at != '"' && *at != '#') ++at;
         if (at == field) return nullptr;
         if (role[column] == height) take_height({field, static_cast<std::size_t>(at - field)});
@@ -186,7 +186,7 @@ class TableCloud final : public Cloud {
     return has_no_direction(value) ? nullptr : at;
   }
 
-  /// The points of the current line, if it counts.
+  /// Reads the points of the current line, if the condition selects it.
   void take_line(CloudBlock& block) {
     ++point_lines_;
     const std::size_t index = index_;
@@ -225,7 +225,7 @@ class TableCloud final : public Cloud {
     append(value, block);
   }
 
-  /// A field that is no number is no height. That two differ is enough.
+  /// Notes a height; a field that is no number is none. Only matters until two heights differ.
   void take_height(std::string_view field) {
     std::string text(field);
     if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');  // a decimal comma
@@ -234,7 +234,7 @@ class TableCloud final : public Cloud {
     if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
 
-  /// Empty fields at the end may be there or not; the next line may be as this one.
+  /// Checks the number of fields of the current line; empty fields at its end are optional.
   void take_width(const FieldCount& count) {
     plain_width_ = count.all;
     if (count.all > role_.size()) role_.resize(count.all, nothing);
@@ -243,7 +243,7 @@ class TableCloud final : public Cloud {
                 std::to_string(width_.all) + " as in line " + std::to_string(first_line_));
   }
 
-  /// The geometries of the current line, in its field of well-known text.
+  /// Reads the geometries of the current line, in its field of well-known text.
   void read_geometries(CloudBlock& block) {
     Fields fields(lines_.line(), separator_);
     std::string_view text;
@@ -278,7 +278,7 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// `where`, for messages, is empty for what is read of a point.
+  /// Returns the number in the next field. `where`, for messages, is empty for a coordinate of a point.
   double read_number(Fields& fields, std::string_view where = {}) {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
@@ -297,7 +297,7 @@ class TableCloud final : public Cloud {
     return whole.value;
   }
 
-  /// A sign is either: numbers with a point before this one leave it no number.
+  /// Returns a number with a decimal comma. Refuses it if earlier numbers have a decimal point.
   double read_decimal_comma(std::string_view field) {
     const double value = comma_.read(field, here());
     if (!comma_.is_used()) {
@@ -314,7 +314,7 @@ class TableCloud final : public Cloud {
     return true;
   }
 
-  /// The first point has text where a number should be: others of its columns may be meant.
+  /// Returns a hint to choose other columns if the first point has text in place of a number.
   std::string hint(NumberFault fault) const {
     if (request_.in_space || fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
     if (count_fields(lines_.line(), separator_).all <= 2) return "";
@@ -334,7 +334,7 @@ class TableCloud final : public Cloud {
     return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
   }
 
-  /// Passes over the text behind the atoms: the next frame of a trajectory, or something else. Returns false.
+  /// Skips the text behind the atoms: the next frame of a trajectory, or something else. Returns false.
   bool end_atoms() {
     const bool is_frame = parse_count(lines_.line()).has_value();
     if (!is_frame && !request_.skip_invalid)
@@ -360,7 +360,7 @@ class TableCloud final : public Cloud {
     if (facts_.colors && !facts_.last_are_colors) colors_.settle(kind_ != TableKind::any, facts_);
   }
 
-  /// Whole numbers up to 255, or to 65535, are colors where one is greater than 1.
+  /// Decides whether three columns without names are colors: whole numbers up to 65535, one of them greater than 1.
   void settle_last() {
     facts_.last_are_colors = is_by_content_ && all_channels_ && greatest_ > 1;
     facts_.last_have_no_direction = is_by_content_ && !facts_.last_are_colors && no_direction_;
@@ -377,30 +377,30 @@ class TableCloud final : public Cloud {
   TableKind kind_;
   std::optional<AnnouncedPoints> announced_ = std::nullopt;
   std::size_t point_lines_ = 0, last_line_ = std::numeric_limits<std::size_t>::max();  // of points
-  std::size_t index_ = 0;  // of the next point, among all of the file
+  std::size_t index_ = 0;  // of the next point among all of the file
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
-  std::size_t numbers_ = 0;                        // of a point
+  std::size_t numbers_ = 0;                        // numbers of a point
   std::vector<std::uint8_t> role_ = {};            // of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
-  std::size_t first_line_ = 0;                     // the line that says how many columns there are
-  FieldCount width_ = {};                          // how many
-  std::size_t plain_width_ = 0;                    // as the line before has them; 0: none was read
+  std::size_t first_line_ = 0;                     // the line that sets the number of columns
+  FieldCount width_ = {};                          // that number
+  std::size_t plain_width_ = 0;                    // fields of the plain line before; 0: there was none
   std::string header_ = {};                        // empty without one
-  std::size_t first_point_ = 0;                    // its line
-  bool is_plain_ = false;                          // most lines may be
-  CloudBlock* current_ = nullptr;                  // which is being filled
-  bool all_whole_ = true;                          // the numbers without a comma, but for those of the block
+  std::size_t first_point_ = 0;                    // line of the first point
+  bool is_plain_ = false;                          // whether it is worth trying read_plain_lines()
+  CloudBlock* current_ = nullptr;                  // the block that is being filled
+  bool all_whole_ = true;                          // all numbers without a comma, of earlier blocks, are whole
   DecimalComma comma_ = {};
   LineSelection selection_;
   TextColors colors_ = TextColors(greatest_channel);
   bool is_unnamed_ = false,
        is_by_content_ = false;  // the last three columns have no names; their values show what they are
-  bool all_channels_ = true;    // they are whole numbers of a channel so far
-  bool no_direction_ = false;   // one of them is no normal
+  bool all_channels_ = true;    // so far they are whole numbers up to 65535
+  bool no_direction_ = false;   // one of them is no direction of a normal
   double greatest_ = 0;
   bool is_crs_remarked_ = false;
-  bool has_heights_ = false;  // they are asked for, and there may be some
+  bool has_heights_ = false;  // heights are requested, and there may be some
   double z_ = none;           // of the point that is being read
 };
 

@@ -29,7 +29,7 @@ std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldT
   return places;
 }
 
-/// Where one of them is nearly a number, or says that there is none, the line is data.
+/// Whether the fields at `places` are names: none looks like a number, and not all say that a value is missing.
 bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   std::size_t missing = 0;
   for (const std::size_t i : places) {
@@ -39,25 +39,26 @@ bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places)
   return missing < places.size();
 }
 
-/// Names that are not known say less than that.
+/// Whether a line without known names is a header: all its fields are texts, and none is a geometry.
 bool is_unknown_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   return is_header(fields, places) && is_text_only(fields) && std::none_of(fields.begin(), fields.end(), is_geometry);
 }
 
-/// Names that are known may stand before numbers of years, and texts of a line of data may be called so.
+/// Whether a line with known names is a header. Years may follow the names as whole numbers; other numbers show that
+/// the names are texts of a line of data.
 bool may_be_known_header(const FieldTexts& fields) {
   const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
   const auto whole = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return !!parse_count(f); });
   return numbers < 2 || (numbers == whole && !is_number(fields.front()));
 }
 
-/// Whether the first line is of data, and the comment before it has a name for each column.
+/// Whether the first line is data, and the comment before it has a name for each column.
 bool has_names(const TableBeginning& table, bool in_space) {
   return table.names.size() == table.fields.size() && !is_text_only(table.fields) &&
          (in_space ? !find_space_columns(table.names).empty() : find_coordinates(table.names).has_value());
 }
 
-/// Whether the line is a header with names that say where the points of the plane are.
+/// Whether the line is a header with known names for x and y or for geometries; sets the layout.
 bool find_by_header(const FieldTexts& fields, const TableBeginning& table, TableLayout& layout,
                     std::vector<std::string>& remarks) {
   if (!may_be_known_header(fields)) return false;
@@ -90,7 +91,7 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
     layout.height.reset();
 }
 
-/// What a table of a kind has in so many columns, by names; nothing where it has none of that width.
+/// Returns the names of the columns of a kind of table with `width` columns; empty if the kind has no such width.
 FieldTexts names_of_kind(TableKind kind, std::size_t width) {
   FieldTexts names;
   const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
@@ -104,7 +105,7 @@ FieldTexts names_of_kind(TableKind kind, std::size_t width) {
   return names.size() == width ? names : FieldTexts();
 }
 
-/// Whether the table is of a kind, and its columns those of that.
+/// Whether the table has the columns of its kind; sets the layout.
 bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, TableLayout& layout) {
   if (kind == TableKind::any) return false;
   const FieldTexts names = names_of_kind(kind, table.fields.size());
@@ -117,7 +118,7 @@ bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, Ta
   return true;
 }
 
-/// Whether a column is of geometries, whatever it is called, if nothing says where coordinates are.
+/// Whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.
 bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
   layout.wkt = table.choice.geometry;
   if (!layout.wkt) return false;
@@ -127,7 +128,7 @@ bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vect
   return true;
 }
 
-/// Whether the comment before the first line, which is of numbers, names the columns.
+/// Whether the comment before the first line of numbers names the columns; sets the layout.
 bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& layout,
                      std::vector<std::string>& remarks) {
   if (!has_names(table, in_space)) return false;
@@ -138,7 +139,7 @@ bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& la
   return true;
 }
 
-/// Numbers of elements are no coordinates.
+/// Throws BadInput if the first column may be the numbers of elements, which are no coordinates.
 void refuse_atoms(const TableBeginning& table, const std::string& columns) {
   if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
     bad_input(here(table), found_fields(table) + ", of which the first may be the number of an element",
@@ -180,7 +181,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
                              : is_unknown_header(fields, layout.numbers);
   if (!layout.header) {
     if (!request.columns) refuse_atoms(table, "2,3");
-    // Only the ending .xyz makes a third number a height; elsewhere it may be anything, unless heights are asked for.
+    // A third number is a height in .xyz, or if heights are requested; otherwise it may be anything.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
@@ -207,7 +208,8 @@ void choose_in_space(const TableBeginning& table, const std::vector<Column>& col
         refuse_repeated_column(table.fields[layout.numbers[i]]);  // under two names, or by name and by number
 }
 
-/// Where names are not known, the number of columns decides what they are.
+/// Sets the columns of points in space by the names of the header, or, if there are three unknown names, in their
+/// order.
 void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
   const FieldTexts& fields = table.fields;
   layout.numbers = find_space_columns(fields);
@@ -255,7 +257,7 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   if (!layout.header) return layout;
   layout.degrees = is_longitude(fields[layout.numbers[0]]) && is_latitude(fields[layout.numbers[1]]);
   layout.colors = find_color_columns(fields);
-  const auto is_taken = [&](std::size_t color) {  // meant to be something else
+  const auto is_taken = [&](std::size_t color) {  // has another meaning
     return std::find(layout.numbers.begin(), layout.numbers.end(), color) != layout.numbers.end();
   };
   if (std::any_of(layout.colors.begin(), layout.colors.end(), is_taken)) layout.colors.clear();

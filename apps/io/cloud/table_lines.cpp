@@ -36,7 +36,7 @@ void TableLines::set_layout(char separator, std::size_t least_fields) {
   if (std::memchr(line_.data(), '"', line_.size()) != nullptr) join();
 }
 
-/// Tabs at the ends of a line are blanks, unless fields would be missing without them.
+/// Extends the line by the tabs around it if it would otherwise have too few fields.
 void TableLines::widen() {
   if (count_fields(line_, separator_).all >= least_fields_) return;
   const char* first = line_.data();
@@ -48,7 +48,7 @@ void TableLines::widen() {
   line_ = {first, static_cast<std::size_t>(last - first)};
 }
 
-/// A text in quotes may be of several lines, and the piece of the file may end within it.
+/// Joins the lines of a quoted text, and reads the next piece of the file if the text continues there.
 void TableLines::join() {
   const char* end = end_of_record(line_, text_.data() + text_.size(), separator_);
   if (end == nullptr && !content_.is_in_memory()) {
@@ -74,11 +74,12 @@ std::string_view TableLines::ahead(std::size_t size) {
   return text_;
 }
 
-/// All that is in memory, or some more of a file, up to the end of a line.
+/// Moves to the next text: all that is in memory, or the next piece of a file, more than `at_least` bytes up to the end
+/// of a line. Returns false if there is none.
 bool TableLines::next_text(std::size_t at_least) {
   content_.skip(taken_);
   std::string_view text = content_.ahead();
-  std::size_t searched = 0;  // for ends of lines
+  std::size_t searched = 0;  // bytes without an end of a line
   for (std::size_t wanted = at_least + at_once; !content_.is_in_memory(); wanted += at_once) {
     text = content_.ahead(wanted);
     if (text.size() < wanted) break;  // the end of the file
@@ -98,7 +99,7 @@ bool TableLines::next_text(std::size_t at_least) {
   return !text.empty();
 }
 
-/// For a line that has not ended so far.
+/// Throws BadInput if memory does not suffice for a line of more than `size` bytes.
 void TableLines::require_memory(std::size_t size) const {
   constexpr double bytes_for_each = 5;  // the text, a larger one when it grows, and the point or its vertices
   const std::optional<double> there = available_memory();

@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A line as one separator splits it.
+/// A line, split at one separator.
 struct Split {
   FieldCount fields = {};
   std::size_t numbers = 0;
@@ -39,7 +39,7 @@ struct Split {
   }
 };
 
-/// Lines of data that have as many fields.
+/// Lines of data with equally many fields.
 struct Group {
   SeparatorChoice choice;
   bool any_decimal = false, all_decimal = true;
@@ -53,7 +53,7 @@ struct Group {
   }
 };
 
-/// Returns the first lines that agree: with the first line where any do, else the largest group.
+/// Returns the lines with as many fields as the first line if there are any, or else the largest group.
 Group largest_group(std::string_view text, char separator, const std::string& name) {
   constexpr std::size_t most_lines = 64;
   TableLines lines(Content(text, name));

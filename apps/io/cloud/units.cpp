@@ -54,8 +54,8 @@ constexpr Codes feet[] = {
     {8312, 8348, 2}, {20050, 20050, 1}};
 // clang-format on
 
-/// Codes from the first to the last, of which those that are given out are of systems in meters or in feet. Fewer than
-/// twenty codes in a row are not given out.
+/// Ranges of codes, first and last, whose assigned codes are all systems in meters or in feet. At most nineteen
+/// consecutive codes of a range are not assigned.
 // clang-format off
 constexpr Codes metres[] = {
     {2000, 2065}, {2067, 2135}, {2137, 2158}, {2161, 2221}, {2290, 2313}, {2315, 2866}, {2931, 3138}, {3141, 3166},
@@ -145,8 +145,8 @@ Box box_of(const std::vector<P>& points) {
   return box;
 }
 
-/// Whether half a globe around longitude 180 has all points, and longitude 180 is among them: more than 180 degrees
-/// between two of them are without.
+/// Whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180 degrees
+/// of longitude, between two of them, has no points.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   if (box.least.x < -180 || box.greatest.x > 180 || box.greatest.x - box.least.x <= 180) return false;
   std::array<bool, 361> taken{};
@@ -159,7 +159,8 @@ bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   return widest > 180;
 }
 
-/// How long a degree of longitude is from one end of the box to the other, of one of latitude: "0.62", "0.50 to 0.71".
+/// Returns the length of a degree of longitude as a share of a degree of latitude, within the box: "0.62", "0.50 to
+/// 0.71".
 std::string share_of_latitude(const Box& box) {
   constexpr double radians = 0.017453292519943295;
   const bool has_equator = box.least.y <= 0 && box.greatest.y >= 0;

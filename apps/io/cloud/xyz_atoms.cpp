@@ -10,7 +10,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The value of "Properties=" in a comment; empty where there is none.
+/// Returns the value of "Properties=" in a comment; empty if there is none.
 std::string_view properties_in(std::string_view comment) {
   constexpr std::string_view key = "properties=";
   const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
@@ -22,7 +22,7 @@ std::string_view properties_in(std::string_view comment) {
   return comment.substr(0, std::min(comment.find_first_of(quoted ? "\"" : " \t"), comment.size()));
 }
 
-/// "species:S:1:pos:R:3" as names of columns; none where it is not understood.
+/// Returns "species:S:1:pos:R:3" as names of columns; none if it is not understood.
 std::vector<std::string> names_of(std::string_view properties) {
   std::deque<std::string> room;
   const std::vector<std::string_view> words = split(properties, ':', room);
@@ -45,7 +45,7 @@ std::vector<std::string> names_of(std::string_view properties) {
   return has_place ? names : std::vector<std::string>();
 }
 
-/// Whether a line of numbers is no comment, as the next has as many fields.
+/// Whether a line of numbers is data and not a comment, as the next line has equally many fields.
 bool are_both_data(std::string_view line, std::string_view next) {
   std::size_t numbers = 0;
   for (Fields fields(line, blanks); !fields.at_end();)

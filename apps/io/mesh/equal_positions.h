@@ -1,5 +1,5 @@
-// What: which points in space have the same place.
-// Law:  places are the same when their three coordinates are equal numbers (−0 = +0), and not when they are only near.
+// What: finds points in space at equal positions.
+// Law:  positions are equal if their three coordinates are equal numbers (−0 = +0); near positions differ.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace rbpa::app {
 
 using Position = std::array<double, 3>;
 
-/// A hash table of the first point at each place.
+/// A hash table of the first point at each position.
 class EqualPositions {
  public:
-  /// With room for so many places; more make it grow.
+  /// Makes room for `places` positions; the table grows if there are more.
   explicit EqualPositions(std::size_t places);
 
-  /// The first of all points queried so far that is where point `i` is; `i` itself when it is the first. `positions`
-  /// has all of those. Cost: a look into memory. Throws Cancelled.
+  /// Returns the first of the points queried so far at the position of point `i`; `i` itself if it is the first.
+  /// `positions` has the positions of all these points. Cost: one memory access. Throws Cancelled.
   std::uint32_t first_at(std::span<const Position> positions, std::uint32_t i);
 
  private:

@@ -1,5 +1,6 @@
-// What: a face as triangles between its corners.
-// Law:  a function of the places of its corners and of its direction, and not of the corner at which it begins.
+// What: a face as a fan of triangles between its corners.
+// Law:  the triangles depend on the positions of the corners and on their direction, not on the corner that comes
+//       first.
 #pragma once
 
 #include <array>
@@ -9,8 +10,8 @@
 
 namespace rbpa::app {
 
-/// The triangles of a fan around the lexicographically least corner of a face, in its direction; with a corner twice also
-/// triangles that have it twice.
+/// Calls use(triangle) for each triangle of the fan around the lexicographically least corner of a face, in the face's
+/// direction. If the face has a corner twice, so have some triangles.
 template <typename Use>
 void for_each_fan_triangle(std::span<const std::uint32_t> face, std::span<const std::array<double, 3>> positions,
                            Use use) {

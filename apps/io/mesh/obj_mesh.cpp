@@ -41,7 +41,7 @@ class ObjReader {
     mesh_.face_lines.push_back(line);
   }
 
-  /// Takes a corner that is a number without sign and nothing else, as nearly all are.
+  /// Takes a corner that is an unsigned number and nothing else, as nearly all are; returns false for others.
   bool take_plain_corner(std::string_view& rest) {
     const char* const last = rest.data() + rest.size();
     const char* const first = std::find_if_not(rest.data(), last, is_blank);
@@ -53,7 +53,7 @@ class ObjReader {
     return true;
   }
 
-  /// A face may name vertices that come behind it.
+  /// Checks the corners that name vertices behind their face.
   void check_later_corners() const {
     for (std::size_t f = 0; f < mesh_.soup.faces(); ++f)
       for (const std::uint32_t corner : mesh_.soup.face(f))

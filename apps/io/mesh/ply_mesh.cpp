@@ -12,11 +12,11 @@
 namespace rbpa::app {
 namespace {
 
-/// Where things are in the file.
+/// The elements and properties of a PLY file that make a mesh.
 struct PlyMeshLayout {
   const PlyElement* vertex = nullptr;
   std::array<std::size_t, 3> coordinate{};  ///< x, y, z among the properties of a vertex
-  const PlyElement* face = nullptr;         ///< none: points alone
+  const PlyElement* face = nullptr;         ///< null: points alone
   std::size_t corners = 0;                  ///< the list among the properties of a face
 };
 
@@ -40,7 +40,7 @@ PlyMeshLayout lay_out(const PlyHeader& header, const std::string& name) {
   return layout;
 }
 
-/// A corner of the type that nearly all files have; a negative one becomes larger than any.
+/// Returns a corner of one of the usual types, a negative one as a number beyond all points; nothing for other types.
 std::optional<std::uint32_t> load_corner(Scalar type, const char* at, std::endian order) {
   if (type != Scalar::int32 && type != Scalar::uint32) return std::nullopt;
   return load<std::uint32_t>(at, order);

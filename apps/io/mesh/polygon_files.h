@@ -1,4 +1,4 @@
-// What: points and polygons in the words of the mesh formats, for the files that write them.
+// What: writes points and polygons as OFF, OBJ and PLY, and rows of indices as .npy.
 // Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
 #pragma once
 
@@ -18,10 +18,10 @@
 
 namespace rbpa::app {
 
-// A `Mesh` below has points() and faces(), how many; point(i), three coordinates; face(f), a range of corners, each
-// std::uint32_t from 0.
+// A `Mesh` below has the counts points() and faces(); point(i), three coordinates; and face(f), a range of corners,
+// each a std::uint32_t from 0.
 
-/// "1.5 2 0" behind `before`, and the end of the line.
+/// Writes `before`, "1.5 2 0" and a line end.
 inline void write_position(OutputFile& file, std::string_view before, const std::array<double, 3>& p) {
   char* at = file.room(before.size() + 3 * (number_room + 1));
   at = std::copy(before.begin(), before.end(), at);
@@ -35,7 +35,7 @@ inline void write_position(OutputFile& file, std::string_view before, const std:
 
 inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) { write_position(file, "v ", p); }
 
-/// " 4 5 6" and the end of the line.
+/// Writes " 4 5 6" and a line end.
 inline void write_corners(OutputFile& file, std::span<const std::uint32_t> corners, std::uint32_t first_index) {
   constexpr std::size_t at_once = 64;
   do {
@@ -74,8 +74,10 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
   }
 }
 
-/// Binary little-endian. A mesh may have more of each vertex: properties(), the lines of the header, each with its end,
-/// and write_properties(file, i); and of each face: face_properties() and write_face_properties(file, f). The length of a face is a byte, which every reader knows, unless one is too long for that.
+/// Writes binary little-endian PLY. A mesh may have more properties of a vertex: properties() returns their lines of
+/// the header, with line ends, and write_properties(file, i) writes their values; of a face likewise face_properties()
+/// and write_face_properties(file, f). The length of a face is a byte, which every reader supports, unless a face is
+/// too long.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
@@ -109,7 +111,7 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   }
 }
 
-/// `format`: OFF, OBJ or PLY.
+/// Writes a mesh. Requires: `format` is OFF, OBJ or PLY.
 template <typename Mesh>
 void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
   if (format == Format::off) write_off(file, mesh);
@@ -117,7 +119,8 @@ void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
   if (format == Format::ply) write_ply(file, mesh);
 }
 
-/// An .npy array of as many columns as the rows have, of the input indices that vertices have, or of vertices where there are none.
+/// Writes an .npy array of uint32 with shape (n, columns). Vertices are replaced by their input indices if `index`,
+/// which has them, is not empty.
 template <std::size_t columns>
 void write_npy_rows(OutputFile& file, std::span<const std::array<std::uint32_t, columns>> rows,
                     std::span<const std::uint32_t> index) {

@@ -37,7 +37,7 @@ MeshFile read_mesh(const MeshSource& source) {
 }
 
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format) {
-  // A mesh without faces may be meant; no bytes at all come from a command that failed before.
+  // A mesh without faces may be intended; an empty file comes from a command that failed before.
   if (bytes.empty()) bad_input(name, "an empty file", "a mesh");
   std::string room;
   MeshFile mesh = parse(format, plain_text(bytes, name, format, room), name);

@@ -1,5 +1,6 @@
-// What: a mesh from a file of any format we read: where its points are, and the cycles of its faces.
-// Law:  points and faces keep the order of the file; the reader checks that the file is well formed, and judges no mesh.
+// What: reads a mesh from a file of any supported format: the positions of its points, and its faces as cycles of
+//       points.
+// Law:  points and faces keep the order of the file. The file must be well formed; the mesh need not be a manifold.
 #pragma once
 
 #include <array>
@@ -19,12 +20,12 @@ namespace rbpa::app {
 struct MeshFile {
   std::vector<std::array<double, 3>> positions;
   meshops::PolygonSoup soup;
-  /// Where each point and face stands in a text, from 1; empty when the file is binary.
+  /// The lines of points and faces in a text file, from 1; empty if the file is binary.
   std::vector<std::size_t> point_lines;
   std::vector<std::size_t> face_lines;
-  std::vector<std::string> remarks = {};  ///< what is left out
+  std::vector<std::string> remarks = {};  ///< warnings about data that are left out
 
-  /// Room for faces as the file announces them, most of them triangles.
+  /// Reserves memory for `count` faces, most of them triangles.
   void reserve_faces(std::size_t count) {
     soup.begin.reserve(count + 1);
     soup.corners.reserve(3 * count);
@@ -36,41 +37,41 @@ struct MeshSource {
   Format format;
 };
 
-/// Every coordinate is finite and every corner a point. Throws BadInput naming the file, the line or the element, what
-/// was found and what was expected; Failure; Cancelled.
+/// Reads a mesh: every coordinate is finite and every corner is a point. Throws BadInput with the file, the line or the
+/// element, what was found and what was expected; Failure; Cancelled.
 MeshFile read_mesh(const MeshSource& source);
 
-/// The same of the content of a file, which messages call `name`.
+/// Reads a mesh from the content of a file; `name` stands for it in messages. Throws as read_mesh().
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format);
 
-/// OFF with any of the prefixes ST, C, N; one vertex a line, x y z first, and one face a line, whose colors are passed
-/// over; or, of fewer lines, the numbers of vertices and faces as one sequence of words, and nothing else. Throws
-/// BadInput naming the line; when the file is too short for what it announces, before memory is allocated.
+/// Reads OFF with any of the prefixes ST, C, N: one vertex per line, x y z first, and one face per line, whose color is
+/// ignored; or, if there are fewer lines, the numbers of vertices and faces as one sequence of words, and nothing else.
+/// Throws BadInput naming the line; before memory is allocated if the file is too short for its counts.
 MeshFile read_off_mesh(std::string_view text, const std::string& name);
 
-/// The number properties x, y, z of the element "vertex" and the list vertex_indices or vertex_index of the element
-/// "face", of any number types and in either order; without faces, points alone. Everything else is passed over, but
-/// has to be there, so that a cut file is noticed. Triangle strips are not read. Throws BadInput naming the line, or
-/// the element of a binary file (counted from 0); when the file is too short for what the header announces, before
-/// memory is allocated.
+/// Reads PLY: the number properties x, y, z of the element "vertex" and the list vertex_indices or vertex_index of the
+/// element "face", of any number types and in either order; without faces, points alone. Ignores everything else, but
+/// the file must hold it, so that a truncated file is noticed. Does not read triangle strips. Throws BadInput naming
+/// the line, or the element of a binary file (counted from 0); before memory is allocated if the file is too short for
+/// the counts in its header.
 MeshFile read_ply_mesh(std::string_view bytes, const std::string& name);
 
-/// The lines "v x y z …" and "f …"; of a corner v, v/vt, v//vn or v/vt/vn counts v, from 1, or from −1 back from the
-/// last vertex before the line. A line that ends in '\' goes on in the next. Everything else is passed over. Throws
-/// BadInput naming the line.
+/// Reads the lines "v x y z …" and "f …" of OBJ. In a corner v, v/vt, v//vn or v/vt/vn only v is used: from 1, or from
+/// −1 back from the last vertex before the line. A line that ends in '\' continues in the next. Ignores everything
+/// else. Throws BadInput naming the line.
 MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 
-/// Points are numbered by their first corner in the file. Binary when the size is that of the number of facets at byte
-/// 80, or when it does not begin with "solid", or when there are zero bytes in it and no facet in the next line;
-/// coordinates are then floats, else the doubles nearest to the text. Normals, colors and names are passed over, and
-/// so is, with a remark, what follows the last facet, or each facet as its attributes. Throws BadInput naming the line,
-/// or the facet of a binary file (counted from 0).
+/// Reads STL. Points are numbered by their first corner in the file. The file is binary if its size fits the number of
+/// facets at byte 80, or if it does not begin with "solid", or if it has zero bytes and no facet in the second line.
+/// Coordinates of a binary file are floats, of a text the nearest doubles. Ignores normals, colors and names, and, with
+/// a warning, attributes of facets and data behind the last facet. Throws BadInput naming the line, or the facet of a
+/// binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 
-/// Returns the mesh that read_stl_mesh() makes of a file of these triangles.
+/// Returns the mesh that read_stl_mesh() would read from a file of these triangles.
 MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// A Claim: the facets of a binary file. ASCII claims nothing.
+/// Returns the size that a binary STL header claims, for Claim::size: that of all facets. ASCII claims no size.
 double claimed_stl_size(std::string_view first, const std::string& name);
 
 }  // namespace rbpa::app

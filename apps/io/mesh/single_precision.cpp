@@ -17,7 +17,7 @@ using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
 Position position_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// The box of the vertices that triangles use.
+/// The bounding box of the vertices that triangles use.
 struct BoxOfUsed {
   Position least, greatest;
   bool are_floats = true;

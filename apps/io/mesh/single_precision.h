@@ -1,6 +1,6 @@
-// What: positions in single precision, which is all that STL and GLB have, and what a mesh loses by it.
-// Law:  exact, and a function of the places that triangles use: what is asked before a file is written holds of the
-//       file.
+// What: positions in single precision, as STL and GLB store them, and the loss of a mesh by rounding to it.
+// Law:  the loss is computed exactly, from the positions that triangles use, so that it is known before the file is
+//       written.
 #pragma once
 
 #include <array>
@@ -21,51 +21,54 @@ constexpr bool has_single_precision(Format format) { return format == Format::st
 
 /// The offset that is subtracted from positions before they are rounded: --shift.
 struct Shift {
-  std::optional<Position> by =
-      std::nullopt;  ///< absent: the middle of their box, as floats, where rounding changes some
+  /// Absent: the center of the positions' box, in floats, if rounding would change a position; otherwise zero.
+  std::optional<Position> by = std::nullopt;
 };
 
-/// "auto" or "X,Y,Z". Throws WrongUsage naming `option`.
+/// Parses "auto" or "X,Y,Z". Throws WrongUsage naming `option`.
 Shift parse_shift(const std::string& option, const std::string& text);
 
 struct SinglePositions {
-  std::vector<std::array<float, 3>> at;  ///< of each vertex; zeros where no triangle uses it
-  Position shift = {};                   ///< what was subtracted
+  std::vector<std::array<float, 3>> at;  ///< one per vertex; zeros for a vertex that no triangle uses
+  Position shift = {};                   ///< the subtracted offset
 
   std::vector<Position> positions() const;
 };
 
-/// Without a shift nothing is subtracted for STL; GLB, which has a place for it, takes that of Shift(). Throws BadInput
-/// naming `file` for a coordinate that is too large.
+/// Rounds positions to single precision after subtracting `shift`. Without a shift, STL subtracts nothing, and GLB,
+/// which stores the offset, subtracts that of Shift(). Throws BadInput naming `file` for a coordinate that is too
+/// large.
 SinglePositions single_positions(Format format, std::span<const Point3> vertices,
                                  std::span<const std::array<std::uint32_t, 3>> triangles,
                                  const std::optional<Shift>& shift, const std::string& file);
 
+/// The loss of a mesh by rounding.
 struct Lost {
-  std::size_t areas = 0;     ///< triangles that had one
-  std::size_t vertices = 0;  ///< that are where another is, and were not
+  std::size_t areas = 0;     ///< triangles that had an area and have none
+  std::size_t vertices = 0;  ///< vertices that are now at the position of another
   bool any() const { return areas > 0 || vertices > 0; }
 };
 
-/// Counts what a mesh loses by rounding. Throws Cancelled.
+/// Counts the loss of a mesh by rounding. Throws Cancelled.
 Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
           const SinglePositions& rounded);
 
-/// "o.stl: single precision leaves 8 of 12 triangles without area (...)", with what keeps them: a shift, if one does,
-/// or another format. Empty where nothing is lost. Throws as single_positions().
+/// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a remedy: a shift, if one
+/// suffices, or another format. Empty if nothing is lost. Throws as single_positions().
 std::string why_not_kept(Format format, std::span<const Point3> vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
                          const std::string& file);
 
-/// "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty where nothing is, or none of it was asked for.
+/// Returns "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty if nothing is subtracted, or if no shift
+/// was requested.
 std::string text_of_shift(Format format, std::span<const Point3> vertices,
                           std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
                           const std::string& file);
 
-/// Three numbers with commas between them, at most 80 characters less six, without an exponent where that is short.
+/// Returns three numbers with commas between them, at most 74 characters, without exponents if they are short.
 std::string text_of(const Position& position);
 
-/// " (not with --shift auto, ...)": what keeps a mesh from what rounding does to it.
+/// Returns " (not with --shift auto, ...)": how to avoid the loss by rounding.
 std::string way_to_keep(bool shift_keeps);
 
 }  // namespace rbpa::app

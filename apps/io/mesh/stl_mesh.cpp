@@ -48,7 +48,7 @@ bool begins_with_word(const Lines& lines, std::string_view word) {
   return same_letters(take_word(rest), word);
 }
 
-/// By its size, or as it is no text: the header of a binary file may begin with "solid" too.
+/// Whether the file is binary, by its size or because it is no text: a binary file may begin with "solid", too.
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);
@@ -59,11 +59,11 @@ bool is_binary(std::string_view bytes) {
   return bytes.find('\0') != std::string_view::npos;
 }
 
-/// Reads so many facets, the next of which begins at next(facet).
+/// Reads `facets` facets; next(facet) returns where the next one begins.
 template <typename Next>
 MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string& name, const Next& next) {
   MeshFile mesh;
-  Corners corners(mesh, facets / 2);  // as a closed surface has
+  Corners corners(mesh, facets / 2);  // the number of vertices of a closed surface, about
   mesh.reserve_faces(facets);
   const char* facet = bytes.data() + header_size;
   for (std::size_t f = 0; f < facets; ++f, facet = next(facet)) {
@@ -85,12 +85,12 @@ MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string
   return mesh;
 }
 
-/// Behind a facet and as many bytes as its last two say.
+/// Returns the end of a facet and of its attributes, whose size is in the last two bytes of the facet.
 const char* behind_attributes(const char* facet) {
   return facet + facet_size + load<std::uint16_t>(facet + facet_size - 2, std::endian::little);
 }
 
-/// Whether the bytes are the facets, each with the bytes that its attributes are said to take.
+/// Whether the bytes are exactly the facets, each with its attributes.
 bool have_attributes(std::string_view bytes, std::size_t facets) {
   const char* at = bytes.data() + header_size;
   const char* const end = bytes.data() + bytes.size();
@@ -135,8 +135,7 @@ class AsciiReader {
   }
 
  private:
-  /// Whether the line and all behind it are what programs and disks put at the end of a text: zeros, and the mark of
-  /// its end.
+  /// Whether only padding follows, which programs and disks append to a text: zero bytes and the end-of-file mark.
   bool ends_file() {
     constexpr std::string_view blank("\0\x1a \t\r\n", 6);
     const std::string_view line = lines_.line(), rest = lines_.rest();
@@ -146,7 +145,7 @@ class AsciiReader {
     return true;
   }
 
-  /// Goes to the next line: the first of a facet, or the end of a solid.
+  /// Goes to the next line; returns whether it ends a solid and does not begin a facet.
   bool next_ends_solid() {
     next("facet or endsolid");
     if (begins_with("endsolid")) return true;

@@ -1,4 +1,4 @@
-// What: a mesh whose vertices stand on points, several on one or none, with all that the points have.
+// What: a mesh whose vertices are at points, several or none at each, with the attributes of the points.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@
 
 namespace rbpa::app {
 
-/// Owns what is of vertices. The triangles are kept as a span. With `names_points` vertices have the input indices of their points.
+/// The vertices and their attributes; views the triangles.
 class VerticesOfPoints {
  public:
-  /// `of_points`: what all points have; its triangles are not read. `point`: of each vertex.
+  /// `of_points`: the positions and attributes of the points; its triangles are not read. `point`: the point of each
+  /// vertex. `names_points`: also keep the input index of each vertex's point.
   VerticesOfPoints(const SpaceMesh& of_points, std::span<const std::array<std::uint32_t, 3>> triangles,
                    std::span<const std::uint32_t> point, bool names_points)
       : places_(values_at(of_points.vertices, point)),

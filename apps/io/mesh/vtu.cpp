@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::uint8_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_tetrahedron = 10;
 
-/// Declares arrays, each at its offset in the appended data: so many bytes with their number before them.
+/// Declares arrays in XML, each with its offset in the appended data, where the number of its bytes precedes them.
 class Declarations {
  public:
   explicit Declarations(OutputFile& file) : file_(file) {}
@@ -42,7 +42,7 @@ void write_repeated(OutputFile& file, T value, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) file.write_binary(std::span<const T>(&value, 1));
 }
 
-/// Where each of `count` cells of so many corners ends among all corners.
+/// Writes the offsets of the ends of `count` cells with `corners` corners each, among the corners of all cells.
 void write_ends(OutputFile& file, std::uint64_t& end, std::uint64_t corners, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     end += corners;
@@ -83,7 +83,8 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   all.declare("Float64", "NumberOfComponents=\"3\"", of_positions);
   file.write("</Points>\n<Cells>\n");
   all.declare("UInt32", "Name=\"connectivity\"", of_corners);
-  // In this order: meshio looks arrays up by offsets that it changes, and confuses the last two of a torus in the other.
+  // The order matters to meshio, which looks arrays up by offsets that it changes: in another order it confuses the
+  // last two arrays of a torus.
   all.declare("UInt8", "Name=\"types\"", cells);
   all.declare("UInt64", "Name=\"offsets\"", of_ends);
   file.write("</Cells>\n");

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr int unsigned_short = 5123, unsigned_int = 5125, single_float = 5126;  // componentType
 constexpr int array_buffer = 34962, element_array_buffer = 34963;               // target
 
-/// Of length 1, which the format demands; none where one has no direction.
+/// Returns the normals with length 1, which the format demands; none at all if one of them has no direction.
 std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) {
   std::vector<std::array<float, 3>> units;
   units.reserve(normals.size());
@@ -37,7 +37,8 @@ std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) 
   return units;
 }
 
-/// Colors of files are sRGB, those of vertices here linear; with opacity, as four numbers fill eight bytes.
+/// Returns sRGB colors as linear ones, which the format demands for vertices; with opacity, so that a color has 8
+/// bytes.
 std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::array<std::uint8_t, 3>> colors) {
   std::array<std::uint16_t, 256> linear;
   for (std::size_t i = 0; i < linear.size(); ++i) {
@@ -50,10 +51,10 @@ std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::arr
   return result;
 }
 
-/// The chunk of numbers, and what the JSON has of it. Keeps the spans.
+/// The chunk of numbers, and its accessors in JSON. Refers to the data, which must outlive it.
 class Numbers {
  public:
-  /// Returns: the number of the accessor.
+  /// Adds an array and returns the number of its accessor.
   template <typename Row>
   std::size_t add(std::span<const Row> rows, int target, int component, const char* type, std::size_t count,
                   const Json& more = Json::object()) {
@@ -62,7 +63,7 @@ class Numbers {
     Json accessor = {{"bufferView", views_.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}};
     accessor.update(more);
     accessors_.push_back(accessor);
-    size_ += bytes.size();  // every row fills words of four bytes
+    size_ += bytes.size();  // the size of every row is a multiple of four bytes
     write_.push_back([rows](OutputFile& file) {
       for (const Row& row : rows) write_row(file, row);
     });
@@ -115,7 +116,7 @@ void write_container(OutputFile& file, const Json& json, const Numbers& numbers)
 void write_glb(OutputFile& file, const SpaceMesh& mesh) {
   Json json = {{"asset", {{"version", "2.0"}, {"generator", "rbpa"}}}, {"scene", 0}};
   Numbers numbers;
-  if (mesh.triangles.empty()) {  // a mesh without one is none here
+  if (mesh.triangles.empty()) {  // the format has no mesh without triangles
     json["scenes"] = Json::array({Json::object()});
     return write_container(file, json, numbers);
   }

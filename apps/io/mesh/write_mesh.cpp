@@ -24,7 +24,7 @@ struct SoupPolygons {
   std::span<const std::uint32_t> face(std::size_t f) const { return soup.face(f); }
 };
 
-/// The mesh, as the formats see it.
+/// A `Mesh` of polygon_files.h.
 struct SurfacePolygons {
   const SpaceMesh& mesh;
 
@@ -58,12 +58,12 @@ std::array<float, 3> unit_normal(const Point3& a, const Point3& b, const Point3&
   const double u[] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[] = {c.x - a.x, c.y - a.y, c.z - a.z};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const double length = std::hypot(n[0], n[1], n[2]);
-  // Zeros mean to readers: work it out from the corners.
+  // Zeros make readers compute the normal from the corners.
   if (!(length > 0) || !std::isfinite(length)) return {};
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }
 
-/// The 80 bytes before the facets. They must not begin with "solid", which is ASCII.
+/// Returns the 80 bytes before the facets, which must not begin with "solid" as an ASCII file does.
 std::string stl_header(const Position& shift) {
   std::string header = "triangles in space, binary STL";
   if (shift != Position{})  // at most 80 characters

@@ -18,7 +18,7 @@ void write_count(OutputFile& file, std::string_view before, std::size_t count) {
   file.write("\n");
 }
 
-/// "7 4 2" as Gmsh has the beginning of a line.
+/// Writes the number and the rest that begin a line of Gmsh: "7 4 2".
 void write_number_and(OutputFile& file, std::size_t number, std::string_view rest) {
   file.write_number(std::uint64_t{number});
   file.write(rest);
@@ -30,7 +30,7 @@ void write_vtu(OutputFile& file, const SolidMesh& mesh) {
                    .tetrahedra = mesh.tetrahedra});
 }
 
-/// Every line ends in a reference, the number of the part that it belongs to; there is one part.
+/// Writes a line of Medit's format: the values, and 0, the number of their part.
 template <typename Values>
 void write_medit_line(OutputFile& file, const Values& values) {
   char* at = file.room(values.size() * (number_room + 1) + 2);

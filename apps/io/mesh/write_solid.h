@@ -1,5 +1,6 @@
-// What: tetrahedra as files.
-// Law:  the bytes depend on the tetrahedra alone; coordinates read back to the same doubles. Vertices are all points, in input order.
+// What: writes tetrahedra.
+// Law:  the bytes depend on the tetrahedra alone; coordinates read back to the same doubles. The vertices are all
+//       points, in input order.
 #pragma once
 
 #include <array>
@@ -15,12 +16,11 @@ namespace rbpa::app {
 struct SolidMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 4>> tetrahedra;
-  std::span<const std::uint32_t> index =
-      {};  ///< of each vertex among the points of the input; none where that is its number
+  std::span<const std::uint32_t> index = {};  ///< input index of each vertex; empty if vertex i has index i
 };
 
-/// VTU, appended raw data; Medit's .mesh and Gmsh's .msh, version 2.2, both text, whose vertices are numbered from 1; or the
-/// tetrahedra as an .npy array of uint32 with shape (n, 4). Requires: one of solid_formats, no picture.
+/// Writes VTU with appended raw data; Medit's .mesh or Gmsh's .msh, version 2.2, both text with vertices numbered from
+/// 1; or the tetrahedra as an .npy array of uint32 with shape (n, 4). Requires: one of solid_formats, no picture.
 void write_solid(OutputFile& file, Format format, const SolidMesh& mesh);
 
 }  // namespace rbpa::app

@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Calls visit(i) for every index; it may change them.
+/// Calls visit(i) for every index i, which visit() may change.
 template <typename Visit>
 void for_each_index(std::vector<Triangle>& triangles, std::vector<Edge>& edges, std::vector<std::uint32_t>& points,
                     const Visit& visit) {
@@ -41,7 +41,7 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
 
 namespace {
 
-/// The mesh in space, as the formats see it.
+/// The mesh as a `Mesh` of polygon_files.h.
 struct InSpace {
   const TriangleMesh& mesh;
 
@@ -103,7 +103,7 @@ TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs
   else
     which.text = [&features](std::size_t t) { return features.names[features.of_triangle[t]]; };
   for (const FeatureNumbers& numbers : features.numbers) {
-    if (!features.names.empty() && numbers.name == "name") continue;  // which the feature is called by already
+    if (!features.names.empty() && numbers.name == "name") continue;  // the feature's own name is there already
     list.attributes.push_back({.name = numbers.name, .number = [&features, values = numbers.values](std::size_t t) {
                                  return values[features.of_triangle[t]];
                                }});

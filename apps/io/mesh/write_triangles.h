@@ -1,4 +1,4 @@
-// What: triangles in the plane, and edges and points beside them, as files.
+// What: writes triangles in the plane, and the edges and points of a full complex beside them.
 // Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
 #pragma once
 
@@ -19,37 +19,36 @@ namespace rbpa::app {
 using Triangle = std::array<std::uint32_t, 3>;
 using Edge = std::array<std::uint32_t, 2>;
 
-/// A number of each feature.
+/// A number for each feature, under a name.
 struct FeatureNumbers {
   std::string name;
   std::span<const double> values;
 };
 
-/// What triangles are parts of: a number for each, and more numbers by that.
+/// The features that triangles are parts of, each with a number, attributes and perhaps a name.
 struct TriangleFeatures {
-  std::string name = "feature";  ///< what they are called
+  std::string name = "feature";  ///< of the attribute that numbers them
   std::vector<std::uint32_t> of_triangle;
   std::vector<FeatureNumbers> numbers;
-  std::span<const std::string> names = {};  ///< of each feature, where it has one
+  std::span<const std::string> names = {};  ///< of each feature; empty if features have none
   bool names_are_numbers = false;
 };
 
-/// All as indices into vertices.
+/// A mesh in the plane; triangles, edges and points are indices into the vertices.
 struct TriangleMesh {
   std::span<const Point> vertices;
   std::span<const Triangle> triangles;
-  std::span<const Edge> edges = {};            ///< in no triangle
-  std::span<const std::uint32_t> points = {};  ///< in neither
-  const TriangleFeatures* features = nullptr;  ///< where there are neither edges nor points
-  std::span<const std::uint16_t> levels = {};  ///< of each triangle, if it has one; likewise
-  std::span<const double> z = {};              ///< of each vertex; none: 0 of all
-  std::span<const std::uint32_t> index =
-      {};  ///< of each vertex among the points of the input; none where that is its number
+  std::span<const Edge> edges = {};            ///< dangling: in no triangle
+  std::span<const std::uint32_t> points = {};  ///< in no triangle and no edge
+  const TriangleFeatures* features = nullptr;  ///< null, or set if there are neither edges nor points
+  std::span<const std::uint16_t> levels = {};  ///< of each triangle, or empty; likewise
+  std::span<const double> z = {};              ///< of each vertex; empty: all are 0
+  std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
 
   std::array<double, 3> position(std::size_t i) const { return {vertices[i].x, vertices[i].y, z.empty() ? 0 : z[i]}; }
 };
 
-/// The mesh without the vertices that nothing uses; the others keep their order, and so do triangles, edges and points.
+/// A mesh without its unused vertices. The other vertices, the triangles, edges and points keep their order.
 class CompactMesh {
  public:
   explicit CompactMesh(const TriangleMesh& mesh);
@@ -61,23 +60,23 @@ class CompactMesh {
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> points_;
-  const TriangleFeatures* features_;       // of the mesh that was compacted, as
-  std::span<const std::uint16_t> levels_;  // these
+  const TriangleFeatures* features_;       // views the original mesh
+  std::span<const std::uint16_t> levels_;  // views the original mesh
 };
 
-/// OFF, PLY (binary little-endian, coordinates as double) or OBJ, or indices alone as an .npy array of uint32:
-/// triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n); or VTU (write_vtu.h). PLY has the feature of each triangle, where there are
-/// features, as a property of faces of their name. OBJ, as lines f, l
-/// and p, and VTU have all three; OFF and PLY leave edges and points out. Requires: not a picture format.
+/// Writes OFF, PLY (binary little-endian, coordinates as double), OBJ or VTU (write_vtu() below); or an .npy array of
+/// uint32: triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n). In PLY faces have the number
+/// of their feature as a property of the features' name. OBJ, as lines f, l and p, and VTU have triangles, edges and
+/// points; OFF and PLY have triangles only. Requires: not a picture format.
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 
-/// The triangles as features of geographic information systems: with the number or name of each one's feature, with what features
-/// have of numbers, and with levels. Keeps what the mesh keeps.
+/// Returns the triangles as features for geographic information systems, with the number or name of each triangle's
+/// feature, the numbers of that feature, and levels. Views the data that the mesh views.
 TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees);
 
-/// Appended raw data, little-endian: cells are the triangles, then the edges, then the points. Levels as cell data `level`. Of features
-/// the number, as cell data under their name, and what they have of numbers, as cell data under their own names; where a name comes
-/// twice, with _2 and so on behind it.
+/// Writes VTU with appended raw data, little-endian: cells are the triangles, then the edges, then the points. Cell
+/// data are `level`; the number of the feature, under the features' name; and the numbers of the feature, under their
+/// names. A name that comes twice gets a suffix _2 and so on.
 void write_vtu(OutputFile& file, const TriangleMesh& mesh);
 
 }  // namespace rbpa::app

@@ -13,7 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The numbers of features, each under a name of its own.
+/// Returns the numbers of features as arrays with distinct names.
 std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
   const std::span<const std::uint32_t> of_triangle = features.of_triangle;
   std::vector<VtuArray> arrays = {{.type = "UInt32",

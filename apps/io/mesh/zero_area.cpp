@@ -11,12 +11,12 @@
 namespace rbpa::app {
 namespace {
 
-/// The planes of two coordinates on which a face is looked at.
+/// The coordinate planes onto which a face is projected.
 constexpr std::pair<std::size_t, std::size_t> planes[] = {{0, 1}, {1, 2}, {2, 0}};
 
-/// Whether three points span an area on one of the planes for certain. The error of the determinant is below (3 + 16ε)ε
+/// Whether three points certainly span an area on one of the planes. The error of the determinant is below (3 + 16ε)ε
 /// times the sum of its two products (Shewchuk 1997, section 4.4), ε = 2⁻⁵³, unless products underflow, which changes
-/// it by less than 2⁻¹⁰⁷³. Where they overflow no comparison holds.
+/// it by less than 2⁻¹⁰⁷³. If they overflow, no comparison holds.
 bool surely_span_area(const Position& a, const Position& b, const Position& c) {
   constexpr double error = 4e-16, least = 1e-300;
   return std::any_of(std::begin(planes), std::end(planes), [&](const auto& plane) {
@@ -29,7 +29,7 @@ bool surely_span_area(const Position& a, const Position& b, const Position& c) {
 
 }  // namespace
 
-// Points lie on one line in space when they do so on all three planes.
+// Points lie on one line in space if their projections onto all three planes do.
 bool is_on_a_line(std::span<const std::uint32_t> face, std::span<const Position> positions) {
   for (std::size_t i = 2; i < face.size(); ++i)
     if (surely_span_area(positions[face[0]], positions[face[1]], positions[face[i]])) return false;

@@ -1,5 +1,5 @@
-// What: whether a face has no area.
-// Law:  exact: rounded numbers decide where they certainly can.
+// What: detects faces without area.
+// Law:  exact; rounded numbers decide if their error bound allows it.
 #pragma once
 
 #include <cstdint>
