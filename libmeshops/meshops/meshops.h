@@ -1,4 +1,5 @@
-// What: everything that libmeshops offers. Where compiling time matters, include what you use: each header stands alone.
+// What: includes all public headers of libmeshops. To save compile time, include only what you use: each header stands
+//       alone.
 #pragma once
 
 #include "meshops/core/api.h"

@@ -1,4 +1,4 @@
-// What: the boundary of a mesh as a graph: its boundary vertices and boundary edges, and nothing else.
+// What: the boundary of a mesh as a graph of Boost: only its boundary vertices and boundary edges.
 // Law:  every vertex has degree 2; the components are the boundary curves, each of them a cycle.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Boundary {
   }
   static bool names_edge(const Connectivity& mesh, Halfedge h) { return mesh.is_boundary(h); }
   static Vertex source(const Connectivity& mesh, Halfedge h) { return mesh.from_vertex_handle(h); }
-  // The halfedge of a boundary vertex is on the boundary: OpenMesh's convention, which validate() checks.
+  // The halfedge of a boundary vertex is on the boundary: this is OpenMesh's convention, which validate() checks.
   static Halfedge first_leaving(const Connectivity& mesh, Vertex v) { return mesh.halfedge_handle(v); }
   static Halfedge next_leaving(const Connectivity& mesh, Halfedge h) {
     return mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h))
@@ -28,9 +28,9 @@ struct Boundary {
 
 }  // namespace detail
 
-/// edges() names an edge by its boundary halfedge, so that they run along the curves, the mesh on their right. An inner
-/// edge that joins two boundary vertices is not one of them. Indices are those of the mesh and have gaps: see
-/// num_vertices().
+/// Graph of the boundary. edges() names an edge by its boundary halfedge, so that edges run along the curves, with the
+/// mesh on their right. An inner edge that joins two boundary vertices is not part of the graph. Indices are those of
+/// the mesh and have gaps: see num_vertices().
 using BoundaryGraph = GraphView<detail::Boundary, boost::undirected_tag>;
 
 }  // namespace meshops

@@ -1,4 +1,4 @@
-// What: the faces of a mesh as a graph, joined across its inner edges.
+// What: the faces of a mesh as a graph of Boost, joined across its inner edges.
 // Law:  halfedge h runs from its face to the face of its opposite; components are those of the mesh, without isolated
 //       vertices.
 #pragma once
@@ -37,8 +37,9 @@ struct Dual {
 
 }  // namespace detail
 
-/// Two faces that share several edges are joined as often. edges() names an edge by its first halfedge.
-/// Cost of a step around a face: constant; boundary edges of the face are passed over.
+/// Graph of the faces. Two faces that share several edges are joined by as many. edges() names an edge by its first
+/// halfedge.
+/// Cost of a step around a face: constant; boundary edges of the face are skipped.
 using DualGraph = GraphView<detail::Dual, boost::undirected_tag>;
 
 }  // namespace meshops

@@ -1,5 +1,5 @@
-// What: numbers on the edges of a mesh as a property map of Boost, for weights and capacities.
-// Law:  both halfedges of an edge have the same number.
+// What: values on the edges of a mesh as a property map of Boost, for weights and capacities.
+// Law:  both halfedges of an edge have the same value.
 #pragma once
 
 #include <boost/property_map/function_property_map.hpp>
@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// The map from a halfedge to of_edge(its edge). It owns `of_edge`, and copies it when it is copied.
+/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`, and copies it when it is copied.
 template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
@@ -19,7 +19,7 @@ auto edge_map(OfEdge of_edge) {
       [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() >> 1)); });
 }
 
-/// The map from a halfedge to the distance of its ends, as double, computed when it is read.
+/// Returns the map from a halfedge to the distance between its ends, as double, computed at each read.
 /// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
 /// Throws:   ContractViolation for an edge that is out of range.
 template <typename Mesh>

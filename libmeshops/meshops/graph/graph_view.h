@@ -1,4 +1,4 @@
-// What: a mesh seen as a graph of Boost; what the primal, dual and boundary views share.
+// What: a mesh viewed as a graph of Boost; the common base of the primal, dual and boundary graphs.
 // Law:  source and target follow the halfedge, and a halfedge is an edge as seen from its source. edges() names every
 //       edge by one of its halfedges, and both have the same edge index. In a directed view the two halfedges of an
 //       edge are two edges, each with an index of its own and each the reverse of the other.
@@ -19,14 +19,15 @@
 
 namespace meshops {
 
-/// The view of a sound mesh that `Kind` defines: which elements are nodes and edges, and how edges turn about a node.
-/// `Direction` is boost::undirected_tag, or boost::bidirectional_tag where both halfedges of an edge are edges.
+/// View of a sound mesh as a graph. `Kind` defines which elements are nodes and edges, and how edges turn around a
+/// node. `Direction` is boost::undirected_tag, or boost::bidirectional_tag for a graph in which both halfedges of an
+/// edge are edges.
 /// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
 ///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
 /// Throws:      ContractViolation for the neighbors of a vertex that vertices() does not list, and for the ends of an
 ///              edge that is out of range.
-/// Invalidated: by whatever changes the elements of the mesh. Elements marked deleted are passed over.
+/// Invalidated: by any change of the elements of the mesh. Elements marked deleted are skipped.
 template <typename Kind, typename Direction>
 class GraphView {
   static constexpr bool is_undirected = std::is_same_v<Direction, boost::undirected_tag>;
@@ -55,12 +56,12 @@ class GraphView {
   using EdgeIndexMap = IndexMap<Halfedge, is_undirected ? 2 : 1>;
 
   explicit GraphView(const Connectivity& mesh) : mesh_(&mesh) {}
-  explicit GraphView(const Connectivity&&) = delete;  // it would outlive the mesh
+  explicit GraphView(const Connectivity&&) = delete;  // the view would outlive the mesh
 
   const Connectivity& mesh() const { return *mesh_; }
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
 
-  /// Whether vertices() or edges() lists this element.
+  /// Returns whether vertices() or edges() lists this element.
   static bool lists(const Connectivity& mesh, vertex_descriptor v) { return Kind::has(mesh, v); }
   static bool lists(const Connectivity& mesh, Halfedge h) {
     return Kind::has(mesh, h) && (!is_undirected || Kind::names_edge(mesh, h));
@@ -79,17 +80,18 @@ class GraphView {
     return adjacency_iterator::range(*g.mesh_, v);
   }
 
-  /// One more than the greatest index, so the size of anything kept by index; 0 when there is no vertex (or edge). It
-  /// is their number when the indices have no gaps: nothing is marked deleted, and the view has all vertices (or
-  /// edges). Boost's algorithms allocate so many places and address them by index, as for boost::filtered_graph. Cost:
-  /// the length of the gap at the end.
+  /// Return one more than the greatest index, which is the size of an array by index; 0 when there is no vertex (or
+  /// edge). It equals the number of vertices (or edges) when the indices have no gaps: nothing is marked deleted, and
+  /// the view has all vertices (or edges) of the mesh. Boost's algorithms allocate that many entries and address them
+  /// by index, as for boost::filtered_graph.
+  /// Cost: the length of the gap at the end.
   friend vertices_size_type num_vertices(const GraphView& g) { return vertex_iterator::index_bound(*g.mesh_); }
   friend edges_size_type num_edges(const GraphView& g) {
     const std::size_t halfedges = edge_iterator::index_bound(*g.mesh_);
     return is_undirected ? (halfedges + 1) / 2 : halfedges;
   }
 
-  /// Cost of all three: the degree.
+  /// Cost of these three: the degree.
   friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
     const auto [first, last] = out_edges(v, g);
     return static_cast<degree_size_type>(std::distance(first, last));
@@ -117,7 +119,7 @@ class GraphView {
   const Connectivity* mesh_;
 };
 
-/// The same graph with both halfedges of an edge as edges, as maximum flow needs it.
+/// Returns the same graph with both halfedges of an edge as edges, as maximum flow requires it.
 template <typename Kind>
 GraphView<Kind, boost::bidirectional_tag> directed(GraphView<Kind, boost::undirected_tag> view) {
   return GraphView<Kind, boost::bidirectional_tag>(view.mesh());

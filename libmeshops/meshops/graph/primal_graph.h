@@ -1,4 +1,4 @@
-// What: the vertices and edges of a mesh as a graph.
+// What: the vertices and edges of a mesh as a graph of Boost.
 // Law:  a halfedge runs from its from-vertex to its to-vertex; components are those of the mesh.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Primal {
 
 }  // namespace detail
 
-/// Isolated vertices are vertices of it. edges() names an edge by its first halfedge.
+/// Graph of the vertices, isolated ones included. edges() names an edge by its first halfedge.
 using PrimalGraph = GraphView<detail::Primal, boost::undirected_tag>;
 
 }  // namespace meshops

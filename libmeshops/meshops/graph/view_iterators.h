@@ -1,5 +1,5 @@
-// What: the iterators of the graph views: through all elements of a mesh, and once around a node.
-// Cost: a step is constant, apart from the elements it passes over. Nothing is allocated.
+// What: the iterators of the graph views: over all elements of a mesh, and once around a node.
+// Cost: a step is constant, plus the elements that it skips. Nothing is allocated.
 #pragma once
 
 #include <boost/iterator/iterator_facade.hpp>
@@ -15,7 +15,7 @@ inline int count_of(const Connectivity& mesh, Vertex) { return static_cast<int>(
 inline int count_of(const Connectivity& mesh, Halfedge) { return static_cast<int>(mesh.n_halfedges()); }
 inline int count_of(const Connectivity& mesh, Face) { return static_cast<int>(mesh.n_faces()); }
 
-/// The handles that View::lists(), ascending.
+/// Iterator over the handles that View::lists(), ascending.
 template <typename View, typename Handle>
 class ListIterator
     : public boost::iterator_facade<ListIterator<View, Handle>, Handle, boost::forward_traversal_tag, Handle> {
@@ -27,7 +27,7 @@ class ListIterator
     return {ListIterator(mesh, 0, end), ListIterator(mesh, end, end)};
   }
 
-  /// One more than the index of the last of them, 0 when there is none.
+  /// Returns one more than the index of the last listed handle, 0 when there is none.
   static std::size_t index_bound(const Connectivity& mesh) {
     int bound = count_of(mesh, Handle());
     while (bound > 0 && !View::lists(mesh, Handle(bound - 1))) --bound;
@@ -54,7 +54,7 @@ class ListIterator
   int end_ = 0;
 };
 
-// What is read off a halfedge that leaves the node.
+// The following read the value of a TurnIterator from a halfedge that leaves the node.
 struct LeavingEdge {
   using Value = Halfedge;
   static Halfedge of(const Connectivity&, Halfedge h) { return h; }
@@ -69,7 +69,7 @@ struct Neighbour {
   static Value of(const Connectivity& mesh, Halfedge h) { return Kind::source(mesh, mesh.opposite_halfedge_handle(h)); }
 };
 
-/// Once around a node: Read::of each halfedge that leaves it.
+/// Iterator once around a node: over Read::of each halfedge that leaves it.
 template <typename Kind, typename Read>
 class TurnIterator : public boost::iterator_facade<TurnIterator<Kind, Read>, typename Read::Value,
                                                    boost::forward_traversal_tag, typename Read::Value> {

@@ -1,5 +1,5 @@
 // What: the property maps that every graph view has.
-// Law:  an index is that of the handle: of the vertex, face, edge or halfedge.
+// Law:  an index is the index of the handle of the vertex, face, edge or halfedge.
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>
@@ -14,7 +14,7 @@ namespace meshops {
 template <typename Kind, typename Direction>
 class GraphView;
 
-/// The index of a handle; with `PerIndex` = 2 that of the edge of a halfedge.
+/// Map to the index of a handle; with `PerIndex` = 2, to the index of the edge of a halfedge.
 template <typename Handle, int PerIndex>
 struct IndexMap {
   using key_type = Handle;
@@ -27,7 +27,7 @@ struct IndexMap {
   friend std::size_t get(IndexMap map, Handle handle) { return map[handle]; }
 };
 
-/// The halfedge that runs the other way.
+/// Map from a halfedge to its opposite.
 struct ReverseMap {
   using key_type = Halfedge;
   using value_type = Halfedge;
@@ -40,7 +40,7 @@ struct ReverseMap {
 
 }  // namespace meshops
 
-// Where Boost looks up the types of the maps that get() returns.
+// Boost looks up the types of the maps that get() returns here.
 namespace boost {
 template <typename Kind, typename Direction>
 struct property_map<meshops::GraphView<Kind, Direction>, vertex_index_t> {

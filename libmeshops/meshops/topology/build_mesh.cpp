@@ -12,7 +12,7 @@
 namespace meshops {
 namespace {
 
-/// Edges with their faces. Returns the halfedge of each corner, by which its face leaves it.
+/// Makes the edges and links them to their faces. Returns for each corner the halfedge by which its face leaves it.
 std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
                                  Steps& step) {
   std::vector<Halfedge> side_of_corner(soup.corners.size());
@@ -36,8 +36,8 @@ std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, co
   return side_of_corner;
 }
 
-/// Makes all edges of the fan around the start of `first`, which has a face, start at `v`; the boundary passes by
-/// there, where the fan does not close.
+/// Lets all edges of the fan around the start of `first`, which has a face, start at `v`. If the fan is open, the
+/// boundary is linked past `v`.
 void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
   Halfedge out = first;  // counter-clockwise, as long as there are faces
   do {
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, con
   const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides, step);
   std::vector<std::uint32_t> point_of_vertex(soup.points);
   std::iota(point_of_vertex.begin(), point_of_vertex.end(), 0U);
-  // A fan gets its vertex at its least corner; a halfedge that ends at none yet is of a fan without one.
+  // A fan gets its vertex at its least corner; as long as its halfedges have no end, it has no vertex.
   for (std::size_t c = 0; c < soup.corners.size(); ++c) {
     step();
     const Halfedge out = side_of_corner[c];

@@ -9,7 +9,7 @@
 
 namespace meshops {
 
-/// Elements marked deleted are not counted; an isolated vertex is a vertex and a component.
+/// Counts of a mesh. Elements marked deleted are not counted; an isolated vertex counts as a vertex and a component.
 struct TopologyCounts {
   std::size_t vertices = 0;
   std::size_t edges = 0;
@@ -18,7 +18,7 @@ struct TopologyCounts {
   std::size_t boundary_curves = 0;
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
-  /// Of all components together: each closed-up component has χ = 2 − 2g.
+  /// Returns the genus of all components together: a component whose curves were closed has χ = 2 − 2g.
   long genus() const {
     return (2 * static_cast<long>(components) - euler() - static_cast<long>(boundary_curves) -
             static_cast<long>(isolated)) /
@@ -28,8 +28,9 @@ struct TopologyCounts {
   friend bool operator==(const TopologyCounts&, const TopologyCounts&) = default;
 };
 
-/// Requires: validate(mesh) is empty; report() (report.h) also counts meshes with bowties right.
-/// Cost:     about linear.
+/// Counts the elements, components and boundary curves of a mesh.
+/// Requires: validate(mesh) is empty. For a mesh with bowties, use report() (report.h).
+/// Cost:     nearly linear.
 MESHOPS_API TopologyCounts count_topology(const Connectivity& mesh);
 
 }  // namespace meshops

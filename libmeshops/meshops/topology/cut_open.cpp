@@ -11,7 +11,7 @@ namespace {
 
 std::uint32_t number(Vertex v) { return static_cast<std::uint32_t>(v.idx()); }
 
-/// The least edge of each component without a boundary and without any of the edges. Ascending.
+/// Returns, ascending, the least edge of each component that has no boundary and none of the given edges.
 std::vector<Edge> seams_of_spheres(const Connectivity& mesh, std::span<const Edge> cut) {
   DisjointSets connected(mesh.n_vertices());
   const auto ends = [&](Edge e) {
@@ -52,7 +52,7 @@ std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edg
   if (const auto blocker = cut_open_blocker(mesh, edges)) throw ContractViolation("cut_open: " + *blocker);
   std::vector<UnglueEffect> cuts;
   cuts.reserve(edges.size());
-  // An edge that is parted keeps its handle on one side, and no other edge changes its own.
+  // A cut edge keeps its handle on one side, and no other edge changes its handle.
   for (const Edge e : edges) cuts.push_back(unglue(mesh, mesh.halfedge_handle(e, 0)));
   return cuts;
 }

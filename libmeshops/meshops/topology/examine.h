@@ -1,4 +1,4 @@
-// What: report() and find_defects() of a soup at once.
+// What: computes report() and find_defects() of a soup together.
 // Cost: little more than one of them.
 #pragma once
 
@@ -15,7 +15,7 @@ struct Examination {
   std::vector<SoupDefect> defects;
 };
 
-/// Throws: as find_defects().
+/// Returns the report and the defects of a soup. Throws: as find_defects().
 MESHOPS_API Examination examine(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

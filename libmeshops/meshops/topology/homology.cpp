@@ -21,8 +21,8 @@ std::size_t at(Handle handle) {
   return static_cast<std::size_t>(handle.idx());
 }
 
-/// A spanning forest of the vertices: how far each is from its root, and the halfedge by which it is reached, none at a
-/// root.
+/// Spanning forest of the vertices: for each vertex, its distance from its root, and the halfedge by which it is
+/// reached, which is invalid at a root.
 struct Tree {
   std::vector<double> distance;
   std::vector<Halfedge> reached_by;
@@ -34,7 +34,7 @@ struct Tree {
   }
 };
 
-/// A visitor of Boost that counts the edges looked at.
+/// Visitor of Boost that counts the examined edges.
 struct Counting : boost::base_visitor<Counting> {
   using event_filter = boost::on_examine_edge;
   explicit Counting(Steps& steps) : step(&steps) {}
@@ -45,8 +45,9 @@ struct Counting : boost::base_visitor<Counting> {
   Steps* step;
 };
 
-/// Homology, or homology modulo the boundary: there all points of the boundary are as one, and a way between two of
-/// them is a loop. The generators come from the one, the cut from the other; on a closed mesh they are the same.
+/// Homology, or homology modulo the boundary. In the latter, all points of the boundary count as one, so that a path
+/// between two of them is a loop. The generators come from the former, the cut from the latter; on a closed mesh they
+/// are the same.
 enum class Modulo { nothing, boundary };
 
 class TreeCotree {
@@ -86,7 +87,8 @@ class TreeCotree {
   }
 
  private:
-  /// The vertices from which the tree grows: the least of every component, or all its boundary vertices if it has any.
+  /// Returns the vertices from which the tree grows: the least of every component; modulo the boundary, all boundary
+  /// vertices of a component that has some.
   std::vector<Vertex> roots(Modulo modulo) const {
     std::vector<Vertex> found;
     std::vector<char> has_root(component_.size(), 0);  // by the least vertex of the component
@@ -130,9 +132,9 @@ class TreeCotree {
     return tree;
   }
 
-  /// The edges that are neither in the tree nor in the cotree: a spanning forest of the faces across other edges, which
-  /// prefers those that close long loops with the tree. Boundary edges join a face to what lies outside, or are on
-  /// no side of anything when all is modulo the boundary. Ascending.
+  /// Returns, ascending, the edges that are neither in the tree nor in the cotree. The cotree is a spanning forest of
+  /// the faces across other edges, which prefers edges that close long loops with the tree. A boundary edge joins a
+  /// face to the outside; modulo the boundary, it is left out.
   std::vector<Edge> left_over(const Tree& tree, Modulo modulo) const {
     struct Candidate {
       double loop;
@@ -152,7 +154,7 @@ class TreeCotree {
       return a.loop > b.loop;
     });
 
-    // One place more, for what lies outside. All components may share it: no cycle runs from one to another through it.
+    // One more entry stands for the outside. All components may share it: no cycle runs from one to another through it.
     const std::size_t outside = mesh_.n_faces();
     DisjointSets joined(outside + 1);
     const auto side = [&](Edge e, unsigned which) {
@@ -168,9 +170,9 @@ class TreeCotree {
     return left;
   }
 
-  /// `closing`, and back along the tree.
+  /// Returns the loop of `closing` and the way back along the tree.
   Loop loop(const Tree& tree, Halfedge closing) const {
-    // The ways to the root from both ends, without what they have in common.
+    // The paths to the root from both ends, without their common part.
     const auto to_root = [&](Vertex v) {
       std::vector<Halfedge> way;
       for (Halfedge h = tree.reached_by[at(v)]; h.is_valid(); h = tree.reached_by[at(mesh_.from_vertex_handle(h))])
@@ -190,11 +192,12 @@ class TreeCotree {
     return loop;
   }
 
-  /// Removes edges with an inner end at which there is no other edge, until there is none.
+  /// Removes edges with an inner end at which there is no other edge of the cut, until there is none.
   void prune(std::vector<Edge>& cut) const {
     std::vector<bool> is_in(mesh_.n_edges(), false);
     std::vector<int> degree(mesh_.n_vertices(), 0);
-    std::vector<int> edges(mesh_.n_vertices(), 0);  // the exclusive or of their indices: the last one when it is alone
+    std::vector<int> edges(mesh_.n_vertices(),
+                           0);  // exclusive or of their indices: the index of the edge when it is the only one
     const auto toggle = [&](Edge e) {
       is_in[at(e)] = !is_in[at(e)];
       for (const unsigned end : {0u, 1u}) {
@@ -219,7 +222,7 @@ class TreeCotree {
   const Connectivity& mesh_;
   std::span<const double> lengths_;
   Steps& step_;
-  std::vector<std::uint32_t> component_;  // of each vertex: the least one
+  std::vector<std::uint32_t> component_;  // for each vertex: the least vertex of its component
 };
 
 Homology compute(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {

@@ -1,4 +1,4 @@
-// What: a soup without some of its faces, and without the points that they leave behind.
+// What: removes faces from a soup, and the points that are then without a face.
 // Cost: linear.
 #pragma once
 
@@ -19,9 +19,9 @@ struct SoupPart {
   std::vector<std::size_t> face_was;     ///< of each face: its number in the given soup; ascending
 };
 
-/// The faces that are kept, in the order in which they were, and the points that are corners of them.
+/// Returns the kept faces, in their old order, and the points that are corners of them.
 /// Requires: `kept` has a value for each face; every corner is a point.
-/// Throws:   ContractViolation that names what is not so; Cancelled.
+/// Throws:   ContractViolation that names the requirement that is not met; Cancelled.
 MESHOPS_API SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on = {});
 
 }  // namespace meshops

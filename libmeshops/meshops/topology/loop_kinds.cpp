@@ -23,14 +23,14 @@ Vector cross(const Vector& u, const Vector& v) {
 }
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
-/// Nothing where it has no direction.
+/// Returns the vector scaled to length 1; nothing when its length is 0.
 std::optional<Vector> unit(const Vector& v) {
   const double size = length(v);
   if (!(size > 0)) return std::nullopt;
   return (1 / size) * v;
 }
 
-/// A closed polygon, and its box.
+/// Closed polygon with its bounding box.
 struct Polygon {
   std::vector<Vector> points;
   Vector low, high;
@@ -51,18 +51,18 @@ struct Polygon {
   }
 };
 
-/// The solid angle of the directions in which two segments are seen to cross, signed.
+/// Returns the signed solid angle of the directions in which two segments appear to cross.
 double crossing_angle(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
   const Vector ac = c - a, ad = d - a, bc = c - b, bd = d - b;
   const auto n1 = unit(cross(ac, ad)), n2 = unit(cross(ad, bd)), n3 = unit(cross(bd, bc)), n4 = unit(cross(bc, ac));
-  if (!n1 || !n2 || !n3 || !n4) return 0;  // in a plane
+  if (!n1 || !n2 || !n3 || !n4) return 0;  // all four points in a plane
   const double side = dot(cross(d - c, b - a), ac);
   const auto angle = [](const Vector& u, const Vector& v) { return std::asin(std::clamp(dot(u, v), -1.0, 1.0)); };
   const double sum = angle(*n1, *n2) + angle(*n2, *n3) + angle(*n3, *n4) + angle(*n4, *n1);
   return side > 0 ? sum : side < 0 ? -sum : 0;
 }
 
-/// How often one winds around the other; nothing where the sum is not near an integer.
+/// Returns how often one polygon winds around the other; nothing when the sum is not near an integer.
 std::optional<int> linking_number(const Polygon& p, const Polygon& q, Steps& step) {
   if (!p.meets_box_of(q)) return 0;
   double sum = 0;
@@ -77,7 +77,7 @@ std::optional<int> linking_number(const Polygon& p, const Polygon& q, Steps& ste
   return static_cast<int>(rounded);
 }
 
-/// Loops of a surface, lifted off it on the side of its normals.
+/// Lifts loops of a surface off the surface, on the side of its normals.
 class Lifting {
  public:
   Lifting(const Connectivity& mesh, std::span<const Vector> positions) : mesh_(mesh), positions_(positions) {}
@@ -88,7 +88,7 @@ class Lifting {
     return Polygon(std::move(points));
   }
 
-  /// Nothing where the surface is folded flat, or a face has no area.
+  /// Returns the lifted loop; nothing where the surface is folded flat, or a face has no area.
   std::optional<Polygon> lifted(const Loop& loop) const {
     std::vector<Vector> points;
     const auto add = [&](const std::optional<Vector>& p) {
@@ -97,7 +97,7 @@ class Lifting {
     };
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Halfedge in = loop[i], out = loop[i + 1 == loop.size() ? 0 : i + 1];
-      // Above the edge, then around its end above the faces and edges on the left.
+      // First above the edge, then around its end, above the faces and edges on the left.
       if (!add(above_edge(in)) || !add(above_edge(mesh_.opposite_halfedge_handle(in)))) return std::nullopt;
       if (mesh_.opposite_halfedge_handle(in) == out) continue;
       Halfedge next = mesh_.next_halfedge_handle(in);
@@ -114,8 +114,8 @@ class Lifting {
   }
 
  private:
-  static constexpr double inward = 0.25;  // along edges, from their ends
-  static constexpr double height = 1e-5;  // over an edge, of its length
+  static constexpr double inward = 0.25;  // distance from the end of an edge, as a part of its length
+  static constexpr double height = 1e-5;  // height above an edge, as a part of its length
 
   const Vector& at(Vertex v) const { return positions_[static_cast<std::size_t>(v.idx())]; }
 
@@ -128,7 +128,7 @@ class Lifting {
     return unit(sum);
   }
 
-  /// Above an edge, near where the halfedge starts.
+  /// Returns a point above an edge, near the start of the halfedge.
   std::optional<Vector> above_edge(Halfedge h) const {
     const auto left = normal_of(mesh_.face_handle(h)),
                right = normal_of(mesh_.face_handle(mesh_.opposite_halfedge_handle(h)));
@@ -140,7 +140,7 @@ class Lifting {
     return from + inward * along + (height * length(along)) * *up;
   }
 
-  /// Above the face on the left, near where the halfedge starts.
+  /// Returns a point above the face on the left, near the start of the halfedge.
   std::optional<Vector> above_corner(Halfedge h) const {
     const auto up = normal_of(mesh_.face_handle(h));
     if (!up) return std::nullopt;
@@ -154,10 +154,10 @@ class Lifting {
   std::span<const Vector> positions_;
 };
 
-/// Of each component whether it is closed and where its normals point; and the component of each face.
+/// For each component, whether it is closed and where its normals point; for each face, its component.
 struct Sides {
-  std::vector<std::size_t> component;  // of each face
-  std::vector<double> volume;          // of each component
+  std::vector<std::size_t> component;  // for each face
+  std::vector<double> volume;          // for each component
   std::vector<bool> is_closed;
 
   Sides(const Connectivity& mesh, std::span<const Vector> positions) : component(mesh.n_faces(), none) {
@@ -198,7 +198,7 @@ struct Sides {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// The face of a halfedge, or the one beyond it.
+/// Returns the face of a halfedge, or the face beyond it if there is none.
 Face face_at(const Connectivity& mesh, Halfedge h) {
   const Face f = mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
   require(is_live(mesh, f), "loop_kinds: a loop has an edge without a face");
@@ -224,10 +224,10 @@ std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vecto
   const Lifting lifting(mesh, positions);
   std::vector<std::size_t> component;
   std::vector<Polygon> on;
-  std::vector<std::optional<Polygon>> above;  // nothing for a loop of an open component, or that cannot be lifted
+  std::vector<std::optional<Polygon>> above;  // nothing for a loop of an open component, or one that cannot be lifted
   std::vector<LoopKind> kinds(loops.size(), LoopKind::unknown);
   std::vector<bool> bounds_below(loops.size(), true), bounds_above(loops.size(), true), is_sure(loops.size(), true);
-  std::vector<bool> is_known = sides.is_closed;  // of a component: all of its loops could be lifted
+  std::vector<bool> is_known = sides.is_closed;  // for each component: all of its loops could be lifted
   for (std::size_t i = 0; i < loops.size(); ++i) {
     component.push_back(sides.component[static_cast<std::size_t>(face_at(mesh, loops[i].front()).idx())]);
     on.push_back(lifting.on_surface(loops[i]));
@@ -252,7 +252,7 @@ std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vecto
     }
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (!is_sure[i] || !is_known[component[i]]) continue;
-    const bool is_turned = sides.volume[component[i]] < 0;  // then the normals point inward
+    const bool is_turned = sides.volume[component[i]] < 0;  // if so, the normals point inward
     const bool inside = is_turned ? bounds_above[i] : bounds_below[i],
                outside = is_turned ? bounds_below[i] : bounds_above[i];
     kinds[i] = inside ? (outside ? LoopKind::both : LoopKind::handle) : outside ? LoopKind::tunnel : LoopKind::neither;

@@ -1,11 +1,12 @@
-// What:   which loops of a closed surface in space are handle loops, and which tunnel loops.
-// How:    a loop bounds something inside of its component if it links no loop of a basis that is lifted off it outward,
-//         and something outside if none of these links it, once it is lifted itself: inside and outside are dual to
-//         each other by linking numbers (Alexander). A loop that links one of another component bounds on neither side:
-//         what it would bound crosses that one. Linking numbers are Gauss sums over pairs of segments, rounded.
-// Law:    a meridian of a torus is a handle loop, what goes around its hole a tunnel loop; turning the surface inside
-//         out changes nothing. Of two tori linked like a chain, what goes around their holes is neither.
-// Cost:   for each two loops whose boxes meet, the product of their edges.
+// What:   classifies loops of a closed surface in space as handle loops and tunnel loops.
+// How:    inside and outside are dual to each other by linking numbers (Alexander). A loop bounds a surface inside of
+//         its component if it links no loop of a basis that is lifted off the surface outward. It bounds a surface
+//         outside if no loop of the basis links it after it is lifted itself. A loop that links one of another
+//         component bounds on neither side, because the surface that it would bound crosses that other loop. Linking
+//         numbers are Gauss sums over pairs of segments, rounded.
+// Law:    a meridian of a torus is a handle loop, a loop around its hole is a tunnel loop; turning the surface inside
+//         out changes nothing. For two tori linked like a chain, loops around their holes are neither.
+// Cost:   for each two loops whose boxes intersect, the product of their numbers of edges.
 // Source: Dey, Li, Sun, Cohen-Steiner, Computing geometry-aware handle and tunnel loops in 3D models (2008) for the terms; Klenin and
 //         Langowski, Computation of writhe in modeling of supercoiled DNA (2000) for the sum.
 #pragma once
@@ -23,19 +24,20 @@
 namespace meshops {
 
 enum class LoopKind : std::uint8_t {
-  handle,   ///< it bounds inside of the surface and not outside: around a handle
-  tunnel,   ///< it bounds outside and not inside: through a tunnel
-  neither,  ///< it bounds on neither side: a sum of both kinds, or another component goes through it
-  both,     ///< it bounds on both sides, and so on the surface, or is no loop of a basis
-  unknown,  ///< of a component with a boundary; or the surface is folded flat there, or so thin that a sum is near no integer
+  handle,   ///< bounds inside of the surface and not outside: around a handle
+  tunnel,   ///< bounds outside and not inside: through a tunnel
+  neither,  ///< bounds on neither side: a sum of both kinds, or another component passes through it
+  both,     ///< bounds on both sides, hence on the surface; or is no loop of a basis
+  unknown,  ///< not decided: the component has a boundary, or the surface is folded flat there, or so thin that a sum is near no integer
 };
 
-/// Of each loop. Positions of vertices by index; inside is where the normals of a component of positive volume do not point.
-/// Components of which no loop is given are not there: the loops of one alone have the kinds that it has alone.
-/// Requires: validate(mesh) is empty; finite positions; a surface that does not cross itself; among the loops a basis for each component
-///           that has some, such as homology() finds.
-/// Throws:   ContractViolation where there is no position of each vertex, or a loop is empty, has a halfedge that is
-///           not there, or does not close; Cancelled.
+/// Returns the kind of each loop. `positions` has the position of each vertex by index. The inside of a component of
+/// positive volume is the side to which its normals do not point. Components without a given loop are ignored: the
+/// loops of a single component get the kinds that they have without the others.
+/// Requires: validate(mesh) is empty; positions are finite; the surface does not cross itself; the loops include a
+///           basis for each component that has loops, such as homology() finds.
+/// Throws:   ContractViolation if `positions` has not one entry per vertex, or a loop is empty, has a halfedge that
+///           does not exist, or does not close; Cancelled.
 MESHOPS_API std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const std::array<double, 3>> positions,
                                              std::span<const Loop> loops, const GoOn& go_on = {});
 

@@ -10,7 +10,7 @@
 namespace meshops {
 namespace {
 
-/// The corners by their new numbers, those that are the same as the one before left out.
+/// Writes the corners by their new numbers, without corners that equal the one before.
 PolygonSoup renumbered(const PolygonSoup& soup, const std::vector<std::uint32_t>& number, std::size_t points,
                        Steps& step) {
   PolygonSoup result;

@@ -1,6 +1,6 @@
-// What: which faces of a soup to reverse so that its surfaces are oriented, piece by piece.
-// Law:  in an orientable piece faces run along every edge of two faces in opposite directions once they are reversed; as few
-//       as possible are.
+// What: finds the faces of a soup to reverse so that each piece of its surfaces is oriented.
+// Law:  after the reversal, in an orientable piece the two faces at an edge run along it in opposite directions; the
+//       number of reversed faces is the least possible.
 // Cost: near-linear.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace meshops {
 
-/// Faces that are connected through edges of two faces, as ComponentReport has it.
+/// Piece of surface: faces that are connected through edges of two faces, as in ComponentReport.
 struct SurfacePiece {
-  std::size_t first_face = 0;  ///< the least one
+  std::size_t first_face = 0;  ///< the least face
   std::size_t faces = 0;
   bool closed = true;  ///< all edges have two faces
   bool orientable = true;

@@ -10,11 +10,12 @@
 
 namespace meshops {
 
-/// Points are numbers from 0; a face is the cycle of its corners. Any cycles at all are a soup: of any length, out of
-/// range, repeated. `begin` has to part `corners` into faces, which every reader of a soup checks (require_parted()).
+/// Soup of polygons. Points are numbers from 0; a face is the cycle of its corners. Faces may be any cycles: of any
+/// length, with corners out of range, repeated. `begin` must split `corners` into faces, which every function that
+/// reads a soup checks (require_parted()).
 struct PolygonSoup {
   std::size_t points = 0;
-  std::vector<std::uint32_t> corners;    ///< of all faces, one after the other
+  std::vector<std::uint32_t> corners;    ///< corners of all faces, one face after the other
   std::vector<std::size_t> begin = {0};  ///< face f has the corners begin[f] to begin[f + 1]; 0 first, ascending
 
   std::size_t faces() const { return begin.size() - 1; }
@@ -27,8 +28,8 @@ struct PolygonSoup {
   }
 };
 
-/// Throws ContractViolation, which names the place, unless `begin` parts `corners` into faces: it begins with 0, does not
-/// descend, and ends with the number of corners. Cost: linear in the faces; no corner is read.
+/// Throws ContractViolation, which names the place, unless `begin` splits `corners` into faces: it begins with 0, never
+/// decreases, and ends with the number of corners. Cost: linear in the faces; no corner is read.
 MESHOPS_API void require_parted(const PolygonSoup& soup);
 
 }  // namespace meshops

@@ -23,7 +23,7 @@ class Repairer {
     take_faces();
     SoupSides oriented(result_.soup, go_on_);
     if (orient(oriented)) oriented = SoupSides(result_.soup, go_on_);
-    // Points are still those that were given.
+    // The sides still have the points that were given.
     part_fans(oriented);
     find_cuts(oriented);
     find_splits();
@@ -39,7 +39,7 @@ class Repairer {
     result_.steps.push_back({kind, std::move(points), std::move(faces)});
   }
 
-  /// The faces worth keeping: without points named twice in a row, not degenerate, each once.
+  /// Takes the faces worth keeping: without points named twice in a row, not degenerate, each once.
   void take_faces() {
     require_parted(given_);
     PolygonSoup cleaned;
@@ -78,7 +78,7 @@ class Repairer {
     }
   }
 
-  /// Reverses the fewer faces of each piece. Returns whether there were any.
+  /// Reverses the smaller part of the faces of each piece. Returns: whether there were any.
   bool orient(const SoupSides& sides) {
     PolygonSoup& soup = result_.soup;
     auto pieces = detail::pieces_of(
@@ -109,9 +109,10 @@ class Repairer {
     return static_cast<std::uint32_t>(result_.soup.points++);
   }
 
-  /// Gives every fan but the first a point of its own. Faces are joined where exactly two fit together. All edges fit
-  /// then: sides that are not joined and still name the same two points are the ends of one fan at either, so that they
-  /// are two, and run in opposite directions as the faces of the fan agree.
+  /// Gives every fan but the first at a point a point of its own. Faces are joined only at edges where exactly two fit
+  /// together. Afterwards all edges fit: unjoined sides that still name the same two points are the ends of one fan at
+  /// either point, so that there are two of them, and they run in opposite directions because the faces of the fan
+  /// agree.
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits, go_on_);
@@ -130,7 +131,7 @@ class Repairer {
     soup.corners = std::move(point_of);
   }
 
-  /// The edges at which faces had the same two points, and have them no more.
+  /// Reports the edges at which faces had the same two points, and no longer do.
   void find_cuts(const SoupSides& oriented) {
     const auto ends = [&](const SoupSide& side) {
       return std::pair(result_.soup.corners[side.corner_at_low()], result_.soup.corners[side.corner_at_high()]);

@@ -1,5 +1,5 @@
-// What: makes an oriented manifold of any soup, and reports what was changed.
-// Law:  find_defects(repair(s).soup) is empty; a soup without defects comes back as it was; nothing is added to the
+// What: makes an oriented manifold of any soup, and reports every change.
+// Law:  find_defects(repair(s).soup) is empty; a soup without defects is returned unchanged; nothing is added to the
 //       surface.
 // Cost: near-linear.
 #pragma once
@@ -16,14 +16,14 @@
 namespace meshops {
 
 enum class RepairKind {
-  corner_dropped,  ///< a face named one point twice in a row, and names it once now
-  face_dropped,    ///< a degenerate or duplicate face, or one with a corner out of range, is gone
-  face_reversed,   ///< a face runs the other way now
-  edge_cut,        ///< the faces at an edge are not all joined there any more
-  point_split      ///< a point has become several, one for each fan of faces
+  corner_dropped,  ///< a face named one point twice in a row; it names it once now
+  face_dropped,    ///< a face was removed: degenerate, duplicate, or with a corner out of range
+  face_reversed,   ///< a face was reversed
+  edge_cut,        ///< not all faces at an edge are joined there any more
+  point_split      ///< a point became several, one for each fan of faces
 };
 
-/// All numbers are those of the soup that was given.
+/// Step of a repair. All numbers refer to the given soup.
 struct RepairStep {
   RepairKind kind;
   std::vector<std::uint32_t> points;  ///< the corner; the corners of the face; the ends of the edge; the point
@@ -33,20 +33,20 @@ struct RepairStep {
 
 struct Repair {
   PolygonSoup soup;                      ///< points of the given soup keep their numbers; new ones follow
-  std::vector<std::uint32_t> stands_on;  ///< of each point: which of the given points has its place
-  std::vector<std::size_t> face_was;     ///< of each face: its number in the given soup
+  std::vector<std::uint32_t> stands_on;  ///< for each point: the given point whose position it has
+  std::vector<std::size_t> face_was;     ///< for each face: its number in the given soup
   std::vector<RepairStep> steps;         ///< in the order of the kinds
 };
 
 MESHOPS_API std::string_view name(RepairKind kind);
 
-/// For people: "face dropped: points 3 3 4, face 7".
+/// Returns a text for people: "face dropped: points 3 3 4, face 7".
 MESHOPS_API std::string describe(const RepairStep& step);
 
-/// Faces that are degenerate, repeated or out of range are dropped. Of the faces that are connected through edges of two
-/// faces as few as possible are reversed, the first one not when it is even. An edge is cut where more than two faces meet,
-/// or two that cannot agree on a direction; of these faces only two stay joined that are connected around both ends some
-/// other way.
+/// Repairs a soup. Faces that are degenerate, duplicate or out of range are removed. Among faces connected through
+/// edges of two faces, as few as possible are reversed; in a tie, the first face is not. An edge is cut if more than
+/// two faces meet there, or two that cannot agree on a direction. Of these faces, only two stay joined that are
+/// connected around both ends in some other way.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 

@@ -12,7 +12,7 @@
 namespace meshops {
 namespace {
 
-/// A boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
+/// Returns whether a boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
 bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   std::size_t in_rings = 0, halfedges = 0;
   bool found = false;
@@ -33,7 +33,7 @@ bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   return found || in_rings != halfedges;
 }
 
-/// The steps of SoupReporter, on a mesh whose vertices have one fan each.
+/// Does the steps of SoupReporter on a mesh whose vertices have one fan each.
 class MeshReporter {
  public:
   MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, Steps& step)
@@ -57,7 +57,7 @@ class MeshReporter {
   }
 
  private:
-  /// Pieces of surface, in the order of their first faces.
+  /// Finds the pieces of surface, in the order of their first faces.
   void find_pieces() {
     for_each_edge(mesh_, [&](OpenMesh::EdgeHandle e) {
       step_();
@@ -100,7 +100,7 @@ class MeshReporter {
     });
   }
 
-  /// Points at which several fans stand, and components that are connected through points.
+  /// Counts the points at which several fans stand, and the components that are connected through points.
   void count_points() {
     std::size_t bound = mesh_.n_vertices();
     for (const std::uint32_t p : point_of_vertex_) bound = std::max(bound, p + std::size_t{1});
@@ -140,12 +140,12 @@ class MeshReporter {
   const Connectivity& mesh_;
   std::span<const std::uint32_t> point_of_vertex_;
   Steps& step_;
-  DisjointSets vertices_;              // joined along edges: a set has the vertices of a piece
-  std::vector<std::size_t> piece_of_;  // of the least vertex of each set
+  DisjointSets vertices_;              // joined along edges: each set holds the vertices of a piece
+  std::vector<std::size_t> piece_of_;  // for the least vertex of each set
   TopologyReport total_;
 };
 
-/// The report of a copy in which each fan has a vertex, on the same point.
+/// Reports on a copy of the mesh in which each fan has a vertex, on the same point.
 TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex,
                               const GoOn& go_on) {
   Connectivity parted = mesh;

@@ -1,6 +1,6 @@
-// What:  the topology of a mesh, or of any soup of faces, in total and per component.
+// What:  reports the topology of a mesh, or of any soup of faces, in total and per component.
 // Law:   euler = vertices − edges + faces = betti[0] − betti[1] + betti[2], in total and per component.
-// Cost:  near-linear; of a soup also elimination over the pieces that meet in non-manifold edges.
+// Cost:  near-linear; for a soup, plus elimination over the pieces that meet in non-manifold edges.
 #pragma once
 
 #include <array>
@@ -19,22 +19,22 @@ namespace meshops {
 
 using BettiNumbers = std::array<long, 3>;
 
-/// A piece of surface whose faces are connected through edges, with a vertex for each fan.
+/// Report on a piece of surface: faces that are connected through edges, with a vertex for each fan.
 struct ComponentReport {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
   std::size_t boundary_curves = 0;
   bool orientable = true;
-  std::size_t first_face = 0;  ///< the least one, to find it by
+  std::size_t first_face = 0;  ///< the least face, which identifies the piece
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
-  /// χ = 2 − 2g − curves; absent when the piece is not orientable.
+  /// Returns the genus g, where χ = 2 − 2g − curves; absent when the piece is not orientable.
   std::optional<long> genus() const {
     if (!orientable) return std::nullopt;
     return (2 - euler() - static_cast<long>(boundary_curves)) / 2;
   }
-  /// Over Z/2: a closed piece has a 2-cycle, orientable or not.
+  /// Returns the Betti numbers over Z/2: a closed piece has a 2-cycle, orientable or not.
   BettiNumbers betti() const {
     const long closed = boundary_curves == 0 ? 1 : 0;
     return {1, 1 + closed - euler(), closed};
@@ -42,34 +42,36 @@ struct ComponentReport {
   friend bool operator==(const ComponentReport&, const ComponentReport&) = default;
 };
 
-/// The totals are of the complex as it is given: a point is one vertex however many fans stand on it, and an edge is a
-/// pair of points.
+/// Totals of the complex as it is given, and a report on each piece: here a point is one vertex however many fans stand
+/// on it, and an edge is a pair of points.
 struct TopologyReport {
   std::size_t vertices = 0;  ///< points, isolated ones included
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t components = 0;        ///< pieces connected in any way; an isolated point is one
-  std::size_t solid_components = 0;  ///< pieces of surface connected through edges: `per_component` has them
-  std::size_t boundary_curves = 0;   ///< of all pieces: a curve does not pass through a pinch
-  std::optional<long> genus;       ///< of all pieces; absent when one is not orientable, or cut at a non-manifold edge
-  BettiNumbers betti = {0, 0, 0};  ///< over Z/2, of the whole as a space
-  std::size_t pinches = 0;         ///< points on which several fans stand
-  std::size_t isolated = 0;        ///< points without a face
+  std::size_t components = 0;        ///< parts connected in any way; an isolated point is one
+  std::size_t solid_components = 0;  ///< pieces of surface connected through edges: the size of `per_component`
+  std::size_t boundary_curves = 0;   ///< total of all pieces; a curve does not pass through a pinch
+  std::optional<long>
+      genus;  ///< total of all pieces; absent when one is not orientable, or there is a non-manifold edge
+  BettiNumbers betti = {0, 0, 0};              ///< over Z/2, of the whole complex as a space
+  std::size_t pinches = 0;                     ///< points on which several fans stand
+  std::size_t isolated = 0;                    ///< points without a face
   std::vector<ComponentReport> per_component;  ///< in the order of their first faces
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
   friend bool operator==(const TopologyReport&, const TopologyReport&) = default;
 };
 
-/// Of any soup. Faces that are degenerate, repeated or out of range are passed over (find_defects() names them). At a
-/// non-manifold edge the pieces end: its faces are apart there, in `per_component` and `boundary_curves`, but not in
+/// Reports on any soup. Faces that are degenerate, duplicate or out of range are ignored (find_defects() names them).
+/// Pieces end at a non-manifold edge: its faces count as separated in `per_component` and `boundary_curves`, but not in
 /// the totals.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Of a mesh. `point_of_vertex` is the point of each vertex; by default each stands on its own. Where
-/// several fans share a vertex, as OpenMesh's readers leave it, it is a pinch: no piece and no curve passes it.
-/// Requires: validate() finds nothing but vertices with several fans; `point_of_vertex` is empty or has a value per vertex.
+/// Reports on a mesh. `point_of_vertex` is the point of each vertex; by default each vertex stands on its own point. A
+/// vertex with several fans, as OpenMesh's readers leave it, is a pinch: no piece and no curve passes it.
+/// Requires: the only defects that validate() finds are vertices with several fans; `point_of_vertex` is empty or has a
+///           value per vertex.
 /// Throws: Cancelled.
 MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {},
                                   const GoOn& go_on = {});

@@ -19,8 +19,8 @@ using Bits = std::vector<std::uint64_t>;
 std::size_t number_of(Vertex v) { return static_cast<std::size_t>(v.idx()); }
 std::size_t number_of(Edge e) { return static_cast<std::size_t>(e.idx()); }
 
-/// A forest of the vertices by breadth, and one of the faces and of what lies outside across all other edges. What is in
-/// neither closes a cycle of faces, which crosses every loop that bounds an even number of times.
+/// Two spanning forests: one of the vertices, by union–find; one of the faces and the outside, breadth-first across all
+/// other edges. An edge in neither closes a cycle of faces, which crosses every bounding loop an even number of times.
 class DualCycles {
  public:
   DualCycles(const Connectivity& mesh, const GoOn& go_on)
@@ -59,7 +59,7 @@ class DualCycles {
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// The face on a side of an edge, or what lies outside.
+  /// Returns the face on a side of an edge, or the number that stands for the outside.
   std::size_t node(Edge e, unsigned side) const {
     const Face f = mesh_.face_handle(mesh_.halfedge_handle(e, side));
     return f.is_valid() ? static_cast<std::size_t>(f.idx()) : mesh_.n_faces();
@@ -113,15 +113,15 @@ class DualCycles {
 
   const Connectivity& mesh_;
   Steps step_;
-  std::vector<bool> is_used_;         // of each edge: it is in one of the forests
-  std::vector<Halfedge> reached_by_;  // of each face: of the edge across which it was reached
+  std::vector<bool> is_used_;         // for each edge: it is in one of the forests
+  std::vector<Halfedge> reached_by_;  // for each face: a halfedge of the edge across which it was reached
   std::vector<std::size_t> depth_;
 };
 
-/// Rows that are independent over Z/2, each with a leading bit that the later ones do not have.
+/// Rows that are independent over Z/2, each with a leading bit that later rows do not have.
 class Z2Span {
  public:
-  /// Whether the row is in none of the sums of those before; it is one of them then.
+  /// Adds the row unless it is a sum of earlier rows. Returns: whether it was added.
   bool add(Bits row) {
     for (const auto& [lead, known] : rows_)
       if ((row[lead / 64] >> lead % 64 & 1) != 0)
@@ -138,7 +138,7 @@ class Z2Span {
   std::vector<std::pair<std::size_t, Bits>> rows_;
 };
 
-/// A loop from a root, along a shortest way, across an edge and back.
+/// Loop from a root along a shortest path, across an edge, and back along a shortest path.
 struct Candidate {
   double length;
   std::uint32_t root;
@@ -151,7 +151,7 @@ struct Candidate {
   }
 };
 
-/// The greedy choice. Requires: ascending.
+/// Chooses independent loops greedily. Requires: candidates in ascending order.
 std::vector<Candidate> independent(std::vector<Candidate> candidates) {
   Z2Span span;
   std::vector<Candidate> chosen;
@@ -160,7 +160,7 @@ std::vector<Candidate> independent(std::vector<Candidate> candidates) {
   return chosen;
 }
 
-/// Shortest ways from one root after the other, as far as a loop may still be shorter than those that are known.
+/// Searches shortest paths from one root after the other, as far as a loop may still be shorter than the known ones.
 class LoopSearch {
  public:
   LoopSearch(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on)
@@ -174,14 +174,14 @@ class LoopSearch {
 
   std::size_t loops() const { return signature_.loops; }
 
-  /// The shortest independent loops from and to the root that are shorter than `limit`.
+  /// Returns the shortest independent loops from and to the root that are shorter than `limit`.
   std::vector<Candidate> from(Vertex root, double limit) {
     grow(root, limit);
     std::vector<Candidate> candidates;
     for (const Vertex v : settled_)
       for (const Halfedge h : mesh_.voh_range(v)) {
         step_();
-        // Each edge once, from the end that has its first halfedge.
+        // Each edge is taken once, from the end at which its first halfedge starts.
         const Edge e = mesh_.edge_handle(h);
         if (mesh_.halfedge_handle(e, 0) != h || !is_settled(mesh_.to_vertex_handle(h)) || is_in_tree(h)) continue;
         const double length =
@@ -213,8 +213,8 @@ class LoopSearch {
            reached_by_[number_of(mesh_.from_vertex_handle(h))] == mesh_.opposite_halfedge_handle(h);
   }
 
-  /// Dijkstra, up to half of the limit: both ends of the edge across from the root are no farther (docs/graph.md). A little
-  /// more, for the rounding of sums.
+  /// Runs Dijkstra's algorithm up to half of the limit: neither end of the edge across from the root is farther
+  /// (docs/graph.md). A little more allows for the rounding of sums.
   void grow(Vertex root, double limit) {
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -257,7 +257,7 @@ class LoopSearch {
     return bits;
   }
 
-  /// Across the edge, back toward the root and out again, without the way that both have in common.
+  /// Returns the loop across the edge, back toward the root and out again, without the common part of both paths.
   Loop loop_of(Halfedge closing) const {
     const auto to_root = [&](Vertex v) {
       std::vector<Halfedge> way;
@@ -294,12 +294,12 @@ class LoopSearch {
   HomologySignature signature_;
   std::vector<double> distance_;
   std::vector<Halfedge> reached_by_;
-  Bits bits_;  // of each vertex: those of the way to it
+  Bits bits_;  // for each vertex: the bits of the path to it
   std::vector<bool> is_settled_ = std::vector<bool>(distance_.size(), false);
   std::vector<Vertex> touched_, settled_;
 };
 
-/// The ends of the edges, ascending.
+/// Returns the ends of the edges, ascending.
 std::vector<Vertex> ends_of(const Connectivity& mesh, const std::vector<Edge>& edges) {
   std::vector<Vertex> ends;
   for (const Edge e : edges)
@@ -329,9 +329,9 @@ std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<co
     component.join(number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)));
   });
 
-  // From a root all loops of its component are generated, so that its first root leaves a basis, and each later one may replace
-  // loops by shorter ones. Of those that are not shorter than all that are known none is of use. Below a limit there may be fewer,
-  // and no known loop stands for what is longer.
+  // The search from the first root of a component finds a basis of all its loops. The search from each later root may
+  // replace loops by shorter ones; loops that are not shorter than all known ones are of no use. With a finite limit
+  // the known loops may be no basis, and then say nothing about longer loops.
   std::vector<std::vector<Candidate>> best(mesh.n_vertices());  // by the least vertex of the component
   for (const Vertex root : ends_of(mesh, known.cut_graph)) {
     std::vector<Candidate>& chosen = best[component.find(number(root))];

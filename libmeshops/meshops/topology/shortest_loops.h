@@ -1,8 +1,10 @@
-// What:   loops that generate the first homology of a mesh over Z/2, of the least total length that any such loops have.
-// Law:    b₁ loops a component; the i-th shortest of any other basis is at least as long as the i-th of these, but for the
-//         rounding of sums. docs/graph.md, section 5.
-// Cost:   for every vertex of the cut graph of homology() a search for shortest ways, which ends at half the length of the
-//         longest loop of its component found so far; for what it reaches n log n, and a word for every 64 loops.
+// What:   finds loops that generate the first homology of a mesh over Z/2, with the least total length of any such
+//         loops.
+// Law:    each component gets b₁ loops; the i-th shortest loop of any other basis is at least as long as the i-th of
+//         these, up to the rounding of sums. docs/graph.md, section 5.
+// Cost:   for every vertex of the cut graph of homology(), a search for shortest paths, which ends at half the length
+//         of the longest loop of its component found so far; n log n for the n elements that it reaches, and a word for
+//         every 64 loops.
 // Source: Erickson and Whittlesey, Greedy optimal homotopy and homology generators (SODA 2005).
 #pragma once
 
@@ -19,14 +21,14 @@
 
 namespace meshops {
 
-/// A number for every class of loops: two loops are homologous over Z/2 when their sums over edges are equal. Bit i of an edge
-/// is bit i % 64 of word i / 64.
+/// Signature of every homology class of loops: two loops are homologous over Z/2 exactly when their signatures, the
+/// exclusive or over their edges, are equal. Bit i of an edge is bit i % 64 of word i / 64.
 struct HomologySignature {
-  std::size_t loops = 0;             ///< b₁ of the mesh: as many bits are used
-  std::size_t words = 0;             ///< of an edge
+  std::size_t loops = 0;             ///< b₁ of the mesh, the number of bits in use
+  std::size_t words = 0;             ///< number of words per edge
   std::vector<std::uint64_t> edges;  ///< `words` for each edge, by edge index
 
-  /// Throws ContractViolation when there is no such edge.
+  /// Returns the words of an edge. Throws ContractViolation when there is no such edge.
   std::span<const std::uint64_t> of(Edge e) const {
     require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(),
             "HomologySignature: no such edge");
@@ -34,18 +36,20 @@ struct HomologySignature {
   }
 };
 
-/// Requires: validate(mesh) is empty. Throws: Cancelled. Cost: linear, plus for every bit the depth of a tree of faces.
+/// Returns the signature of each edge. Requires: validate(mesh) is empty. Throws: Cancelled. Cost: linear, plus for
+/// every bit the depth of a tree of faces.
 MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
 
-/// By ascending length, of equal ones by the vertex and then the edge they were found from. A loop meets no vertex twice; its
-/// first halfedge is that of the edge across from the vertex.
-/// Requires: validate(mesh) is empty; a length for each edge, by edge index, none negative, with a finite sum; places of deleted
-///           edges are not read.
+/// Returns a basis of shortest loops, by ascending length; loops of equal length are ordered by the vertex and then the
+/// edge from which they were found. A loop passes no vertex twice; its first halfedge is that of the edge across from
+/// the vertex.
+/// Requires: validate(mesh) is empty; `lengths` has a length for each edge, by edge index, none negative, with a finite
+///           sum; entries of deleted edges are not read.
 /// Throws:   ContractViolation; Cancelled.
 MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                                       const GoOn& go_on = {});
 
-/// The loops of that basis that are shorter than `below`. Requires and throws the same.
+/// Returns the loops of that basis that are shorter than `below`. Requires and throws the same.
 /// Cost: the searches end at half of `below`, which makes short loops of large meshes cheap.
 MESHOPS_API std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths,
                                                       double below, const GoOn& go_on = {});

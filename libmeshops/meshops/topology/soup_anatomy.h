@@ -1,5 +1,5 @@
-// What: properties of a soup that report() and find_defects() both need, computed once.
-// Cost: most of that of either.
+// What: the properties of a soup that report() and find_defects() both need, computed once.
+// Cost: most of the cost of either function.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// Of a soup that outlives it.
+/// Keeps a reference to the soup, which must outlive it.
 struct SoupAnatomy {
   /// Throws as find_face_faults().
   SoupAnatomy(const PolygonSoup& given, const GoOn& go_on);
@@ -20,15 +20,15 @@ struct SoupAnatomy {
   const PolygonSoup& soup;
   FaceFaults faults;
   SoupSides sides;
-  bool has_crowded_edge = false;                         ///< at which more than two faces meet
+  bool has_crowded_edge = false;                         ///< more than two faces meet at some edge
   std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no choice of directions agrees
-  DisjointSets pieces;                                   ///< of faces
-  DisjointSets fans;                                     ///< of corners, joined at every edge
-  std::vector<std::uint32_t> fans_at;                    ///< each point: how many
+  DisjointSets pieces;                                   ///< sets of faces
+  DisjointSets fans;                                     ///< sets of corners, joined at every edge
+  std::vector<std::uint32_t> fans_at;                    ///< for each point: the number of fans
 
   bool is_sound(std::size_t f) const { return faults.of[f] == FaceFault::none; }
 
-  /// fan(point, face) for every fan, with its first face.
+  /// Calls fan(point, face) for every fan, with the first face of it.
   template <typename Fan>
   void for_each_fan(Steps& step, Fan fan) const {
     for (std::size_t f = 0; f < soup.faces(); ++f) {
@@ -41,7 +41,7 @@ struct SoupAnatomy {
   }
 };
 
-/// As documented at report() and find_defects().
+/// Documented at report() and find_defects().
 TopologyReport report_of(SoupAnatomy& anatomy, const GoOn& go_on);
 std::vector<SoupDefect> defects_of(SoupAnatomy& anatomy, const GoOn& go_on);
 

@@ -1,5 +1,5 @@
-// What: everything that keeps a soup of faces from being an oriented 2-manifold with boundary, one by one.
-// Law:  build_mesh() accepts a soup whose only defects are pinches; repair() gives one without any.
+// What: lists every defect that keeps a soup of faces from being an oriented 2-manifold with boundary.
+// Law:  build_mesh() accepts a soup whose only defects are pinches; repair() returns a soup without defects.
 // Cost: near-linear in the number of corners.
 #pragma once
 
@@ -25,24 +25,24 @@ enum class SoupDefectKind {
   pinch                      ///< faces meet in a point, but not through edges at it: several fans
 };
 
-/// Faces with one of the first three defects are passed over when looking for the others.
+/// Defect of a soup. Faces with one of the first three kinds are ignored in the search for the others.
 struct SoupDefect {
   SoupDefectKind kind;
-  /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. Of a component that is not
-  /// orientable: an edge at which faces disagree when they agree at the edges before it.
+  /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. For a component that is
+  /// not orientable: the ends of an edge at which faces disagree although they agree at all edges before it.
   std::vector<std::uint32_t> points;
-  /// In ascending order: the face; the duplicate and the face it repeats; all faces at the edge; of a pinch the first
-  /// face of each fan; of a component the first face.
+  /// In ascending order: the face; the duplicate and the face that it repeats; all faces at the edge; the first face of
+  /// each fan of a pinch; the first face of a component.
   std::vector<std::size_t> faces;
   friend bool operator==(const SoupDefect&, const SoupDefect&) = default;
 };
 
 MESHOPS_API std::string_view name(SoupDefectKind kind);
 
-/// For people: "non-manifold edge: points 3 4, faces 0 7 9".
+/// Returns a text for people: "non-manifold edge: points 3 4, faces 0 7 9".
 MESHOPS_API std::string describe(const SoupDefect& defect);
 
-/// Every defect, in the order of the kinds, and of the points or faces within a kind.
+/// Returns every defect, in the order of the kinds, and within a kind in the order of the points or faces.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup, const GoOn& go_on = {});
 

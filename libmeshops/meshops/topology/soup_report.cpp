@@ -20,7 +20,7 @@ class SoupReporter {
   TopologyReport operator()() {
     find_pieces();
     if (anatomy_.has_crowded_edge) {
-      // There the pieces end.
+      // Pieces end at edges with more than two faces.
       DisjointSets fans = detail::fans_of(
           soup_, sides_, [](SoupEdge edge) { return edge.size() == 2; }, go_on_);
       count_fans(fans);
@@ -44,7 +44,7 @@ class SoupReporter {
   }
 
  private:
-  /// Pieces of surface, in the order of their first faces.
+  /// Finds the pieces of surface, in the order of their first faces.
   void find_pieces() {
     piece_of_.resize(soup_.faces());
     std::size_t pieces = 0;
@@ -68,9 +68,9 @@ class SoupReporter {
 
   ComponentReport& piece_at(const SoupSide& side) { return total_.per_component[piece_of_[side.face()]]; }
 
-  /// Vertices of the pieces, and their curves. `fans` are joined at edges of two faces.
+  /// Counts the vertices and curves of each piece. `fans` are joined at edges of two faces.
   void count_fans(DisjointSets& fans) {
-    // Every open side joins the fans at its ends: two open sides meet in a fan, so that the sets are the curves.
+    // Every open side joins the fans at its ends, and two open sides meet in a fan: so the sets are the curves.
     DisjointSets curves(soup_.corners.size());
     std::vector<bool> is_open(soup_.corners.size(), false);
     for_each_edge([&](SoupEdge edge) {
@@ -90,7 +90,8 @@ class SoupReporter {
     });
   }
 
-  /// Of the sides of a piece those lie two at an edge that do not lie at an open one; an open one has one of them.
+  /// Counts the edges of each piece. Two sides of a piece lie at each edge with two faces; at an open edge there is
+  /// one.
   void count_edges() {
     std::vector<std::size_t> sides(total_.per_component.size(), 0);
     for (std::size_t f = 0; f < soup_.faces(); ++f)
@@ -103,7 +104,7 @@ class SoupReporter {
     for (std::size_t i = 0; i < sides.size(); ++i) total_.per_component[i].edges = sides[i] / 2;
   }
 
-  /// Points at which several fans stand, and components that are connected through points.
+  /// Counts the points at which several fans stand, and the components that are connected through points.
   void count_points() {
     const auto count = [&](auto is_such) {
       return static_cast<std::size_t>(std::count_if(anatomy_.fans_at.begin(), anatomy_.fans_at.end(), is_such));
@@ -114,7 +115,7 @@ class SoupReporter {
     total_.components = total_.isolated + joined_pieces();
   }
 
-  /// The number of sets of connected pieces.
+  /// Returns the number of sets of connected pieces.
   std::size_t joined_pieces() {
     const std::size_t pieces = total_.per_component.size();
     if (total_.pinches == 0 && !anatomy_.has_crowded_edge) return pieces;
@@ -131,9 +132,9 @@ class SoupReporter {
     return sets;
   }
 
-  /// The dimension of the sets of faces of which an even number meets in every edge. Faces on both sides of an edge of
-  /// two are in such a set together or not at all, so that a set is one of pieces; a piece with an edge of its own
-  /// alone is in none; every other edge is an equation about the rest.
+  /// Returns the dimension of the space of 2-cycles over Z/2: sets of faces of which an even number meets at every
+  /// edge. The faces on both sides of an edge of two are both in a cycle or both not, so that a cycle is a set of
+  /// pieces. A piece with an edge of one face is in none. Every other edge gives an equation about the rest.
   long cycles_of_faces() {
     std::vector<bool> is_in_none(total_.per_component.size(), false);
     for_each_edge([&](SoupEdge edge) {

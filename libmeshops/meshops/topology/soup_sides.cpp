@@ -24,8 +24,8 @@ FaceFault fault_of(std::span<const std::uint32_t> face, std::size_t points, std:
   return std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end() ? FaceFault::none : FaceFault::degenerate;
 }
 
-/// The cycle from its least corner on, in the direction of the lesser neighbour: the same for every way to write a
-/// face.
+/// Returns the cycle from its least corner on, in the direction of the lesser neighbor. The result is the same for
+/// every way to write a face.
 void canonical_cycle(std::span<const std::uint32_t> face, std::vector<std::uint32_t>& cycle) {
   cycle.assign(face.begin(), face.end());
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
@@ -38,7 +38,7 @@ std::uint64_t hash_of(const std::vector<std::uint32_t>& cycle) {
   return hash;
 }
 
-/// Weeds out nearly all faces that are the only one with their corners, before faces are compared in earnest.
+/// Filter that excludes nearly all faces without a duplicate, before faces are compared in full.
 class SeenTwice {
  public:
   SeenTwice(const PolygonSoup& soup, const FaceFaults& faults, Steps& step)
@@ -52,7 +52,7 @@ class SeenTwice {
       (once_[at.word] & at.bit ? twice_ : once_)[at.word] |= at.bit;
     }
   }
-  /// False only where no other face has these corners.
+  /// Returns false only if no other face has these corners.
   bool operator()(std::span<const std::uint32_t> face) const {
     const Place at = place_of(face);
     return (twice_[at.word] & at.bit) != 0;
@@ -63,7 +63,7 @@ class SeenTwice {
     std::size_t word;
     std::uint64_t bit;
   };
-  /// One of about 16 to 32 for each face, by a sum over the corners, which is the same in any order.
+  /// Returns one of about 16 to 32 slots per face, by a sum over the corners, which does not depend on their order.
   Place place_of(std::span<const std::uint32_t> face) const {
     std::uint64_t sum = 0;
     for (const std::uint32_t corner : face) {
@@ -99,7 +99,7 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go
     return a.hash != b.hash ? a.hash < b.hash : a.face < b.face;
   });
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    // Among the earlier faces with this hash, which are few unless there are many duplicates of one face.
+    // Searches the earlier faces with this hash, which are few unless there are many duplicates of one face.
     canonical_cycle(soup.face(keys[i].face), cycle);
     for (std::size_t k = i; k-- > 0 && keys[k].hash == keys[i].hash;) {
       step();
@@ -114,10 +114,10 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go
   }
 }
 
-/// Sides with a lower end in common, by their higher end and then by face, as which they come.
+/// Sorts sides with the same lower end by their higher end and then by face, which is the order in which they come.
 template <typename Iterator>
 void sort_by_high(Iterator first, Iterator last, Steps& step) {
-  constexpr auto few = 16;  // as at nearly all points: each is put in its place among those before it
+  constexpr auto few = 16;  // the case at nearly all points: insertion sort
   if (last - first > few)
     return std::stable_sort(first, last, [&](const SoupSide& a, const SoupSide& b) {
       step();
@@ -176,8 +176,8 @@ SoupSides::SoupSides(const PolygonSoup& soup, const GoOn& go_on) {
 
 template <typename IsGiven>
 void SoupSides::bring_together(const PolygonSoup& soup, IsGiven is_given, const GoOn& go_on) {
-  // Counted into buckets by the lower point first: sorting is then local. A bucket ends where the next one begins;
-  // while it is filled, its entry in the list is the place of its next side.
+  // Sides are first counted into buckets by the lower point, so that sorting is local. A bucket ends where the next one
+  // begins; while it is filled, its entry in the list is the place of its next side.
   std::vector<std::uint32_t> bucket(soup.points + 2, 0);
   Steps step(go_on);
   const auto for_each_side = [&](auto visit) {
@@ -214,7 +214,7 @@ bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go
     const auto edge = sides.edge(e);
     if (!fits(edge)) return false;
     if (edge.size() < 2) continue;
-    // Faces with the same corners share all edges, the first of one of them too.
+    // Faces with the same corners share all edges, including the first edge of each of them.
     if (edge[0].corner != soup.begin[edge[0].face()]) continue;
     const auto one = soup.face(edge[0].face()), two = soup.face(edge[1].face());
     if (one.size() != two.size() || std::find(two.begin(), two.end(), one[2]) == two.end()) continue;

@@ -1,4 +1,4 @@
-// What: the sides of the faces of a soup, brought together by edge; and the fans that they make of the corners.
+// What: the sides of the faces of a soup, grouped by edge, and the fans that they form of the corners.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,20 @@ namespace meshops::detail {
 enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate };
 
 struct FaceFaults {
-  std::vector<FaceFault> of;         ///< each face; the first that holds
-  std::vector<std::size_t> repeats;  ///< of each face: the earlier face that a duplicate repeats; empty without any
+  std::vector<FaceFault> of;  ///< for each face, the first fault that applies
+  std::vector<std::size_t>
+      repeats;  ///< for each face: the earlier face that a duplicate repeats; empty without duplicates
 };
 
-/// Throws ContractViolation as require_parted(), and when the soup is too large for handles: 2³⁰ corners, points or faces.
-/// Cancelled.
+/// Finds the faults of all faces. Throws: ContractViolation as require_parted(), and when the soup is too large for
+/// handles: 2³⁰ corners, points or faces; Cancelled.
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
-/// Every corner is a point, every face has three corners or more, and none twice: all that is left to find is
-/// duplicates. Throws as above.
+/// Returns whether every corner is a point, and every face has three corners or more, none of them twice. The only
+/// fault that a face can still have is to be a duplicate. Throws as find_face_faults().
 bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on);
 
-/// A side runs from the corner at index `corner` of the soup to the one at `next`.
+/// Side of a face, from the corner at index `corner` of the soup to the one at index `next`.
 class SoupSide {
  public:
   SoupSide() = default;
@@ -50,20 +51,20 @@ class SoupSide {
   std::uint32_t corner_at_high() const { return ascending() ? next : corner; }
 
  private:
-  std::uint32_t face_;  // and the direction: there are many sides
+  std::uint32_t face_;  // with the direction in bit 0, to save memory
 };
 
-/// Faces that fit together at an edge: one, or two that run along it in opposite directions.
+/// Returns whether the faces at an edge fit together: one face, or two that run along it in opposite directions.
 inline bool fits(std::span<const SoupSide> edge) {
   return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending() != edge[1].ascending());
 }
 
-/// The sides of the faces that are given, sorted by edge and then by face.
+/// The sides of given faces, sorted by edge and then by face.
 class SoupSides {
  public:
-  /// Of the faces without fault. Throws Cancelled.
+  /// Collects the sides of the faces without fault. Throws Cancelled.
   SoupSides(const PolygonSoup& soup, const FaceFaults& faults, const GoOn& go_on);
-  /// Of all faces.
+  /// Collects the sides of all faces.
   /// Requires: has_sound_faces(soup).
   SoupSides(const PolygonSoup& soup, const GoOn& go_on);
 
@@ -80,11 +81,12 @@ class SoupSides {
   FreshVector<std::uint32_t> begin_;
 };
 
-/// No edge has more than two sides, and two run in opposite directions and belong to faces with different corners.
+/// Returns whether no edge has more than two sides, and two sides of an edge run in opposite directions and belong to
+/// faces with different corners.
 /// Requires: the sides of all faces of the soup. Throws Cancelled.
 bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
-/// The fans that corners form around points. The sides at an edge join corners when `joins(sides)`.
+/// Returns the fans that corners form around points. The sides at an edge join corners if `joins(sides)`.
 template <typename Joins>
 DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins, const GoOn& go_on) {
   DisjointSets fans(soup.corners.size());
@@ -102,8 +104,8 @@ DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins join
   return fans;
 }
 
-/// How faces are connected through edges of exactly two faces; faces of odd parity must be reversed for all to agree.
-/// Calls disagree(sides) where no reversing helps.
+/// Returns the sets of faces that are connected through edges of exactly two faces; faces of odd parity must be
+/// reversed for all to agree. Calls disagree(sides) for an edge at which no reversal helps.
 template <typename Disagree>
 DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree, const GoOn& go_on) {
   DisjointSets pieces(soup.faces());

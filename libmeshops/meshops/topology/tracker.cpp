@@ -32,15 +32,15 @@ bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
 }
 
 GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
-  // What glue() would refuse is left to it.
+  // Calls that glue() would refuse are left to glue().
   if (!has_status(mesh_) || detail::glue_refusal(mesh_, first, second)) return meshops::glue(mesh_, first, second);
   const GlueEffect effect = detail::glue_links(mesh_, first, second, case_of(first, second));
   note(effect);
   return effect;
 }
 
-/// The case of a glue: the components are tracked, and in one component two edges of different curves make a handle. So no
-/// search through faces is needed.
+/// Returns the case of a glue. Components are tracked, and two edges on different curves of one component make a
+/// handle, so that no search through faces is needed.
 GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
   if (!in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second))) return GlueCase::join;
   const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;
@@ -70,7 +70,7 @@ void TopologyTracker::note(const GlueEffect& effect) {
 void TopologyTracker::note(const UnglueEffect& effect) {
   for (const Halfedge h : {effect.first, effect.second})
     require(is_live(mesh_, h) && mesh_.is_boundary(h), "TopologyTracker: not a boundary halfedge");
-  // A vertex that was there already is at one end of one of the two halfedges at least.
+  // At least one of the two halfedges has an end that is an old vertex.
   const Vertex ends[] = {mesh_.from_vertex_handle(effect.first), mesh_.to_vertex_handle(effect.first),
                          mesh_.from_vertex_handle(effect.second), mesh_.to_vertex_handle(effect.second)};
   Vertex known;
@@ -166,7 +166,7 @@ std::uint32_t TopologyTracker::new_node() {
   return nodes_.add();
 }
 
-/// One node for each set that is in use, so that a long run does not need more and more of them.
+/// Renumbers nodes, one for each set in use, so that a long run does not need more and more of them.
 void TopologyTracker::forget_old_nodes() {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> renumbered(nodes_.size(), none);

@@ -1,6 +1,7 @@
 // What: keeps the counts of a mesh and the components of its vertices up to date while operators change it.
 // Law:  after every operator that was recorded, counts() equals count_topology(mesh).
-// Cost: union–find time for operators that only join; what parts a component pays for the smaller of the two parts.
+// Cost: union–find time for operators that only join; the smaller of the two parts for operators that split a
+//       component.
 #pragma once
 
 #include <cstdint>
@@ -18,34 +19,35 @@
 
 namespace meshops {
 
-/// Report each operator with note() and the effect it returned, before the next operator. Operators that depend on
-/// components are also members: these use the tracker's components instead of a search. A flip
-/// changes nothing that is tracked. A remove_triangle() is to be done as its unglue() and destroy_triangle().
-/// What names elements that are not there, or that was not recorded, is a ContractViolation, and nothing is changed.
+/// Tracker of the counts of a mesh. Report each operator with note() and the effect that it returned, before the next
+/// operator. Operators that depend on components are also members: these use the tracker's components instead of a
+/// search. A flip changes nothing that is tracked. Do a remove_triangle() as its unglue() and destroy_triangle().
+/// An effect that names elements which do not exist, or which come from an operator that was not recorded, is a ContractViolation, and
+/// nothing is changed.
 class MESHOPS_API TopologyTracker {
  public:
-  /// Counts once. Keeps a reference. Requires: validate(mesh) is empty.
+  /// Counts the mesh once. Keeps a reference. Requires: validate(mesh) is empty.
   explicit TopologyTracker(Connectivity& mesh);
 
   const TopologyCounts& counts() const { return counts_; }
-  /// Whether two live vertices are in one component. Cost: union–find time.
+  /// Returns whether two live vertices are in one component. Cost: union–find time.
   bool in_same_component(Vertex a, Vertex b);
 
-  /// glue(), in one step. Cost: union–find time when the edges are on two components or adjacent; otherwise the
+  /// Does glue() and notes it. Cost: union–find time when the edges are on two components or adjacent; otherwise the
   /// shorter of two ways along a curve, or the shorter of two curves.
   GlueEffect glue(Halfedge first, Halfedge second);
-  /// zip_curves(), in one step.
+  /// Does zip_curves() and notes it.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
-  void note_created(Halfedge first_side);  ///< of create_triangle(): what it returned
-  void note_destroyed();                   ///< of destroy_triangle()
+  void note_created(Halfedge first_side);  ///< takes the result of create_triangle()
+  void note_destroyed();                   ///< notes a destroy_triangle()
   void note(const GlueEffect& effect);
   void note(const UnglueEffect& effect);
   void note(const CloseCurveEffect& effect);
   void note(const OpenCurveEffect& effect);
   void note(const SplitEffect& effect);
   void note(const WeldEffect& effect);
-  void note_undone(const WeldEffect& effect);  ///< of undo(): what the weld or collapse had returned
+  void note_undone(const WeldEffect& effect);  ///< for undo(): takes the effect of the weld or collapse
 
  private:
   void change(const Delta& delta);
@@ -57,7 +59,7 @@ class MESHOPS_API TopologyTracker {
 
   Connectivity& mesh_;
   TopologyCounts counts_;
-  std::vector<std::uint32_t> node_of_;  // of each vertex; vertices that parted from others get another node
+  std::vector<std::uint32_t> node_of_;  // for each vertex; vertices that are separated from others get another node
   DisjointSets nodes_;
 };
 

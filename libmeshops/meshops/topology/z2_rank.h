@@ -1,5 +1,5 @@
-// What: the rank of equations over Z/2 that come one by one.
-// Cost: that of Gaussian elimination on what is left of each; an equation in one unknown costs next to nothing.
+// What: the rank of a system of equations over Z/2 that are added one by one.
+// Cost: that of Gaussian elimination on the remaining terms of each; an equation in one unknown costs next to nothing.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace meshops::detail {
 
 class Z2Rank {
  public:
-  /// The sum of these unknowns is 0. An unknown that is named twice cancels. Throws Cancelled.
+  /// Adds the equation that the sum of these unknowns is 0. An unknown that is named twice cancels. Throws Cancelled.
   void add(std::vector<std::size_t> unknowns, Steps& step) {
     std::sort(unknowns.begin(), unknowns.end());
     std::vector<std::size_t> row, sum;
@@ -39,7 +39,7 @@ class Z2Rank {
   std::size_t rank() const { return rows_.size(); }
 
  private:
-  std::unordered_map<std::size_t, std::vector<std::size_t>> rows_;  // by the first unknown of each
+  std::unordered_map<std::size_t, std::vector<std::size_t>> rows_;  // by the first unknown of each row
 };
 
 }  // namespace meshops::detail
