@@ -1,6 +1,6 @@
 // What: a complex of more points than fit into memory, from files to files, by way of files of tiles.
 // Law:  the bytes of `rbpa mesh` and `rbpa shape`, whatever the tiles are; targets appear whole or not at all.
-// Source: docs/stream.md.
+// Source: docs/how_to/more_points_than_memory.md.
 #pragma once
 
 #include <cstddef>
