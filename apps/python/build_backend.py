@@ -37,7 +37,7 @@ def metadata() -> str:
         f"Version: {version()}\n"
         "Summary: Alpha shapes, concave hulls and Delaunay triangulations in the plane, surfaces in space, exact and fast\n"
         "License: MIT\nRequires-Python: >=3.9\nRequires-Dist: numpy\n"
-        "Description-Content-Type: text/markdown\n\n" + (ROOT / "docs" / "python.md").read_text()
+        "Description-Content-Type: text/markdown\n\n" + (ROOT / "docs" / "reference" / "python.md").read_text()
     )
 
 

@@ -96,7 +96,7 @@ read_manual(${RBPA} rbpa)
 read_manual(${MESHTOPO} meshtopo)
 set(text "# Command line
 
-This page is made of what `rbpa` and `meshtopo` say of themselves; `rbpa help VERB`, `meshtopo --help` and `--man` say the same. Exit codes, signals and
+This page is made of the manual pages of `rbpa` and `meshtopo` (`--man`); `rbpa help VERB` and `meshtopo --help` have the same text. Exit codes, signals and
 limits are in [guarantees and limits](guarantees_and_limits.md), endings of files in [file formats](file_formats.md). No environment variable is read. An
 option is given once, unless it says otherwise; whole numbers are decimal digits and nothing else.
 ")
