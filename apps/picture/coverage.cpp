@@ -8,7 +8,7 @@ namespace rbpa::app {
 AreaCoverage::AreaCoverage(int width, int height)
     : width_(static_cast<std::size_t>(width)),
       height_(static_cast<std::size_t>(height)),
-      stride_(width_ + 2),  // what lies right of the canvas is written, and never read
+      stride_(width_ + 2),  // the columns right of the canvas are written but never read
       change_(stride_ * height_) {}
 
 void AreaCoverage::add_piece(const Pixel& from, const Pixel& to) {
@@ -37,18 +37,18 @@ void AreaCoverage::add_row(float* row, double rise, double x_from, double x_to) 
   const auto add = [row](std::size_t i, double value) { row[i] += static_cast<float>(value); };
   const auto first = static_cast<std::size_t>(left);
   const auto last = static_cast<std::size_t>(right);
-  if (first == last) {  // within one pixel: a trapezoid right of the piece, and everything behind it
+  if (first == last) {  // within one pixel: a trapezoid right of the piece, and all pixels after it
     const double inside = static_cast<double>(first) + 1 - (left + right) / 2;
     add(first, rise * inside);
     add(first + 1, rise * (1 - inside));
     return;
   }
-  // Over several pixels: the area right of the piece grows quadratically in the first, linearly, and so on to the last.
+  // Over several pixels: the area right of the piece grows quadratically in the first and last, linearly in between.
   const double per_pixel = rise / (right - left);
   const double in_first = static_cast<double>(first) + 1 - left, in_last = right - static_cast<double>(last);
   double total = 0, before = 0;
   for (std::size_t i = first; i <= last; ++i) {
-    double area = 0;  // covered in pixel i
+    double area = 0;  // covered area of pixel i
     if (i == first) {
       area = per_pixel * in_first * in_first / 2;
     } else if (i < last) {
@@ -81,7 +81,7 @@ LineCoverage::LineCoverage(int width, int height)
 
 void LineCoverage::add_line(const Pixel& from, const Pixel& to, double line_width) {
   const double strength = std::min(line_width, 1.0);
-  const double reach = std::max(line_width, 1.0) / 2 + 0.5;  // where the coverage of a pixel's centre ends
+  const double reach = std::max(line_width, 1.0) / 2 + 0.5;  // distance from the line at which coverage is 0
   const double dx = to.x - from.x, dy = to.y - from.y, length2 = dx * dx + dy * dy;
   const auto inside = [](double value, int size) { return static_cast<int>(std::clamp<double>(value, 0, size)); };
   const int y_end = inside(std::ceil(std::max(from.y, to.y) + reach), height_);

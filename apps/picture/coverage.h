@@ -1,7 +1,7 @@
-// What: how much of each pixel a shape covers, from 0 to 1.
+// What: computes how much of each pixel a shape covers, from 0 to 1.
 // How:  areas are exact per pixel (signed trapezoids left of each edge, summed along rows), so that shapes that share
 //       an edge leave no seam; lines have the largest of their coverages, so that crossings do not darken.
-// Cost: the pixels that the outlines touch, and one pass over the canvas.
+// Cost: linear in the pixels that the outlines touch, and one pass over the canvas.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace rbpa::app {
 
-/// The inside of closed outlines that do not overlap. All shapes lie within the canvas.
+/// The coverage of the inside of closed outlines. Requires: they do not overlap, and lie within the canvas.
 class AreaCoverage {
  public:
   AreaCoverage(int width, int height);
-  /// One straight piece of an outline, in its direction.
+  /// Adds one straight piece of an outline, in its direction.
   void add_piece(const Pixel& from, const Pixel& to);
-  /// Coverage by rows. Empties this.
+  /// Returns the coverage by rows, and empties this.
   std::vector<float> take();
 
  private:
@@ -29,7 +29,8 @@ class AreaCoverage {
   std::vector<float> change_;
 };
 
-/// Round-ended lines and dots. Lines thinner than a pixel are a pixel wide and that much fainter.
+/// The coverage of round-ended lines and dots. Lines thinner than a pixel are drawn a pixel wide and fainter
+/// accordingly.
 class LineCoverage {
  public:
   LineCoverage(int width, int height);

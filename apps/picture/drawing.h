@@ -1,5 +1,5 @@
-// What: what a picture of a complex shows, in the coordinates of the input.
-// Law:  a function of the complex alone: edges and curves are in an order that no method of computing can change.
+// What: the content of a picture of a complex, in the coordinates of the input.
+// Law:  a function of the complex alone: the order of edges and curves does not depend on the method of computing it.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,29 @@
 
 namespace rbpa::app {
 
-/// All as indices into `points`.
+/// A drawing; all members are indices into `points`.
 struct Drawing {
   std::span<const Point> points;
-  std::vector<Edge> inner_edges;                   ///< between two triangles; lower index first, sorted
-  std::vector<std::vector<std::uint32_t>> curves;  ///< around the solid, each from its least edge, sorted; or rings
+  std::vector<Edge> inner_edges;  ///< edges between two triangles; lower index first, sorted
+  std::vector<std::vector<std::uint32_t>>
+      curves;  ///< around the solid, each from its least edge, sorted; or the rings of polygons
   std::span<const std::uint32_t> isolated;
-  std::span<const Edge> dangling = {};  ///< in no triangle
-  /// Where the curves of each group begin, and their end; of groups with names. Empty: there are none, and one colour.
+  std::span<const Edge> dangling = {};  ///< edges in no triangle
+  /// For named groups, the first curve of each group, and the end of the last. Empty: no groups, and one color.
   std::vector<std::size_t> groups = {};
   std::span<const std::string> group_names = {};
 };
 
-/// Requires: `points` are those of the complex, which has neighbours. What it returns looks into both. Of a full
-/// complex the isolated are those in neither a triangle nor an edge.
+/// Returns the drawing of a complex. It refers to both arguments. In a full complex, isolated points are those in
+/// neither a triangle nor an edge. Requires: `points` are those of the complex, and it has neighbors.
 Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind);
 
-/// Polygons without inner edges, their rings as they are. What it returns looks into `points` and `isolated`.
+/// Returns the drawing of polygons: their rings, without inner edges. It refers to `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint32_t> isolated);
 
-/// The polygons of groups, each in a colour: those of group g are numbers polygon_begin[g] to [g + 1] - 1.
+/// Returns the drawing of groups of polygons, each in its color. Group g has the polygons polygon_begin[g] to
+/// polygon_begin[g + 1] - 1.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint64_t> polygon_begin, std::span<const std::string> names);
 

@@ -23,7 +23,7 @@ std::string number(double value) {
   return text.data();
 }
 
-/// Logarithms from low to high, on pixels.
+/// A logarithmic axis: maps the logarithms from low to high to pixels.
 struct Axis {
   double low, high;
   int from, to;
@@ -43,7 +43,7 @@ void text(std::string& svg, int x, int y, const std::string& words, const char* 
          "\">" + words + "</text>\n";
 }
 
-/// 10 to a power that may lie beyond the range of double.
+/// Returns 10 to a power, as text, also beyond the range of double.
 std::string power_of_ten(double exponent) {
   constexpr double safe = 300;
   if (std::abs(exponent) <= safe) return number(std::pow(10, exponent));
@@ -51,7 +51,7 @@ std::string power_of_ten(double exponent) {
   return number(std::pow(10, exponent - whole)) + (whole > 0 ? "e+" : "e") + number(whole);
 }
 
-/// Powers of ten, at most nine; the ends where fewer than two are inside.
+/// Returns the ticks of an axis: at most nine powers of ten, or the two ends if fewer than two powers are inside.
 std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
   std::vector<std::pair<double, std::string>> all;
   const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
@@ -73,7 +73,7 @@ void draw_frame(std::string& svg, const Axis& x, int top, int bottom, const char
   line(svg, left, top, left, bottom, "stroke=\"#1b2733\"");
 }
 
-/// Per column of pixels its least, its greatest and its last value.
+/// Draws a curve. Each column of pixels gets its least, its greatest and its last value.
 void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, const PlotCurve& curve) {
   svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + curve.colour + "\" d=\"M" +
          std::to_string(left) + " " + std::to_string(y.from);
@@ -107,7 +107,7 @@ void draw_band(std::string& svg, const Axis& x, const Plateau& plateau) {
          "\" fill=\"#e6f0f9\"/>\n";
 }
 
-/// On the right of what it explains.
+/// Draws a key to the right of the plot.
 void draw_key(std::string& svg, int y, const std::string& name, const std::string& colour) {
   line(svg, right + 15, y - 5, right + 35, y - 5, ("stroke-width=\"3\" stroke=\"" + colour + "\"").c_str());
   text(svg, right + 42, y, name, "start");
@@ -137,7 +137,7 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   draw_mark(svg, x, plot.least_connected, "auto", 62);
 }
 
-/// Pairs whose dots would cover each other are one dot: whatever stands apart stays.
+/// Draws the pairs as dots. Dots that would cover each other are drawn once.
 void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   const Axis y{x.low, x.high, diagram_bottom, last_death};
   draw_frame(svg, x, diagram_top, diagram_bottom, "birth");
@@ -186,7 +186,8 @@ FiltrationPlot plot_of(std::span<const SolidPair> pairs) {
   FiltrationPlot plot{.alpha = {},
                       .curves = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}},
                       .dimensions = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}}};
-  std::vector<std::pair<double, std::pair<std::size_t, bool>>> changes;  // of a dimension: one more, or one less
+  // Radius, dimension, and whether the count rises or falls.
+  std::vector<std::pair<double, std::pair<std::size_t, bool>>> changes;
   std::array<std::size_t, 3> count = {0, 0, 0};
   for (const SolidPair& pair : pairs) {
     const auto dimension = static_cast<std::size_t>(pair.dimension);

@@ -1,5 +1,5 @@
-// What: a filtration as a picture: its counts against alpha, and births against deaths.
-// Law:  the same set of points gives the same bytes. At most some elements per pixel, however many steps and pairs.
+// What: draws a filtration: its counts against alpha, and births against deaths.
+// Law:  the same set of points gives the same bytes. The size is bounded by that of the picture, not by steps or pairs.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace rbpa::app {
 
 struct PlotCurve {
   std::string name;
-  const char* colour;                    ///< as SVG has it
-  std::vector<std::size_t> counts = {};  ///< at each of FiltrationPlot::alpha and up to the next
+  const char* colour;                    ///< in the syntax of SVG
+  std::vector<std::size_t> counts = {};  ///< from each value of FiltrationPlot::alpha up to the next
 };
 
 struct PlotDimension {
@@ -29,19 +29,19 @@ struct FiltrationPlot {
   std::vector<double> alpha;  ///< ascending
   std::vector<PlotCurve> curves;
   std::vector<PersistencePair> pairs = {};
-  std::vector<PlotDimension> dimensions;                 ///< of the pairs, from 0 on
+  std::vector<PlotDimension> dimensions;                 ///< names of the dimensions of pairs, from 0
   std::optional<double> least_covering = std::nullopt;   ///< marked "min"
   std::optional<double> least_connected = std::nullopt;  ///< marked "auto"
-  std::optional<Plateau> plateau = std::nullopt;         ///< a band, and its alpha marked "plateau"
+  std::optional<Plateau> plateau = std::nullopt;         ///< shown as a band, with its alpha marked "plateau"
 };
 
-/// Of points in the plane: counts of the steps, pairs of components and of holes.
+/// Returns the plot for points in the plane: the counts of the steps, and pairs of components and of holes.
 FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs);
 
-/// Of points in space: Betti numbers by the pairs' births and deaths.
+/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of pairs.
 FiltrationPlot plot_of(std::span<const SolidPair> pairs);
 
-/// A whole SVG file.
+/// Returns the plot as an SVG file.
 std::string svg_of(const FiltrationPlot& plot);
 
 }  // namespace rbpa::app

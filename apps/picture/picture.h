@@ -1,4 +1,4 @@
-// What: a drawing as a file in one of the formats of pictures.
+// What: writes a drawing as SVG or PNG.
 #pragma once
 
 #include "io/bytes/output_file.h"
@@ -12,7 +12,7 @@ namespace rbpa::app {
 
 inline bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
 
-/// Requires: is_picture(format), and as place().
+/// Writes the drawing. Requires: is_picture(format), and what place() requires.
 inline void write_picture(OutputFile& file, Format format, const Drawing& drawing, int width) {
   const Scene scene = place(drawing, width);
   format == Format::svg ? write_svg(file, scene) : write_png(file, scene);

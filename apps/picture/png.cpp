@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Red, green, blue by rows.
+/// The pixels of a picture: red, green and blue of each, by rows.
 class Canvas {
  public:
   explicit Canvas(const Scene& scene)
@@ -47,7 +47,7 @@ class Canvas {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Calls visit(from, to) for every piece of some boundary curves.
+/// Calls visit(from, to) for every piece of the curves.
 template <typename Visit>
 void for_each_boundary_piece(const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, Visit&& visit) {
   std::size_t done = 0;
@@ -62,7 +62,7 @@ void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
   for_each_boundary_piece(scene, scene.drawing->curves, visit);
 }
 
-/// Groups of one colour at a time.
+/// Draws the groups, those of one color at a time.
 void draw_groups(Canvas& canvas, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   const std::size_t count = begin.size() - 1;
@@ -133,7 +133,7 @@ void write_png(OutputFile& file, int width, int height, const std::vector<std::u
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<char> encoded(size);
-  // In memory: an error of our file must not travel through libpng.
+  // Encoded in memory, as exceptions of our file must not pass through libpng.
   if (png_image_write_to_memory(&image, encoded.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
     throw Failure(file.name() + ": cannot encode the picture: " + image.message);
   file.write({encoded.data(), size});

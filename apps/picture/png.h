@@ -1,4 +1,4 @@
-// What: a scene as PNG, drawn by our own anti-aliasing rasteriser.
+// What: writes a scene as PNG with our own anti-aliasing rasterizer.
 // Law:  the same scene gives the same pixels.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Red, green and blue of each pixel, by rows.
+/// Writes pixels: red, green and blue of each, by rows.
 void write_png(OutputFile& file, int width, int height, const std::vector<std::uint8_t>& pixels);
 
 void write_png(OutputFile& file, const Scene& scene);

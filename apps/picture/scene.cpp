@@ -6,7 +6,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Points scaled by a power of two to about one, so that their differences neither overflow nor vanish.
+/// Scales points by a power of two to about 1, so that their differences neither overflow nor vanish.
 struct Frame {
   int exponent = 0;
   Pixel least{0, 0};
@@ -36,7 +36,7 @@ double length(const Pixel& a, const Pixel& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-/// The median length of a sample of a few thousand edges; 0 when there are none.
+/// Returns the median length of a sample of a few thousand edges; 0 if there are none.
 double typical_length(const Drawing& drawing, const std::vector<Pixel>& at) {
   constexpr std::size_t enough = 10000;
   std::vector<double> lengths;
@@ -70,14 +70,14 @@ Strokes strokes_for(const Drawing& drawing, const std::vector<Pixel>& at, double
 
 Scene place(const Drawing& drawing, int width) {
   const double margin = 0.03 * width, inner_width = width - 2 * margin;
-  constexpr double flattest = 0.125, tallest = 2;  // height by width of the inner part
+  constexpr double flattest = 0.125, tallest = 2;  // ratio of height to width of the inner part
   const Frame frame(drawing.points);
 
   // The box is the unit square when all points are equal. A ratio cannot overflow: it is clamped before it is used.
   const double ratio = frame.width > 0 ? frame.height / frame.width : (frame.height > 0 ? tallest + 1 : flattest);
   const double inner_height = std::round(inner_width * std::clamp(ratio, flattest, tallest));
   const bool by_width = ratio <= tallest;
-  // A position is found as a fraction of the box first: pixels per unit may be out of range.
+  // A position is computed as a fraction of the box first, as pixels per unit may be out of range.
   const double box = by_width ? frame.width : frame.height;
   const double box_pixels = by_width ? inner_width : inner_height;
   const double used_width = by_width ? inner_width : inner_height / ratio;

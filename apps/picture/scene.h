@@ -1,4 +1,4 @@
-// What: a drawing moved to the pixels of a canvas, y down.
+// What: maps a drawing to the pixels of a canvas, y down.
 // Law:  any finite coordinates fit, however large, small or flat; the same drawing gives the same numbers everywhere.
 #pragma once
 
@@ -13,7 +13,7 @@ struct Pixel {
   double x, y;
 };
 
-/// A drawing whose points have places.
+/// A drawing with the positions of its points on the canvas.
 struct Scene {
   int width;
   int height;
@@ -25,8 +25,8 @@ struct Scene {
 constexpr int least_width = 64;
 constexpr int greatest_width = 8192;
 
-/// Requires: least_width ≤ width ≤ greatest_width. The height follows the points, up to twice the width; one scale for
-/// both axes. The scene looks into the drawing. Cost: linear.
+/// Returns the scene of a drawing, to which it refers. Both axes have the same scale; the height follows the points, up
+/// to twice the width. Requires: least_width ≤ width ≤ greatest_width. Cost: linear.
 Scene place(const Drawing& drawing, int width);
 
 }  // namespace rbpa::app

@@ -11,7 +11,7 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// The points around the middle of their box, which is 2 wide: coordinates near the largest double are safe.
+/// Returns the points centered and scaled to a box that is 2 wide, also for coordinates near the largest double.
 std::vector<Vector> normalized(std::span<const Point3> points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector low = Vector::Constant(infinity), high = -low;
@@ -28,16 +28,16 @@ std::vector<Vector> normalized(std::span<const Point3> points) {
   return moved;
 }
 
-/// The greater part of an axis is positive: an eigenvector may be either way.
+/// Turns an axis so that its largest component is positive, as an eigenvector has no orientation.
 Vector upward(const Vector& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   return axis[largest] < 0 ? Vector(-axis) : axis;
 }
 
-/// Which axis of the coordinates, 1 or 2, is upright for a viewer that far along each. The points do not determine it:
-/// it is y in most models, z in most scans. The axis that is not the direction of view is chosen; where neither is, y,
-/// unless the points are much taller in z.
+/// Returns the coordinate axis, 1 (y) or 2 (z), that is upright for a viewer in this direction. The points do not
+/// determine it: it is y in most models and z in most scans. If one of the two is the direction of view, the other is
+/// upright; else y, unless the points extend much more in z.
 Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   constexpr double taller = 1.5;
   Eigen::Index along = 0;
@@ -46,7 +46,7 @@ Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   return variances.z() > taller * taller * variances.y() ? 2 : 1;
 }
 
-/// Rows are right, up, and to the viewer, where an axis points up.
+/// Returns the matrix with rows right, up, and to the viewer, such that `axis` points up.
 Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   const Vector up = (axis - axis.dot(viewer) * viewer).normalized();
   Eigen::Matrix3d view;
@@ -54,9 +54,10 @@ Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   return view;
 }
 
-/// The view of points: rows as those of with_upright(). The viewer, 45 degrees from the axis or more, stays 25 from it.
+/// Returns the view of points, with rows as with_upright(). The viewer is at least 45 degrees from the axis before the
+/// turn, so it stays at least 25 from it.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
-  // Sums of floating-point numbers depend on their order.
+  // Sorted, as sums of floating-point numbers depend on their order.
   std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });

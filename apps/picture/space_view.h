@@ -1,8 +1,8 @@
-// What: points of space as seen from a direction that follows from them, moved to the pixels of a canvas.
+// What: views points in space from a direction that follows from them, on the pixels of a canvas.
 // Law:  a function of the set of points, up to rounding, and of no order; any finite coordinates fit.
-// How:  orthographic; the shortest principal axis of the points points to the viewer, y or z is upright, whichever is
-//       not looked along, and the view is then turned by 25 degrees to the side and 20 from above, so that what is flat
-//       or straight shows its depth.
+// How:  orthographic. The shortest principal axis of the points points to the viewer; y or z is upright, whichever is
+//       not the direction of view. The view is then turned by 25 degrees to the side and 20 from above, so that flat
+//       and straight sets show their depth.
 #pragma once
 
 #include <array>
@@ -17,10 +17,11 @@ struct SpaceView {
   int width;
   int height;
   std::vector<std::array<double, 3>>
-      at;  ///< of each point: x to the right, y down, and depth towards the viewer, in pixels
+      at;  ///< position of each point in pixels: x to the right, y down, depth towards the viewer
 };
 
-/// Requires: width within the bounds of scene.h. The height follows the points, from a fourth to twice the width.
+/// Returns the view. The height follows the points, from a quarter to twice the width. Requires: width within the
+/// bounds of scene.h.
 SpaceView view_of(std::span<const Point3> points, int width);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
-// What: colours and line widths of our pictures.
-// Why:  blue against orange and dark against light stay apart for every kind of colour vision, and in grey.
+// What: colors and line widths of our pictures.
+// Why:  blue against orange and dark against light differ for every kind of color vision, and in gray.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@ constexpr Colour edge_colour{0x4A, 0x86, 0xB4};
 constexpr Colour boundary_colour{0x10, 0x33, 0x5C};
 constexpr Colour isolated_colour{0xD5, 0x5E, 0x00};
 
-/// The style of a group of polygons, which may lie upon others.
+/// The colors of a group of polygons, which may overlap others.
 struct GroupColours {
   Colour fill, boundary;
 };
-constexpr double group_opacity = 0.6;  ///< of fills
+constexpr double group_opacity = 0.6;  ///< opacity of fills
 constexpr std::size_t group_colour_count = 24;
 
-/// Those of group k; from group_colour_count on they come again. Eight hues that stay apart for every kind of colour
-/// vision (Okabe and Ito), then lighter and darker ones.
+/// Returns the colors of group k; they repeat from group_colour_count on. The first eight hues differ for every kind of
+/// color vision (Okabe and Ito); lighter and darker ones follow.
 constexpr GroupColours group_colours(std::size_t k) {
   constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
                              {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
-  constexpr int shades[] = {60, 35, 85};  // percent of the hue, the rest is white
+  constexpr int shades[] = {60, 35, 85};  // percent of the hue in white
   const Colour hue = hues[k % 8];
   const int shade = shades[k / 8 % 3];
   const auto lit = [shade](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) * shade / 100); };
@@ -37,7 +37,7 @@ constexpr GroupColours group_colours(std::size_t k) {
   return {{lit(hue.red), lit(hue.green), lit(hue.blue)}, {dark(hue.red), dark(hue.green), dark(hue.blue)}};
 }
 
-/// Sizes in pixels. They shrink with the triangles, so that lines never hide what they bound.
+/// Line widths in pixels. They shrink with the triangles, so that lines never hide them.
 struct Strokes {
   double edge_width;
   double boundary_width;

@@ -21,7 +21,7 @@ constexpr Colour filled_colour{0x9F, 0xD3, 0xB4};  // lighter than the boundary,
 constexpr Colour rim_colour{0xE6, 0x9F, 0x00};
 constexpr Colour island_colour{0xCC, 0x79, 0xA7};
 
-/// Samples with a depth; the nearest to the viewer stays.
+/// Samples with a depth, of which the nearest to the viewer remains.
 class DepthCanvas {
  public:
   DepthCanvas(int width, int height)
@@ -38,7 +38,7 @@ class DepthCanvas {
     colours_[i] = colour;
   }
 
-  /// Samples whose centres are in the triangle.
+  /// Draws the samples whose centers are in the triangle.
   void triangle(const Place& a, const Place& b, const Place& c, const Colour& colour) {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if (area == 0) return;
@@ -67,7 +67,7 @@ class DepthCanvas {
       }
   }
 
-  /// A line is a row of discs.
+  /// Draws a line as a row of discs.
   void line(const Place& from, const Place& to, double radius, const Colour& colour) {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     const int steps = 1 + static_cast<int>(2 * length / radius);
@@ -79,7 +79,7 @@ class DepthCanvas {
     }
   }
 
-  /// Means of squares of `side` samples.
+  /// Returns the pixels: means over squares of `side` × `side` samples.
   std::vector<std::uint8_t> pixels(int side) const {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(depths_.size() * 3);
@@ -110,8 +110,8 @@ class DepthCanvas {
   std::vector<Colour> colours_;
 };
 
-/// Light comes from the viewer's upper left. y is down, so what is counter-clockwise for the viewer has a negative
-/// area.
+/// Returns the shade of a triangle. Light comes from the viewer's upper left. As y points down, a triangle that is
+/// counter-clockwise for the viewer has a negative area.
 Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -124,7 +124,7 @@ Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front
   return {lit(own.red), lit(own.green), lit(own.blue)};
 }
 
-/// The mean of the colours at the corners, or that of surfaces without any; of what fills a hole its own.
+/// Returns the mean color of the corners, the default color without colors, or the color of filled holes.
 Colour own_colour(const SurfacePicture& picture, std::size_t triangle) {
   if (!picture.filled.empty() && picture.filled[triangle]) return filled_colour;
   const auto& t = picture.triangles[triangle];
@@ -154,7 +154,7 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
     canvas.triangle(a, b, c, shade(a, b, c, own_colour(picture, i)));
   }
-  // Thicker than what is nearer than they are by as much: a rim is seen along its whole length.
+  // Lines are raised by their thickness towards the viewer, so that a rim is visible along its whole length.
   const double radius = side * std::max(1.0, width / 700.0);
   const auto raised = [&](std::uint32_t i) { return Place{view.at[i][0], view.at[i][1], view.at[i][2] + 2 * radius}; };
   for (const std::uint32_t i : picture.unused) {

@@ -1,6 +1,5 @@
-// What: a surface in space as a PNG: shaded triangles in the points' colours if they have any, filled holes and its
-//       boundary in colours of their own,
-//       points in no triangle as dots.
+// What: draws a surface in space as PNG: shaded triangles in the colors of the points if they have any, filled holes
+//       and the boundary in colors of their own, points in no triangle as dots.
 // Law:  the same triangles give the same pixels, in any order but for triangles at the same depth.
 // Cost: the pixels that the triangles cover, four samples each (one in pictures wider than 4096).
 #pragma once
@@ -18,14 +17,13 @@ namespace rbpa::app {
 struct SurfacePicture {
   std::span<const Point3> points;
   std::span<const std::array<std::uint32_t, 3>> triangles;
-  std::span<const std::array<std::uint32_t, 2>> rims, holes, islands;  ///< boundary sides
+  std::span<const std::array<std::uint32_t, 2>> rims, holes, islands;  ///< boundary sides by kind
   std::span<const std::uint32_t> unused;
-  std::span<const std::array<std::uint8_t, 3>>
-      colors;                       ///< red, green, blue of each point, or none: for triangles from the front
-  const std::vector<bool>& filled;  ///< of each triangle, whether it fills a hole; or empty
+  std::span<const std::array<std::uint8_t, 3>> colors;  ///< of each point, or empty: for triangles seen from the front
+  const std::vector<bool>& filled;                      ///< for each triangle whether it fills a hole; or empty
 };
 
-/// Requires: a width within the bounds of scene.h. Throws as OutputFile does; Cancelled.
+/// Writes the picture. Requires: a width within the bounds of scene.h. Throws as OutputFile does, Cancelled.
 void write_surface_png(OutputFile& file, const SurfacePicture& picture, int width);
 
 }  // namespace rbpa::app

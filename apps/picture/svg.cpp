@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Hundredths of a pixel.
+/// A step in hundredths of a pixel.
 struct Step {
   long x, y;
   friend bool operator==(const Step&, const Step&) = default;
@@ -20,7 +20,7 @@ struct Step {
 
 Step step_of(const Pixel& p) { return {std::lround(p.x * 100), std::lround(p.y * 100)}; }
 
-/// Hundredths as the shortest decimal: 1250 is 12.5, −7 is -.07.
+/// Returns hundredths as the shortest decimal: 1250 is 12.5, −7 is -.07.
 std::string decimal(long hundredths) {
   std::string text = hundredths < 0 ? "-" : "";
   const long size = std::abs(hundredths), whole = size / 100, part = size % 100;
@@ -32,7 +32,7 @@ std::string decimal(long hundredths) {
   return text;
 }
 
-/// The text of a path. A pen moves by whole hundredths, so that nothing drifts.
+/// Writes a path. The pen moves by whole hundredths, so that positions do not drift.
 class Path {
  public:
   explicit Path(OutputFile& file) : file_(file) {}
@@ -81,7 +81,7 @@ std::string stroke(const Colour& colour, double width) {
          "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
 }
 
-/// `dots`: a curve smaller than a hundredth of a pixel is still a dot when stroked.
+/// Writes curves as a path. With `dots`, a curve smaller than a hundredth of a pixel becomes a dot when stroked.
 void write_curves(OutputFile& file, const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, bool dots) {
   Path path(file);
   for (const std::vector<std::uint32_t>& curve : curves) {
@@ -102,7 +102,7 @@ void write_curves(OutputFile& file, const Scene& scene, std::span<const std::vec
   }
 }
 
-/// A path for each group, with its name, in its colours.
+/// Writes a path for each group, with its name, in its colors.
 void write_groups(OutputFile& file, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   for (std::size_t g = 0; g + 1 < begin.size(); ++g) {
@@ -116,7 +116,7 @@ void write_groups(OutputFile& file, const Scene& scene) {
   }
 }
 
-/// `dots`: as above.
+/// Writes edges as a path. With `dots`, an edge smaller than a hundredth of a pixel becomes a dot when stroked.
 void write_edges(OutputFile& file, const Scene& scene, std::span<const Edge> edges, bool dots) {
   Path path(file);
   bool begun = false;

@@ -1,4 +1,4 @@
-// What: a scene as SVG, one path per layer.
+// What: writes a scene as SVG, one path per layer.
 // Law:  the same scene gives the same bytes. Positions are multiples of 0.01 pixels.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What: what a program of ours returns to its caller at the end.
+// What: the exit codes of our programs, and the last line that they print.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 
-/// The last two are a shell's status of a process that SIGINT or SIGPIPE ended.
+/// Exit codes. The last two are the status that a shell gives a process ended by SIGINT or SIGPIPE.
 enum ExitCode {
   done = 0,
   failed = 1,
@@ -21,13 +21,13 @@ constexpr const char* exit_codes =
     "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 4 a --check of meshtopo does not hold, "
     "130 cancelled, 141 nobody reads the output any more.";
 
-/// Prints "PROGRAM: MESSAGE" on standard error; returns `code`.
+/// Prints "PROGRAM: MESSAGE" on standard error, and returns `code`.
 int report(const std::string& program, const std::string& message, ExitCode code);
 
 /// Writes `text` to standard output. Throws as OutputFile does.
 void print(const std::string& text);
 
-/// Does `work`, and turns what it throws into one line and an exit code.
+/// Calls `work`. Turns an exception into one line on standard error and an exit code.
 int run(const std::string& program, const std::function<void()>& work);
 
 }  // namespace rbpa::app

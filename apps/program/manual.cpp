@@ -26,7 +26,7 @@ std::vector<const CLI::Option*> positionals_of(const CLI::App& app) {
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-/// "-o", "--output"
+/// Returns the names of an option, such as "-o" and "--output".
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -40,7 +40,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-/// All names that options of the app have.
+/// Returns the names of all options of the program or verb.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> all;
   for (const CLI::Option* option : options_of(app))
@@ -50,7 +50,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // ---- roff
 
-/// Text as roff shows it: nothing in it is a request, an escape, a hyphen or a quote.
+/// Escapes text for roff, so that nothing in it is a request, an escape, a hyphen or a quote.
 std::string roff(const std::string& text) {
   std::string shown;
   for (const char c : text) {
@@ -72,7 +72,7 @@ std::string roff(const std::string& text) {
   return shown;
 }
 
-/// Lines that are indented stay as they are; others are paragraphs.
+/// Converts text to roff. Indented lines are kept as they are, others become paragraphs.
 std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string shown;
@@ -89,7 +89,7 @@ std::string roff_paragraphs(const std::string& text) {
   return shown + (is_indented ? ".fi\n" : "");
 }
 
-/// "rbpa mesh POINTS [OPTIONS]"
+/// Returns the usage in roff: "rbpa mesh POINTS [OPTIONS]".
 std::string roff_usage(const std::string& called, const CLI::App& app) {
   std::string usage = "\\fB" + roff(called) + "\\fR";
   for (const CLI::Option* positional : positionals_of(app)) usage += " \\fI" + roff(positional->get_name()) + "\\fR";
@@ -113,7 +113,7 @@ std::string roff_options(const CLI::App& app) {
   return text;
 }
 
-/// What stands below the options, but for the exit codes, which have a section of their own.
+/// Returns the footer of the help without the exit codes, which have a section of their own.
 std::string footer_of(const CLI::App& app) {
   std::string footer = app.get_footer();
   if (const auto codes = footer.find(exit_codes); codes != std::string::npos) footer.resize(codes);
@@ -123,7 +123,7 @@ std::string footer_of(const CLI::App& app) {
 
 // ---- shells
 
-/// Between single quotes of a shell.
+/// Returns text as a shell word in single quotes.
 std::string in_single_quotes(const std::string& text) {
   std::string safe = "'";
   for (const char c : text) {
@@ -135,7 +135,7 @@ std::string in_single_quotes(const std::string& text) {
   return safe += "'";
 }
 
-/// A text within an argument of zsh's _arguments.
+/// Escapes text for an argument of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -197,7 +197,7 @@ std::string bash_completion(const CLI::App& app) {
             "' ;;\n  esac\n  if [ \"$COMP_CWORD\" -eq 1 ]; then\n" + "    words='" + joined(verbs, " ") + " " + own +
             "'\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n    return\n  fi\n";
   text += "  case $current in\n    -*) COMPREPLY=($(compgen -W \"$words\" -- \"$current\")) ;;\n";
-  // Names of files as bash completes them, blanks and folders included.
+  // bash completes file names itself, also those with blanks, and folders.
   text += "    *) COMPREPLY=() ;;\n  esac\n}\ncomplete -o bashdefault -o default -F " + function + " " + program + "\n";
   return text;
 }
@@ -218,7 +218,7 @@ std::string zsh_completion(const CLI::App& app) {
 
 namespace {
 
-/// Ends the parsing with a text to be printed; the line that CLI ends it with is its last one.
+/// Ends parsing with a text to print. CLI adds the last line end.
 [[noreturn]] void answer(std::string text) {
   text.pop_back();
   throw CLI::CallForVersion(text, 0);

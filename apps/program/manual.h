@@ -1,5 +1,4 @@
-// What: a program's command line as a manual page and as completions of shells: from the same declarations as
-//       --help.
+// What: makes the manual page and the shell completions of a program from the same declarations as --help.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -7,16 +6,17 @@
 
 namespace rbpa::app {
 
-/// A page of section 1 in roff: all verbs with their options, examples and exit codes. `name` is "PROGRAM VERSION".
+/// Returns a page of section 1 in roff: all verbs with their options, examples and exit codes. `name` is "PROGRAM
+/// VERSION".
 std::string man_page(const CLI::App& app, const std::string& name);
 
-/// A script to be sourced by bash, or put where it looks for completions.
+/// Returns a script for bash to source, or to put where bash looks for completions.
 std::string bash_completion(const CLI::App& app);
 
-/// A function in zsh's `fpath`, as _PROGRAM.
+/// Returns a function to put in zsh's `fpath` as _PROGRAM.
 std::string zsh_completion(const CLI::App& app);
 
-/// Adds `--man` and `--completion SHELL`, which end the parsing with a CLI::Success that has the text. Call it when
+/// Adds `--man` and `--completion SHELL`, which end parsing with a CLI::Success that contains the text. Requires:
 /// everything else is declared.
 void add_manual(CLI::App& app, const std::string& name);
 

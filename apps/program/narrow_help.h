@@ -1,4 +1,4 @@
-// What: the help of a program with no line longer than a terminal is wide, and its verbs with a line each.
+// What: formats help in lines no longer than a terminal is wide, with one line for each verb.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// What a verb does, in a line: the first of its description. Paragraphs may follow, for its own help.
+/// Returns the first line of a verb's description, its summary. The rest is for the verb's own help.
 inline std::string summary_of(const CLI::App& verb) {
   const std::string description = verb.get_description();
   return description.substr(0, description.find('\n'));
@@ -20,7 +20,7 @@ class NarrowHelp : public CLI::Formatter {
  public:
   static constexpr std::size_t columns = 100;
 
-  /// Lines that are too long go on under the descriptions of options where they are indented, else at the left.
+  /// Breaks lines that are too long: indented ones continue below the descriptions of options, others at the left.
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     std::istringstream lines(CLI::Formatter::make_help(app, name, mode));
     std::string text;

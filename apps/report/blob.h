@@ -1,5 +1,5 @@
-// What: an array of numbers as an element of a page: bytes in base64, of little-endian doubles or of whole numbers,
-//       seven bits a byte, the lowest first, with 128 added to each byte but the last.
+// What: writes an array of numbers as an element of a page, in base64: little-endian doubles, or whole numbers with
+//       seven bits a byte, the lowest first, and 128 added to each byte but the last.
 // Law:  the bytes depend on the numbers alone.
 #pragma once
 
@@ -21,7 +21,7 @@ class Blob {
 
   void put(double value);
   void put_whole(std::uint64_t value);
-  /// A difference: 0, −1, 1, −2, … are 0, 1, 2, 3, …
+  /// Adds a signed number: 0, −1, 1, −2, … become 0, 1, 2, 3, …
   void put_signed(std::int64_t value) {
     put_whole(static_cast<std::uint64_t>(value) << 1U ^ static_cast<std::uint64_t>(value >> 63U));
   }
@@ -36,7 +36,7 @@ class Blob {
   std::string bytes_;
 };
 
-/// Base64 of RFC 4648, with padding.
+/// Returns the base64 of RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: JSON as it stands in a page: no text in it can end its element.
+// What: escapes JSON for a page, so that no text in it can end its element.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// What: the pages without their data, as they lie in page/ and space_page/: style and script are in them already
-//       (embed.cmake).
+// What: the pages of page/ and space_page/ without their data; embed.cmake has put style and script into them.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// What: the radii of points: the critical ones, those that --alpha accepts by name, and the one to recommend.
+// What: the radii of points: the critical ones, those with a name in --alpha, and the recommended one.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 namespace rbpa::app {
 
 struct Radii {
-  std::size_t points = 0;                                ///< with repetitions
-  std::size_t max_components = 1;                        ///< at "auto"
-  double cover = 1;                                      ///< share of the points, of the next two
+  std::size_t points = 0;                                ///< number of points, duplicates included
+  std::size_t max_components = 1;                        ///< the most solid components of "auto"
+  double cover = 1;                                      ///< share of the points that the next two cover
   std::optional<double> least_covering = std::nullopt;   ///< "min"
   std::optional<double> least_connected = std::nullopt;  ///< "auto"
   std::vector<Plateau> plateaus = {};                    ///< the best first
   Filtration filtration = {};
 };
 
-/// A named value of --alpha, its radius, and the reason for it, without a full stop.
+/// A named value of --alpha, its radius, and the reason for it, without a full stop at the end.
 struct Recommendation {
   std::string choice;
   double alpha;

@@ -36,7 +36,7 @@ Json as_json(const std::optional<Recommendation>& recommended) {
   return {{"choice", recommended->choice}, {"alpha", radius(recommended->alpha)}, {"why", recommended->why}};
 }
 
-/// What is no array.
+/// Returns the data that are no arrays, as JSON.
 std::string facts(const Report& report) {
   const auto& pairs = report.arrays.pairs;
   const auto components =
@@ -90,7 +90,7 @@ void write_areas(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   blob.end();
 }
 
-/// By how much each count of a step differs from that of the step before.
+/// Writes the counts of all steps as differences from the step before.
 void write_counts(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   Blob blob(file, "counts");
   FiltrationStep before;
@@ -103,7 +103,7 @@ void write_counts(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   blob.end();
 }
 
-/// The first step at `alpha` or above: the first at which what comes at `alpha` is to be seen.
+/// Returns the first step at `alpha` or above, at which elements that appear at `alpha` are visible.
 std::size_t step_at(const std::vector<FiltrationStep>& steps, double alpha) {
   const auto step = std::lower_bound(steps.begin(), steps.end(), alpha,
                                      [](const FiltrationStep& s, double a) { return s.alpha < a; });
@@ -122,7 +122,7 @@ void write_free_edges(OutputFile& file, const Report& report) {
   blob.end();
 }
 
-/// Births and deaths are alphas of steps. A death is how many steps after the birth; 0: never.
+/// Writes the pairs. Births and deaths are steps: a death is the number of steps after the birth, or 0 for never.
 void write_pairs(OutputFile& file, const Report& report) {
   Blob blob(file, "pairs");
   for (const auto& [pair, triangle] : report.arrays.pairs) {

@@ -1,4 +1,4 @@
-// What: a filtration as one page of HTML that shows the complex at every radius.
+// What: writes a filtration as one HTML page that shows the complex at every radius.
 // Law:  the bytes depend on Report alone. The page makes no request.
 // Source: docs/report.md has the format of the data in the page.
 #pragma once
@@ -14,14 +14,14 @@
 namespace rbpa::app {
 
 struct Report {
-  std::string source;                                   ///< where the points come from, as people call it
-  std::optional<std::string_view> unit = std::nullopt;  ///< of the coordinates, by its name, where there is one
+  std::string source;                                   ///< name of the input for people
+  std::optional<std::string_view> unit = std::nullopt;  ///< name of the unit of the coordinates, if known
   const Radii& radii;
-  std::optional<Recommendation> recommended = std::nullopt;  ///< none where there is no triangle
+  std::optional<Recommendation> recommended = std::nullopt;  ///< absent if there is no triangle
   FiltrationArrays arrays = {};
 };
 
-/// Throws Cancelled after a signal.
+/// Writes the page. Throws Cancelled after a signal.
 void write_report(OutputFile& file, const Report& report);
 
 }  // namespace rbpa::app

@@ -25,7 +25,7 @@ constexpr std::uint32_t none = Solid::none;
 
 Json radius(double alpha) { return std::isinf(alpha) ? Json("inf") : Json(alpha); }
 
-/// Distinct points in the order of the tetrahedra, so that corners are near each other.
+/// Numbers the distinct points in the order of the tetrahedra, so that corners have close numbers.
 class Numbering {
  public:
   explicit Numbering(const SpaceReport& report) : number_(report.points.size(), none) {
@@ -46,8 +46,8 @@ class Numbering {
   std::vector<std::uint32_t> number_, points_;
 };
 
-/// Steps of the slider: radii in even ratios from the least edge to beyond what matters, and those that are named or
-/// belong to pairs that are shown. The complex at each is exact.
+/// Returns the steps of the slider: the radii that have a name or belong to a shown pair, and radii in even ratios from
+/// the least edge to 1.2 times the largest of these. The complex at each step is exact.
 std::vector<double> steps_of(const SpaceReport& report) {
   constexpr std::size_t even_steps = 600;
   std::vector<double> steps;
@@ -71,17 +71,17 @@ std::vector<double> steps_of(const SpaceReport& report) {
   return steps;
 }
 
-/// The first at which what comes at `alpha` is there; their number where it is at none.
+/// Returns the first step at which elements that appear at `alpha` are present; the number of steps if none is.
 std::uint64_t step_at(const std::vector<double>& steps, double alpha) {
   return static_cast<std::uint64_t>(std::lower_bound(steps.begin(), steps.end(), alpha) - steps.begin());
 }
 
 struct Wall {
   Triangle corners;
-  std::array<std::uint64_t, 3> steps;  ///< at which it comes, bounds a tetrahedron, and is between two
+  std::array<std::uint64_t, 3> steps;  ///< at which it appears, bounds a tetrahedron, and is between two
 };
 
-/// Triangles that are seen at some step.
+/// Returns the triangles that are visible at some step.
 std::vector<Wall> walls_of(const SpaceReport& report, const Numbering& number, const std::vector<double>& steps) {
   const SolidFiltration& filtration = report.filtration;
   std::vector<std::array<double, 2>> sides(filtration.triangles.size(), {infinity, infinity});
@@ -116,7 +116,7 @@ void write_walls(OutputFile& file, const std::vector<Wall>& walls) {
   blob.end();
 }
 
-/// At each step: tetrahedra, and Betti numbers 0 to 2.
+/// Writes for each step the number of tetrahedra and Betti numbers 0 to 2, as differences.
 void write_counts(OutputFile& file, const SpaceReport& report, const std::vector<double>& steps) {
   std::vector<std::array<std::int64_t, 4>> changes(steps.size() + 1, {0, 0, 0, 0});
   for (const double alpha : report.filtration.tetrahedron_alpha) ++changes[step_at(steps, alpha)][0];

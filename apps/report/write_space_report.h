@@ -1,4 +1,4 @@
-// What: the alpha complex of points in space as one page of HTML: its boundary to turn around, at every radius; the
+// What: writes the alpha complex of points in space as one HTML page: its boundary at every radius, to turn around; the
 //       persistence diagram; cycles and surfaces of its longest pairs.
 // Law:  the bytes depend on SpaceReport alone. The page makes no request.
 // Source: docs/report.md has the format of the data in the page.
@@ -18,17 +18,17 @@
 namespace rbpa::app {
 
 struct SpaceReport {
-  std::string source;  ///< where the points come from, as people call it
+  std::string source;  ///< name of the input for people
   std::span<const Point3> points;
   const SolidFiltration& filtration;
-  double least_covering, least_connected;  ///< "min" and "auto"
-  std::optional<double> plateau;           ///< the best; none where there is no tetrahedron
-  std::span<const SolidPair> pairs;        ///< all
-  std::span<const SolidPair> shown;        ///< those with representatives
+  double least_covering, least_connected;  ///< the radii "min" and "auto"
+  std::optional<double> plateau;           ///< the best one; absent if there is no tetrahedron
+  std::span<const SolidPair> pairs;        ///< all pairs
+  std::span<const SolidPair> shown;        ///< the pairs with representatives
   std::span<const SolidRepresentative> representatives;
 };
 
-/// Throws Cancelled after a signal.
+/// Writes the page. Throws Cancelled after a signal.
 void write_space_report(OutputFile& file, const SpaceReport& report);
 
 }  // namespace rbpa::app

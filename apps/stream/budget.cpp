@@ -18,11 +18,11 @@
 namespace rbpa::app {
 namespace {
 
-/// What there is beside tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for triangles
-/// that wait to be written to their files, and as much for what is open between tiles.
+/// Returns the memory not used for tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for
+/// triangles that wait to be written, and as much for the parts between tiles that are still open.
 std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
-/// A disk that says nothing has room.
+/// Throws Failure if the disk has less room than needed. A disk whose size is unknown passes.
 void require_room(const std::string& folder, double needed, const std::string& where, const std::string& what) {
   struct statvfs status {};
   if (statvfs(folder.c_str(), &status) != 0) return;
@@ -36,7 +36,7 @@ void require_room(const std::string& folder, double needed, const std::string& w
 
 Budget divide(std::uint64_t memory, unsigned threads) {
   const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
-  // Tiles that are too small have more around them than in them.
+  // Tiles that are too small have more points around them than in them.
   constexpr std::uint64_t points_worth_a_worker = 50'000;
   const std::uint64_t most = std::max<std::uint64_t>(left / (points_worth_a_worker * bytes_of_tile_point), 1);
   Budget budget{};
@@ -50,8 +50,8 @@ Budget divide(std::uint64_t memory, unsigned threads) {
 
 void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
 #ifdef __GLIBC__
-  // Arrays from this size on are mapped by themselves, and go when they are freed. Of the rest each thread, the one
-  // that reads included, may keep twice as much: together a sixteenth of the memory. More than the last bound gains
+  // Larger arrays are mapped separately, and are returned when freed. Of smaller ones each thread, including the one
+  // that reads, may keep twice this size: together a sixteenth of the memory. A size above the upper bound gains
   // nothing.
   const std::uint64_t share = memory / 32 / (workers + 1);
   const auto size =
@@ -74,7 +74,7 @@ std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
 
 void PackedSample::add(std::span<const Point> points, std::uint64_t first) {
   if (points.empty()) return;
-  // The first blocks, and from then on ever fewer.
+  // Samples the first blocks, and then fewer and fewer.
   if (blocks_++ < 2 * taken_ && taken_ > 8) return;
   ++taken_;
   const std::span<const Point> some = points.first(std::min(points.size(), most_in_packed_block));
@@ -92,7 +92,8 @@ double PackedSample::bytes_per_point() const {
 }
 
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
-  // In a tile, indices of points are farther apart, and coordinates nearer to each other: not less than this.
+  // In a tile, indices are farther apart and coordinates closer together than in the sample: at least this share
+  // remains.
   require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
 }
 

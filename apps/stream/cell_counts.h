@@ -1,7 +1,8 @@
-// What: the density of points: a count for each square of a grid, whose side is a power of two that grows with the
+// What: counts the points in each square of a grid. The side of the squares is a power of two that grows with the
 //       input.
-// Law:  the counts add up to the points; no coordinate is too large or too small. They choose tiles and decide nothing.
-// Cost: a hash table access a point, less where points follow each other; memory as the most cells that are allowed.
+// Law:  the counts add up to the number of points, for any finite coordinates. Counts choose tiles and do not affect
+//       the result.
+// Cost: one access of a hash table per point, fewer if successive points are in one square; memory for `most` cells.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// A square with points in it, whose corners are multiples of the side.
+/// A square that contains points. Its corners are multiples of the side.
 struct Cell {
   std::int64_t column = 0, row = 0;
   std::uint64_t count = 0;
@@ -21,7 +22,7 @@ struct Cell {
 
 class CellCounts {
  public:
-  /// With at most so many cells.
+  /// Uses at most `most` cells.
   explicit CellCounts(std::size_t most);
 
   /// Requires finite points.
@@ -30,7 +31,7 @@ class CellCounts {
   std::vector<Cell> cells() const;  ///< by column, then by row
   double side() const;
   std::uint64_t points() const { return points_; }
-  const Point& least() const { return least_; }        ///< of the bounding box; zero without points
+  const Point& least() const { return least_; }        ///< corner of the bounding box; (0, 0) without points
   const Point& greatest() const { return greatest_; }  ///< likewise
 
  private:
@@ -42,7 +43,7 @@ class CellCounts {
 
   std::size_t most_;
   std::size_t used_ = 0;
-  std::vector<Cell> table_;  // open addressing, at most half of it used; count 0: free
+  std::vector<Cell> table_;  // open addressing, at most half full; count 0: free
   int exponent_ = 0;         // of the side
   std::uint64_t points_ = 0;
   Point least_ = {}, greatest_ = {};

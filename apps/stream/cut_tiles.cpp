@@ -18,7 +18,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The part of a tile in which a point matters for no other.
+/// Returns the part of a tile in which points do not matter for other tiles.
 Region inside_of(const Region& box, double reach) {
   const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
   const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
@@ -35,11 +35,11 @@ class Cutter {
     }
   }
 
-  /// Goes on with files as they were when so much was in them.
+  /// Continues the files from the given state.
   void resume(const std::vector<TileSummary>& tiles) {
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) writers_[tile].resume(tiles[tile]);
   }
-  /// Only the points of this one are written.
+  /// Makes add() write only the points of this tile.
   void want_only(std::uint32_t tile) { wanted_ = tile; }
 
   void add(const std::vector<Point>& points, std::uint64_t first) {
@@ -96,14 +96,14 @@ class Cutter {
   std::size_t most_waiting_, waiting_ = 0;
   std::vector<TileWriter> writers_;
   std::vector<Region> inside_;
-  std::uint32_t last_ = 0;  // most points are near the one before
+  std::uint32_t last_ = 0;  // successive points are usually close
   std::optional<std::uint32_t> wanted_ = std::nullopt;
 };
 
-/// Writing all that waits takes time.
+/// Time between two saves: each writes all points that wait.
 constexpr std::chrono::seconds time_between_saves(10);
 
-/// The widest cut through the middle of a sample of what a tile owns.
+/// A cut through the middle of a tile, across its longer axis.
 struct Line {
   TileTree::Part::Kind kind;
   double at;
@@ -116,7 +116,7 @@ std::optional<Line> middle_of(std::vector<Point>& sample) {
     const double least = (*std::min_element(sample.begin(), middle + 1, less)).*axis;
     const double greatest = (*std::max_element(middle, sample.end(), less)).*axis;
     double line = (*middle).*axis;
-    if (line == least) {  // the next that is larger
+    if (line == least) {  // take the next larger coordinate
       line = greatest;
       for (const Point& p : sample)
         if (p.*axis > least) line = std::min(line, p.*axis);
@@ -131,7 +131,7 @@ std::optional<Line> middle_of(std::vector<Point>& sample) {
   return Line{TileTree::Part::Kind::cut_y, y};
 }
 
-/// About how many points are looked at to find the middle.
+/// Approximate size of the sample of points from which the middle is found.
 constexpr std::size_t sample_size = 1U << 14U;
 
 class SmallerCutter {
@@ -152,7 +152,7 @@ class SmallerCutter {
     return tile.points > budget_.tile_points || tile.owned > request_.tile_size.value_or(budget_.tile_points);
   }
 
-  /// Some of what the tile owns, evenly.
+  /// Returns an even sample of the points that the tile owns, and their extent.
   std::vector<Point> sample_of(std::uint32_t tile, Region& extent) const {
     const Region box = manifest_.tree.box(tile);
     const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
@@ -173,7 +173,7 @@ class SmallerCutter {
     return sample;
   }
 
-  /// How many points of the file are within reach of where the tile's own are.
+  /// Returns how many points of the file are within reach of the extent of the tile's own points.
   std::uint64_t count_near(std::uint32_t tile, const Region& extent) const {
     const double reach = reach_of(request_.alpha);
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
@@ -190,27 +190,27 @@ class SmallerCutter {
   bool cut_or_repair(std::uint32_t tile) {
     try {
       return cut(tile);
-    } catch (const Damaged&) {  // as it is when a run was killed between two files
+    } catch (const Damaged&) {  // a run was killed between two files
       cut_again(request_, budget_, scratch_, manifest_, tile);
       return cut(tile);
     }
   }
 
-  /// False when it cannot be cut.
+  /// Cuts a tile in two. Returns false if it cannot be cut.
   bool cut(std::uint32_t tile) {
     Region extent;
     std::vector<Point> sample = sample_of(tile, extent);
     const TileSummary& summary = manifest_.tiles[tile];
     const std::optional<Line> line = middle_of(sample);
-    // What is around a part of so small a box is around all of it.
+    // The points around any part of so small a box are around all of it.
     const double size = std::max(extent.x1 - extent.x0, extent.y1 - extent.y0);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
     if (hopeless && summary.points > budget_.tile_points) {
       const std::uint64_t near = count_near(tile, extent);
       if (near > budget_.tile_points) refuse_dense({{extent.x0, extent.y0}, near}, request_, budget_);
-      return false;  // most are around a box that is larger than it need be: a cut leaves them in one half
+      return false;  // most points are around a box larger than needed: a cut would leave them in one half
     }
-    if (!line) return false;  // one point, however often: it has to be a tile
+    if (!line) return false;  // all points are equal: they have to be one tile
     split(tile, *line);
     return true;
   }
@@ -221,7 +221,7 @@ class SmallerCutter {
     const std::uint32_t other = tree.cut(tile, line.kind, line.at);
     const double reach = reach_of(request_.alpha);
     const bool x = line.kind == TileTree::Part::Kind::cut_x;
-    // The file of the first part takes its place when both are whole.
+    // The file of the first part replaces the old one when both parts are complete.
     const std::string whole = scratch_.tile(tile), part = whole + ".new";
     TileWriter first(part, tree.box(tile), request_.alpha),
         second(scratch_.tile(other), tree.box(other), request_.alpha);

@@ -1,6 +1,6 @@
-// What: the points of all files of the input, one file behind the other, read ahead of their consumer.
-// Law:  the index of a point is its place in the whole input.
-// Cost: a few blocks are in memory at a time.
+// What: reads the points of all input files, one file after the other, ahead of their consumer.
+// Law:  the index of a point is its position in the whole input.
+// Cost: memory of a few blocks.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@ namespace rbpa::app {
 struct InputBlock {
   std::vector<Point> points = {};
   std::uint64_t first = 0;  ///< index of the first point
-  std::size_t file = 0;     ///< of which they are
-  bool ends_file = false;   ///< there are no points, and `about` is the file's own information
+  std::size_t file = 0;     ///< number of the file of these points
+  bool ends_file = false;   ///< true: the block has no points, and `about` has the information on the file
   PointFile about = {};
 };
 
-/// The beginning of a file of the input: what is before it.
+/// The beginning of an input file: the number of files, points and bytes before it.
 struct InputPlace {
   std::size_t files = 0;
   std::uint64_t points = 0, bytes = 0;
 };
 
-/// Calls visit(block) with all blocks from a place on. Throws as read_points(), Cancelled.
+/// Calls visit(block) with all blocks from `from` on. Throws as read_points(), Cancelled.
 void for_each_input_block(std::span<const PointSource> sources, const InputPlace& from, PassProgress& progress,
                           const std::function<void(const InputBlock&)>& visit);
 

@@ -36,7 +36,7 @@ void require(bool is_so, const char* found) {
   if (!is_so) throw std::runtime_error(found);
 }
 
-/// Parents before their parts, each part of one parent, tiles numbered from 0 on.
+/// Checks that parents come before their parts, that each part has one parent, and that tiles are numbered from 0.
 void require_tree(const std::vector<TileTree::Part>& parts) {
   using Kind = TileTree::Part::Kind;
   require(!parts.empty(), "no tiles");
@@ -95,7 +95,7 @@ Json json_of(const RunKey& run_key) {
           {"targets", targets}};
 }
 
-/// Throws WrongUsage "--resume: found X, expected Y as the run in FOLDER has".
+/// Throws WrongUsage that names a difference between the request and that of the run in the folder.
 void require_same(const Json& before, const RunKey& run_key, const std::string& folder) {
   const Json now = json_of(run_key);
   if (before == now) return;

@@ -1,5 +1,5 @@
-// What: how far a run has come, in a file of its scratch, so that another can go on with it.
-// Law:  the file is written as a whole or not at all, and its entries about other files are correct.
+// What: saves the progress of a run in a file of its scratch, so that another run can resume it.
+// Law:  the file is written completely or not at all, and its entries about other files are correct.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ namespace rbpa::app {
 struct InputFile {
   std::string path;
   std::uint64_t size = 0;
-  std::int64_t changed = 0;  ///< nanoseconds
+  std::int64_t changed = 0;  ///< time of the last change, in nanoseconds
   friend bool operator==(const InputFile&, const InputFile&) = default;
 };
 
-/// What must be the same when a run goes on.
+/// The request of a run, which must be the same when the run is resumed.
 struct RunKey {
   std::vector<InputFile> inputs = {};
   std::string options = {};  ///< how they are read
@@ -34,7 +34,7 @@ struct RunKey {
   bool keep_tiles = false, tasks = false;
   std::vector<std::string> targets = {};
 
-  /// Of all inputs.
+  /// Returns the size of all inputs.
   std::uint64_t bytes() const {
     std::uint64_t sum = 0;
     for (const InputFile& file : inputs) sum += file.size;
@@ -42,17 +42,17 @@ struct RunKey {
   }
 };
 
-/// The run_key of a request, by the files that are there. Throws BadInput when one is not.
+/// Returns the key of a request, with the sizes and times of its files. Throws BadInput if a file is missing.
 RunKey run_key_of(const StreamRequest& request);
 
-/// What is known of all points.
+/// The extent and coordinate system of all points.
 struct PointsFacts {
   Point least = {}, greatest = {};
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
 };
 
-/// Adds them to an object of JSON, and reads them there; the second throws what the library of JSON throws.
+/// Add the facts to a JSON object, and read them from it; reading throws what the JSON library throws.
 void add_facts(nlohmann::ordered_json& json, const PointsFacts& facts);
 void read_facts(const nlohmann::ordered_json& json, PointsFacts& facts);
 
@@ -68,19 +68,20 @@ struct Manifest {
   PointsFacts facts = {};
   TileTree tree = {};
 
-  // While tiles are cut: files that are done, and the index behind their points. Then `tiles` are the files so far.
+  // While tiles are cut: the number of files that are done, and the index after their points. `tiles` then describe the
+  // files so far.
   std::size_t files_done = 0;
   std::uint64_t next_index = 0;
-  std::vector<TileSummary> tiles = {};  ///< by their numbers
+  std::vector<TileSummary> tiles = {};  ///< by number
 };
 
-/// A number that runs share only when they have the same request and input files and the same tiles.
+/// Returns a number that identifies the request, the input files and the tiles of a run.
 std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// The manifest of a run with the same request. Throws WrongUsage that names the difference, BadInput when it is no
-/// manifest.
+/// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference, BadInput if the file
+/// is no manifest.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

@@ -10,14 +10,14 @@
 namespace rbpa::app {
 namespace {
 
-// Numbers of any width, from 0 to 64 bits, one behind the other.
+// Numbers of any width from 0 to 64 bits, packed without gaps.
 
 unsigned bits_of(std::uint64_t value) { return static_cast<unsigned>(std::bit_width(value)); }
 
-/// How many bytes so many numbers take, whole words.
+/// Returns how many bytes `count` packed numbers take, rounded up to whole words.
 std::size_t packed_size(std::size_t count, unsigned width) { return (count * width + 63) / 64 * 8; }
 
-/// Appends the lowest `width` bits of each, of which the others are 0.
+/// Appends the lowest `width` bits of each value. Requires: the other bits are 0.
 void pack(std::span<const std::uint64_t> values, unsigned width, std::string& bytes) {
   if (width == 0) return;
   const std::size_t before = bytes.size();
@@ -40,11 +40,11 @@ void pack(std::span<const std::uint64_t> values, unsigned width, std::string& by
   if (used > 0) emit();
 }
 
-/// The other way round. Requires: `bytes` has packed_size() of them.
+/// Reverses pack(). Requires: `bytes` has packed_size() bytes.
 void unpack(const char* bytes, unsigned width, std::span<std::uint64_t> values) {
   const std::uint64_t mask = width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
   std::uint64_t word = 0;
-  unsigned left = 0;  // bits of the word that are still to come
+  unsigned left = 0;  // bits of the word that are not read yet
   for (std::uint64_t& value : values) {
     if (left >= width) {
       value = word & mask;
@@ -67,7 +67,7 @@ constexpr std::array<double, 16> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6
 constexpr std::uint8_t as_keys = 0xff;
 constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
 
-/// Doubles as integers in the same order.
+/// Maps doubles to integers in the same order.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & sign) != 0 ? ~bits : bits | sign;
@@ -78,7 +78,7 @@ using Values = std::array<std::uint64_t, most_in_packed_block>;
 
 /// A column of a block: value i is base + (packed value i << shift).
 struct Frame {
-  std::uint8_t kind;   // decimal places, or as_keys; of indices 0
+  std::uint8_t kind;   // decimal places, or as_keys; 0 for indices
   std::uint8_t width;  // bits of a packed value
   std::uint8_t shift;
   std::uint64_t base;
@@ -102,12 +102,12 @@ void append_packed(std::uint8_t kind, std::span<std::uint64_t> values, std::uint
   pack(values, width, bytes);
 }
 
-/// The integers that the coordinates are when multiplied by 10^places, if that gives the same bits back.
+/// Multiplies the coordinates by 10^places, to integers. Returns false unless dividing gives the same bits back.
 template <double Point::*axis>
 bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::uint64_t> values) {
   const double power = powers[places];
-  constexpr double most = 0x1p51,
-                   rounding = 0x1.8p52;  // a number so large has no fraction, and the other as its last bits
+  // A larger number than `most` has no fraction. Adding `rounding` puts the integer into the last bits.
+  constexpr double most = 0x1p51, rounding = 0x1.8p52;
   const auto rounding_bits = std::bit_cast<std::uint64_t>(rounding);
   bool exact = true;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -115,7 +115,7 @@ bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::
     const double sum = (std::abs(scaled) < most ? scaled : 0) + rounding;
     const double whole = sum - rounding;
     exact &= std::bit_cast<std::uint64_t>(whole / power + 0.0) == std::bit_cast<std::uint64_t>(value);
-    values[i] = std::bit_cast<std::uint64_t>(sum) - rounding_bits + sign;  // in the same order
+    values[i] = std::bit_cast<std::uint64_t>(sum) - rounding_bits + sign;  // the same order as the doubles
   }
   return exact;
 }
@@ -127,7 +127,7 @@ bool find_decimals(std::span<const Point> points, unsigned& hint, std::span<std:
     return as_decimals<axis>(points.first(few), places, values) && as_decimals<axis>(points, places, values);
   };
   if (hint == as_keys) return false;
-  // What has fewer places has these as well.
+  // Numbers with fewer decimal places fit as well.
   for (unsigned places = hint; places < powers.size(); ++places)
     if (fits(places)) {
       hint = places;
@@ -162,7 +162,7 @@ void pack_indices(std::span<const std::uint64_t> indices, std::string& bytes) {
   pack(values, width, bytes);
 }
 
-/// Reads the frame and the packed values of a column from the front, and removes them.
+/// Reads the frame and the packed values of a column from the front of `bytes`, and removes them.
 std::optional<Frame> unpack_column(std::string_view& bytes, std::span<std::uint64_t> values) {
   if (bytes.size() < frame_size) return std::nullopt;
   Frame frame{static_cast<std::uint8_t>(bytes[0]), static_cast<std::uint8_t>(bytes[1]),

@@ -1,7 +1,7 @@
-// What: some points and their indices as few bytes.
-// Law:  unpacking gives the same bits, those of -0 included.
-// Cost: one pass; coordinates with few decimals take as many bits as their distance from the least of the block needs,
-//       others at most 64. The format is in docs/stream.md.
+// What: compresses points and their indices.
+// Law:  decompressing gives the same bits, also for -0.
+// Cost: one pass. Coordinates with few decimals take as many bits as their distance from the least of the block needs,
+//       others at most 64. docs/stream.md has the format.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// Points and where they are in the input.
+/// Points and their indices in the input.
 struct IndexedPoints {
   std::vector<Point> points = {};
   std::vector<std::uint64_t> indices = {};  ///< ascending, one for each point
@@ -29,16 +29,16 @@ struct IndexedPoints {
 /// The most points that a block may have.
 constexpr std::size_t most_in_packed_block = 4096;
 
-/// How the last blocks of a tile had their decimals: where the search for those of the next begins.
+/// The decimal places of the last block of a tile, where the search for those of the next block begins.
 struct PackingHint {
   unsigned places[2] = {0, 0};
 };
 
-/// Appends the block. Requires 1 to most_in_packed_block points, finite, with ascending indices.
+/// Appends a compressed block. Requires: 1 to most_in_packed_block points, finite, with ascending indices.
 void pack_block(std::span<const Point> points, std::span<const std::uint64_t> indices, PackingHint& hint,
                 std::string& bytes);
 
-/// Appends the points of a block. Returns false when the bytes are none.
+/// Appends the points of a block. Returns false if the bytes are no block.
 bool unpack_block(std::string_view bytes, IndexedPoints& points);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: shows on a terminal how far a pass over the input or the tiles has come.
+// What: shows on a terminal the progress of a pass over the input or the tiles.
 #pragma once
 
 #include <atomic>
@@ -11,10 +11,10 @@ namespace rbpa::app {
 
 class PassProgress {
  public:
-  /// `doing`: "2/4 cutting". All of it are `whole` units, of bytes or points.
+  /// Shows `doing`, such as "2/4 cutting". `whole` is the size of the pass, in bytes or points.
   PassProgress(bool wanted, std::string doing, std::uint64_t whole);
 
-  /// Done so far: of the whole, and in points. Of any thread.
+  /// Sets how much is done so far, in units of `whole` and in points. Any thread may call it.
   void at(std::uint64_t done, std::uint64_t points) {
     done_ = done;
     points_ = points;
@@ -24,7 +24,7 @@ class PassProgress {
   std::string doing_;
   double whole_;
   std::atomic<std::uint64_t> done_ = 0, points_ = 0;
-  ProgressLine line_;  // ends before what it looks at
+  ProgressLine line_;  // last, so that it ends before the values that it reads
 };
 
 }  // namespace rbpa::app

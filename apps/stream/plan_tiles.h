@@ -1,7 +1,7 @@
-// What: which tiles, by counts of points in cells.
-// Law:  by the counts no tile has more points than it may, those around it included, unless a single cell has; what is
-//       counted is not where each point lies, so a tile may turn out too large and has to be cut again.
-// Cost: n log n in the cells.
+// What: plans tiles by the counts of points in cells.
+// Law:  by the counts no tile has more points than allowed, those around it included, unless a single cell has. Counts
+//       do not tell where in a cell a point lies, so a tile may turn out too large and has to be cut again.
+// Cost: O(n log n) in the number of cells.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace rbpa::app {
 
-/// How much a tile may have.
+/// The limits of a tile.
 struct TileLimits {
-  std::uint64_t points = 0;  ///< of its own and around it, so that it fits into memory
-  std::uint64_t owned = 0;   ///< of its own
-  double reach = 0;          ///< from the tile to what matters around it
+  std::uint64_t points = 0;  ///< the most points, those around it included, so that it fits into memory
+  std::uint64_t owned = 0;   ///< the most points of its own
+  double reach = 0;          ///< distance up to which points around the tile matter
 };
 
-/// No tile is small enough: so many points are within reach of each other.
+/// Thrown if no tile is small enough, as so many points are within reach of each other.
 struct TooDense {
   Point where;
   std::uint64_t points;
@@ -28,13 +28,13 @@ struct TooDense {
 
 struct TilePlan {
   TileTree tree = {};
-  double points = 0;  ///< about how many all tiles have together, those around them included
+  double points = 0;  ///< estimated sum over all tiles, with the points around each
 };
 
-/// Throws Failure: where, how many points, how many fit, and how much memory would do.
+/// Throws Failure that names the place, its number of points, how many fit, and the memory that suffices.
 [[noreturn]] void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget);
 
-/// Throws TooDense.
+/// Returns the plan. Throws TooDense.
 TilePlan plan_tiles(const CellCounts& counts, const TileLimits& limits);
 
 }  // namespace rbpa::app

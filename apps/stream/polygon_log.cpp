@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
-/// That of a hole among those of all polygons.
+/// The key of a hole among the holes of all polygons.
 struct HoleKey {
   RingKey polygon, hole;
   friend auto operator<=>(const HoleKey&, const HoleKey&) = default;
@@ -29,17 +29,17 @@ T taken_from(std::string_view& bytes) {
   return value;
 }
 
-/// A file of records to be read in order and here and there.
+/// A file of records, to be read in order or at any position.
 struct RecordFile {
   explicit RecordFile(const std::string& at) : path(at), file(at, ScratchFile::Mode::read) {}
-  /// `size` bytes at a place.
+  /// Returns a reader of the file from byte `at`.
   RecordReader reader(std::uint64_t at, std::size_t ahead = long_record) const { return {file, path, at, ahead}; }
 
   std::string path;
   ScratchFile file;
 };
 
-/// Reads on to the end of a record of which there is a beginning. Too long a one is left with the beginning.
+/// Reads the rest of a record whose beginning is in `record`. Skips the rest if the record is too long.
 void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
   const bool all = size <= long_record;
   for (std::uint64_t left = size - record.size(), some = 0; left > 0; left -= some) {
@@ -54,7 +54,7 @@ void require_same(bool is_so, const std::string& path, const char* what, const S
   if (!is_so) begin_anew(path, std::string("other ") + what + " than were written", scratch.folder());
 }
 
-/// The holes that were written separately, by polygon and in order.
+/// The holes that were written separately, sorted by polygon and key.
 class HolesInOrder {
  public:
   HolesInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
@@ -76,7 +76,7 @@ class HolesInOrder {
     sorted_.begin();
   }
 
-  /// Gives the next hole of the polygon to the sink if it comes before another. Returns whether it does.
+  /// Gives the next hole of the polygon to the sink if it comes before `before`. Returns whether it does.
   bool show_next(const RingKey& polygon, const RingKey* before, PolygonSink& sink) {
     if (sorted_.at_end() || sorted_.key().polygon != polygon) return false;
     if (before != nullptr && !(sorted_.key().hole < *before)) return false;
@@ -169,7 +169,7 @@ class PolygonsInOrder {
     return reader.checksum();
   }
 
-  /// take(size) returns the next bytes of the record.
+  /// Gives one polygon to the sink. take(size) returns the next bytes of its record.
   template <typename Take>
   void show_one(Take take, HolesInOrder* holes, PolygonSink& sink) {
     std::string_view bytes = take(sizeof(PolygonHead));
@@ -201,7 +201,7 @@ class PolygonsInOrder {
 }  // namespace
 
 Finished take_finished(Partial& partial) {
-  // The record that replaces removed holes needs less memory than so many corners.
+  // With so many corners, holes take more memory than the record that replaces them.
   constexpr std::size_t many_corners = 256;
   std::vector<CornerPolygon> polygons = take_settled(partial);
   return {std::move(polygons), take_holes(partial, many_corners)};
@@ -231,8 +231,8 @@ LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }
 void PolygonLog::sorted(std::uint64_t memory, PolygonSink& sink) const {
   if (polygons_.state().bytes > 0) {
     RunFiles runs(scratch_);
-    // Three orders are made at a time, of names, of holes by name and by polygon; then there are the last and that of
-    // polygons.
+    // Three sorts share the memory: names, holes by name, holes by polygon. Later only the last and that of polygons
+    // remain.
     const bool any = holes_.state().bytes > 0;
     std::unique_ptr<HolesInOrder> holes;
     if (any) holes = std::make_unique<HolesInOrder>(holes_, scratch_, runs, memory / 3);

@@ -1,7 +1,7 @@
-// What: polygons in a file of scratch in the order in which they are finished, their holes perhaps before them in
-//       another, and from there in canonical order.
-// Cost: each polygon is written once and read once, or twice each where they do not fit into memory together; each hole
-//       that comes before its polygon twice more. The largest ring has to fit.
+// What: stores polygons in a file of scratch in the order in which they are finished, and holes that come before their
+//       polygon in another file; reads them in canonical order.
+// Cost: each polygon is written and read once, or twice if all do not fit into memory; each hole that comes before its
+//       polygon twice more. The largest ring has to fit into memory.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,24 @@
 
 namespace rbpa::app {
 
-// Polygons, and holes that come before theirs, as bytes: those of the log and of files of tasks.
+// Polygons, and holes that come before their polygons, as bytes: for the log and for files of tasks.
 
-/// What decides the order of polygons, and of the holes of one: the first two points of a ring.
+/// The key by which polygons, and the holes of one, are sorted: the first two points of a ring.
 struct RingKey {
   Point first, second;
   friend auto operator<=>(const RingKey&, const RingKey&) = default;
 };
 
-/// Before the rings of a polygon that are with it, each of which is the number of its points and these.
+/// The head of a polygon's record. The rings that are with it follow: each is its number of points and the points.
 struct PolygonHead {
-  std::uint64_t size;   // of the rings with their numbers
-  std::uint64_t taken;  // holes that are elsewhere
+  std::uint64_t size;   // bytes of the rings with their numbers
+  std::uint64_t taken;  // number of holes that are in the other file
   PolygonFacts facts;
 };
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
 
-/// Before the points of a hole, or without points before the key of the polygon that has holes of this name.
+/// The head of a hole's record. The points of the hole follow, or, if `points` is 0, the key of the polygon that has
+/// holes of this name.
 struct HoleHead {
   std::uint64_t points;
   ComponentName name;
@@ -46,7 +47,8 @@ std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-/// Calls put(bytes) with the record piece by piece, and put_hole(bytes) with what is known by it of holes.
+/// Calls put(bytes) with the record of a polygon piece by piece, and put_hole(bytes) with the records that its holes
+/// need.
 template <typename Put, typename PutHole>
 void put_record(const CornerPolygon& polygon, Put put, PutHole put_hole) {
   const auto put_ring = [&](const CornerRing& ring) {
@@ -67,7 +69,7 @@ void put_record(const CornerPolygon& polygon, Put put, PutHole put_hole) {
   }
 }
 
-/// The same of holes.
+/// Calls put_hole(bytes) with the records of holes piece by piece.
 template <typename PutHole>
 void put_record(const TakenHoles& taken, PutHole put_hole) {
   for (const CornerRing& hole : taken.holes) {
@@ -76,15 +78,15 @@ void put_record(const TakenHoles& taken, PutHole put_hole) {
   }
 }
 
-/// What need not wait for other tiles.
+/// Polygons and holes that need not wait for other tiles.
 struct Finished {
   std::vector<CornerPolygon> polygons;
   std::vector<TakenHoles> holes;
 };
-/// Removes them from `partial`.
+/// Removes the finished polygons and holes from `partial` and returns them.
 Finished take_finished(Partial& partial);
 
-/// How far the files have come.
+/// The state of the files, from which they are resumed.
 struct LogState {
   RecordState polygons = {}, holes = {};
 };
@@ -93,18 +95,18 @@ class PolygonLog {
  public:
   explicit PolygonLog(const Scratch& scratch);
 
-  /// Goes on where the files had come to. Throws BadInput when there is less.
+  /// Resumes the files from a state. Throws BadInput if there is less in them.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
-  /// Holes of polygons that will be added, with the names of these.
+  /// Adds holes of polygons that will be added later, with the names of these.
   void add(std::span<const TakenHoles> holes);
-  /// Some bytes of such records.
+  /// Append bytes of records.
   void add_polygon_records(std::string_view bytes) { polygons_.append(bytes); }
   void add_hole_records(std::string_view bytes) { holes_.append(bytes); }
-  /// All that was added is in the files.
+  /// Writes everything that was added to the files, and returns their state.
   LogState flush();
 
-  /// Gives all to `sink` in order. Throws BadInput when a file is not as it was written, Cancelled.
+  /// Gives all polygons to `sink` in canonical order. Throws BadInput if a file is damaged, Cancelled.
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:

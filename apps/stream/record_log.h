@@ -1,5 +1,5 @@
-// What: records in a file of scratch, one behind the other, with a checksum of them all.
-// Law:  what is read is what was written, or BadInput.
+// What: records in a file of scratch, one after the other, with a checksum of all.
+// Law:  reading returns what was written, or throws BadInput.
 #pragma once
 
 #include <algorithm>
@@ -12,29 +12,29 @@
 
 namespace rbpa::app {
 
-/// How far a file has come.
+/// The state of a file, from which it is resumed.
 struct RecordState {
   std::uint64_t bytes = 0;
   std::uint32_t checksum = 0;
 };
 
-/// Appends to the file at `path`, which is open only while that is done.
+/// Appends to the file at `path`, which is open only during a write.
 class RecordLog {
  public:
   explicit RecordLog(std::string path) : path_(std::move(path)) {}
 
-  /// Goes on where the file had come to. Throws BadInput when there is less.
+  /// Resumes the file from a state. Throws BadInput if there is less in it.
   void resume(const RecordState& state);
   template <typename T>
   void append(const T& value) {
     append(std::string_view(reinterpret_cast<const char*>(&value), sizeof value));
   }
   void append(std::string_view bytes);
-  /// All that was appended is in the file.
+  /// Writes everything that was appended to the file, and returns its state.
   RecordState flush();
 
   const std::string& path() const { return path_; }
-  const RecordState& state() const { return state_; }  ///< of what is in the file
+  const RecordState& state() const { return state_; }  ///< of the written part of the file
 
  private:
   std::string path_;
@@ -42,14 +42,14 @@ class RecordLog {
   std::string waiting_ = {};
 };
 
-/// The bytes of a file from somewhere on, with some of them ahead.
+/// Reads the bytes of a file from `at` on, `ahead` bytes at a time.
 class RecordReader {
  public:
   RecordReader(const ScratchFile& file, const std::string& path, std::uint64_t at, std::size_t ahead)
       : file_(file), path_(path), at_(at), end_(file.size()), ahead_(ahead) {}
 
   bool at_end() const { return at_ == end_ && used_ == buffer_.size(); }
-  /// The next bytes, until the next call. Throws BadInput when the file has fewer.
+  /// Returns the next bytes; valid until the next call. Throws BadInput if the file has fewer.
   std::string_view take(std::uint64_t size);
   template <typename T>
   T take() {
@@ -62,13 +62,13 @@ class RecordReader {
  private:
   const ScratchFile& file_;
   const std::string& path_;
-  std::uint64_t at_, end_;  // of the file, behind the buffer
+  std::uint64_t at_, end_;  // position in the file after the buffer, and end of the file
   std::size_t ahead_, used_ = 0;
   std::string buffer_ = {};
   std::uint32_t checksum_ = 0;
 };
 
-/// A record that is read part by part when it is its turn, as there is no room for it among others.
+/// Size from which a record, for lack of room among others, is read piece by piece when it is needed.
 constexpr std::uint64_t long_record = std::uint64_t{1} << 16U;
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: what a run of `rbpa stream` is to compute, and how much of the machine it may use.
+// What: the request of a run of `rbpa stream`: its inputs, outputs and limits.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +24,14 @@ struct StreamTarget {
 
 struct StreamRequest {
   std::vector<PointSource> sources = {};
-  std::string options = {};  ///< the options by which the sources are read: another text is another input
+  std::string options = {};  ///< how the sources are read; another text means another input
   double alpha = 0;
   std::uint64_t memory = 0;                               ///< bytes
-  std::optional<std::uint64_t> tile_size = std::nullopt;  ///< points that a tile may own
-  std::optional<std::string> scratch = std::nullopt;      ///< the folder; none: beside the first target
+  std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points that a tile may own
+  std::optional<std::string> scratch = std::nullopt;      ///< the folder; absent: beside the first target
   bool keep_tiles = false;
   bool resume = false;
-  bool tasks = false;    ///< the points are cut, and the scratch is for those who do the rest
+  bool tasks = false;    ///< only cut the points, and leave the scratch to tasks
   unsigned threads = 1;  ///< at most this many
   bool quiet = false;
   bool shows_progress = false;

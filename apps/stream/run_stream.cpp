@@ -33,8 +33,8 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // A kill in between leaves no temporary folder; a run in a folder of the user's can be resumed until all outputs
-    // are there.
+    // In this order a kill in between leaves no temporary folder, and a run in a folder of the user can be resumed
+    // until all outputs are there.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);
@@ -50,7 +50,7 @@ class Run {
   }
 
  private:
-  /// True when all was done before.
+  /// Returns true if everything was done before.
   bool prepare() {
     begin();
     return_freed_memory(request_.memory, budget_.workers);
@@ -59,7 +59,7 @@ class Run {
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
     cut_smaller(request_, budget_, scratch_, manifest_);
-    return_free_pages();  // of the points that waited for their tiles
+    return_free_pages();  // memory of the points that waited for their tiles
     result_.cut_seconds = lap();
     return is_done;
   }
@@ -75,7 +75,7 @@ class Run {
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, run_key_);
-    // Tiles are as large as memory allows for so many at a time.
+    // The size of tiles was chosen for so many workers at a time.
     budget_ = divide(request_.memory, manifest_.workers);
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
   }
@@ -120,8 +120,8 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Small tiles are computed fastest, as long as there is not much around them. A task is a process, and worth a
-  /// second.
+  /// Plans tiles. Small tiles are fastest unless there are many points around them. A task is a process, and should
+  /// take at least a second.
   TilePlan plan_for(const CellCounts& counts) const {
     const std::uint64_t small = request_.tasks ? 1U << 20U : 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
@@ -138,7 +138,7 @@ class Run {
   void cut() {
     try {
       cut_tiles(request_, budget_, scratch_, manifest_);
-    } catch (const Damaged&) {  // by whatever has happened since the run before
+    } catch (const Damaged&) {  // damaged since the run before
       manifest_.files_done = manifest_.next_index = 0;
       manifest_.tiles.clear();
       cut_tiles(request_, budget_, scratch_, manifest_);
@@ -147,7 +147,7 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Makes the files of tiles again that were damaged since the run before.
+  /// Makes the files of tiles that were damaged since the run before again.
   void repair() {
     for (std::uint32_t tile = 0; tile < manifest_.tiles.size(); ++tile) {
       try {

@@ -30,10 +30,10 @@ constexpr const char* lock_name = "/lock";
 constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
 constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
                                  "progress.json.new", "polygons",          "holes"};
-constexpr const char* created_name = "created";  // the folder is ours, and goes with its files
+constexpr const char* created_name = "created";  // marks a folder that we made, and remove with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 constexpr const char* dead_name = ".dead-";
-constexpr const char* unmarked_name = ".rbpa-new";  // of a folder that is not marked yet, or no more
+constexpr const char* unmarked_name = ".rbpa-new";  // suffix of a folder that is not marked yet, or not any more
 
 std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
   return folder + "/" + part + "/" + file_number(number);
@@ -41,7 +41,7 @@ std::string numbered(const std::string& folder, const char* part, std::uint64_t 
 
 enum class Lock { ours, busy, gone };
 
-/// Whether the path still names the open file.
+/// Returns whether the path still names the open file.
 bool is_same_file(int descriptor, const std::string& path) {
   struct stat open_one {
   }, named{};
@@ -49,7 +49,7 @@ bool is_same_file(int descriptor, const std::string& path) {
          open_one.st_ino == named.st_ino;
 }
 
-/// Locks the file, which is `descriptor` where it is ours.
+/// Locks the file. `descriptor` is open if the lock is ours.
 Lock lock_file(const std::string& path, int flags, int& descriptor) {
   descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | flags, 0666);
   if (descriptor < 0 && errno == ENOENT) return Lock::gone;
@@ -60,23 +60,23 @@ Lock lock_file(const std::string& path, int flags, int& descriptor) {
   return is_busy ? Lock::busy : Lock::gone;
 }
 
-/// ".rbpa-stream-PROCESS-RANDOM": processes of two containers can have one number.
+/// Returns ".rbpa-stream-PROCESS-RANDOM". It is random as processes in two containers can have the same number.
 std::string new_name() {
   char random[16];
   std::snprintf(random, sizeof random, "-%08x", std::random_device()());
   return std::string(beginning) + std::to_string(getpid()) + random;
 }
 
-/// Gives a folder another name unless there is something of that name. Returns 0, or the error.
+/// Renames a folder unless the new name exists. Returns 0, or the error.
 int rename_to_new(const std::string& from, const std::string& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != ENOSYS && errno != EINVAL) return errno;
-  // On a disk that cannot do this at once, an empty folder that comes between would be replaced.
+  // On a disk that cannot do this atomically, an empty folder that appears in between would be replaced.
   if (access(to.c_str(), F_OK) == 0) return EEXIST;
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Whether there may be a process with the number in the folder's name.
+/// Returns whether a process with the number in the folder's name may exist.
 bool is_alive(const fs::path& folder) {
   const std::string number = folder.filename().string().substr(beginning.size());
   const long id = std::strtol(number.c_str(), nullptr, 10);
@@ -85,12 +85,12 @@ bool is_alive(const fs::path& folder) {
 
 /// Removes folders beside the targets whose runs are dead.
 ///
-/// Why no run loses its folder to another that starts at the same time: a folder is only used by who has locked the
-/// file in it and has then seen that the path still names the locked file (Lock::ours). It is only removed by who is in
-/// the same position, and who gives it another name first, while the file is locked. So if the owner is first, the
-/// other finds the lock held and lets go. If the other is first, the owner finds the lock held, or no folder of the
-/// name, or another file than it has locked: it makes a new folder. An empty folder without a lock may go at any time;
-/// its owner does the same.
+/// No run loses its folder to another that starts at the same time. A process uses a folder only after it has locked
+/// the file in it and has then checked that the path still names the locked file (Lock::ours). A process removes a
+/// folder only under the same condition, and renames it first while the file is locked. If the owner is first, the
+/// other finds the lock held and stops. If the other is first, the owner finds the lock held, or no folder, or another
+/// file than the one it has locked, and makes a new folder. An empty folder without a lock may be removed at any time;
+/// its owner then makes a new one.
 void clear_dead(const std::string& beside) {
   std::error_code error;
   std::vector<fs::path> found;
@@ -100,11 +100,11 @@ void clear_dead(const std::string& beside) {
   }
   for (const fs::path& folder : found) {
     const std::string lock = folder.string() + lock_name;
-    if (folder.filename().string().find(dead_name) != std::string::npos) {  // nobody's
+    if (folder.filename().string().find(dead_name) != std::string::npos) {  // it belongs to no run
       fs::remove_all(folder, error);
       continue;
     }
-    if (access(lock.c_str(), F_OK) != 0) {  // about to be one, or never more
+    if (access(lock.c_str(), F_OK) != 0) {  // a run is about to lock it, or was killed before
       if (is_alive(folder)) continue;
       fs::remove(folder / created_name, error);
       fs::remove(folder, error);
@@ -114,7 +114,7 @@ void clear_dead(const std::string& beside) {
     try {
       if (lock_file(lock, 0, descriptor) != Lock::ours) continue;
     } catch (const Failure&) {
-      continue;  // of another user
+      continue;  // it belongs to another user
     }
     const fs::path dead = folder.string() + dead_name + std::to_string(getpid());
     fs::rename(folder, dead, error);
@@ -123,7 +123,7 @@ void clear_dead(const std::string& beside) {
   }
 }
 
-/// That of the first target which is a file, and no device or pipe; else the current one.
+/// Returns the folder of the first target that is a file, not a device or pipe; else the current folder.
 std::string folder_of(const StreamRequest& request) {
   for (const StreamTarget& target : request.targets) {
     std::error_code error;
@@ -169,7 +169,7 @@ bool Scratch::make(const StreamRequest& request) {
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
-    // Some of it is left of a run that was killed before it had begun.
+    // Some files may be left from a run that was killed before it began.
     const auto is_other = [](const fs::directory_entry& entry) {
       const std::string name = entry.path().filename().string();
       return name != lock_name + 1 && name != created_name &&
@@ -218,15 +218,15 @@ std::string Scratch::sorted_run(std::size_t number) const { return numbered(fold
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;
   const std::string created = folder_ + "/" + created_name;
-  // The manifest is removed before the files that it lists: a kill may come between.
+  // The manifest is removed before the files that it lists, as the process may be killed in between.
   for (const char* file : files)
     if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
   for (const char* part : parts)
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  // A folder without its mark would count as the user's, so it loses its name before. Where it has other files, it
-  // stays.
+  // A folder without its mark would count as the user's, so it is renamed before it loses its mark. If it has other
+  // files, it stays.
   const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
   const fs::directory_iterator entries(folder_, error);
   if (error || std::any_of(begin(entries), end(entries), is_other)) {
@@ -250,7 +250,7 @@ void Scratch::clear_leftovers() const {
   }
 }
 
-/// A folder has its name when it has its mark. What a killed run has left without is used again.
+/// Makes the folder: it is marked before it gets its name. An unmarked folder that a killed run has left is used again.
 bool Scratch::make_marked() const {
   std::error_code error;
   const std::string unmarked = folder_ + unmarked_name;

@@ -1,5 +1,5 @@
-// What: the folder in which a run keeps what does not fit into memory.
-// Law:  one run at a time; what is in it that is not of a run is never touched.
+// What: the folder in which a run keeps the data that do not fit into memory.
+// Law:  one run uses it at a time; files in it that are not of a run are never touched.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace rbpa::app {
 
 class Scratch {
  public:
-  /// The requested folder, or a new one beside the first target; then folders of killed runs there are removed first.
-  /// Throws WrongUsage when the folder has something else in it, or a run to be resumed where that was not requested;
-  /// Failure when it cannot be made or another run is in it.
+  /// Opens the requested folder, or makes one beside the first target after removing folders of killed runs there.
+  /// Throws WrongUsage if the folder contains other files, or a run that is not to be resumed; Failure if it cannot be
+  /// made or another run uses it.
   explicit Scratch(const StreamRequest& request);
-  /// Removes what cannot be resumed: everything, in a folder that was not requested.
+  /// Removes the folder unless it was requested: then the run can be resumed.
   ~Scratch();
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
@@ -31,16 +31,16 @@ class Scratch {
   std::string holes() const { return folder_ + "/holes"; }
   std::string sorted_run(std::size_t number) const;
   const std::string& folder() const { return folder_; }
-  /// Whether the files of an earlier run are there.
+  /// Returns whether the folder has the files of an earlier run.
   bool has_run() const { return has_run_; }
 
-  /// The run is done: all goes, or all but the tiles.
+  /// Removes all files of a finished run, or all except the tiles.
   void clear(bool keep_tiles);
-  /// The files of a pass go.
+  /// Removes the files of the computing pass.
   void clear_rows() const;
 
  private:
-  bool make(const StreamRequest& request);  // false: another took it away
+  bool make(const StreamRequest& request);  // false: another run has removed it
   void clear_leftovers() const;
   bool make_marked() const;
   void remove_own() noexcept;
@@ -48,7 +48,7 @@ class Scratch {
   std::string folder_;
   bool is_asked_for_, is_new_ = false, has_run_ = false;
   int lock_ = -1;
-  std::unique_ptr<char[]> reserve_;  // to remove the folder where memory has run out
+  std::unique_ptr<char[]> reserve_;  // freed to remove the folder when memory has run out
 };
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: reading and writing files of scratch, whose failures are reported in one line.
+// What: reads and writes files of scratch. Failures are reported in one line.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace rbpa::app {
 
-/// A file of scratch that is open. Throws Failure "FILE: cannot write: No space left on device", here as below;
-/// BadInput where there is something else of that name.
+/// An open file of scratch. All members throw Failure "FILE: cannot write: No space left on device"; the constructor
+/// throws BadInput if the path names something other than a file.
 class ScratchFile {
  public:
-  enum class Mode { read, write, append, update };  // write begins anew; update writes over what is there
+  enum class Mode { read, write, append, update };  // write truncates; update overwrites
   ScratchFile(const std::string& path, Mode mode);
   ~ScratchFile();
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
-  /// Behind what was written before. Throws Cancelled after a signal, here as below.
+  /// Writes after the bytes written before. Throws Cancelled after a signal, as reading does.
   void write(std::string_view bytes);
-  /// How many bytes came; fewer than `size` at the end of the file only.
+  /// Return the number of bytes read, fewer than `size` only at the end of the file.
   std::size_t read(char* to, std::size_t size);
   std::size_t read_at(std::uint64_t offset, char* to, std::size_t size) const;
   std::uint64_t size() const;
@@ -30,34 +30,35 @@ class ScratchFile {
 
   std::string path_;
   int descriptor_;
-  std::uint64_t position_ = 0;  // of the next that read() returns
+  std::uint64_t position_ = 0;  // of the next byte that read() returns
 };
 
-/// The whole content of a file; empty when there is none.
+/// Returns the whole content of a file; empty if there is no file.
 std::string scratch_content(const std::string& path);
 
-/// The content of the file becomes `bytes`, all at once.
+/// Replaces the content of the file by `bytes`, atomically.
 void replace_content(const std::string& path, std::string_view bytes);
 
-/// The same with a checksum behind, which checked_content() verifies and removes. Throws BadInput naming the file when
-/// it is wrong; empty when there is no file.
+/// Replaces the content by `text` and its checksum. checked_content() verifies and removes the checksum; it throws
+/// BadInput that names the file if it is wrong, and returns an empty text if there is no file.
 void replace_checked(const std::string& path, std::string_view text);
 std::string checked_content(const std::string& path);
 
-/// Throws BadInput: what was found in a file of a run, which has to be begun anew without the folder.
+/// Throws BadInput that says what was found in a file of the run, and that the run has to begin again without the
+/// folder.
 [[noreturn]] void begin_anew(const std::string& path, const std::string& found, const std::string& folder);
 
-/// Bytes as text that is valid in JSON, whatever they are, and back: '%' and what is not ASCII as %XX.
+/// Convert any bytes to text that is valid in JSON, and back: '%' and bytes beyond ASCII become %XX.
 std::string json_text(std::string_view bytes);
 std::string bytes_of_json_text(std::string_view text);
 
-/// "000012" of 12: at least six digits.
+/// Returns "000012" for 12: at least six digits.
 std::string file_number(std::uint64_t number);
 
-/// A file gets the name of another, which is gone.
+/// Renames a file, replacing any file of the new name.
 void rename_scratch(const std::string& from, const std::string& to);
 
-/// CRC-32, of zlib.
+/// Returns the CRC-32 of zlib.
 std::uint32_t checksum_of(std::string_view bytes, std::uint32_t before = 0);
 
 }  // namespace rbpa::app

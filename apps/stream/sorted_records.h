@@ -1,6 +1,6 @@
-// What: records in the order of their keys, however few of them fit into memory.
-// Cost: each record is written and read once where they do not fit together, and once more for each factor of
-//       most_merged beyond that; memory as given, and the longest record.
+// What: sorts records by their keys, also if few of them fit into memory.
+// Cost: if all do not fit, each record is written and read once, and once more for each factor of most_merged beyond
+//       that; memory as given, and the longest record.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// Names for files of runs, none twice.
+/// Returns names for files of runs, each once.
 class RunFiles {
  public:
   explicit RunFiles(const Scratch& scratch) : scratch_(scratch) {}
@@ -30,26 +30,26 @@ class RunFiles {
   std::size_t number_ = 0;
 };
 
-/// Records are added; then begin(), and each of them is the current one until next(), in order.
+/// Add records, then call begin(). The records are current in order, each until next().
 template <typename Key>
 class SortedRecords {
  public:
-  /// With about so many bytes of memory.
+  /// Uses about `memory` bytes.
   SortedRecords(RunFiles& files, std::uint64_t memory) : files_(files), memory_(memory) {}
 
-  /// A record that is not empty.
+  /// Adds a record. Requires: it is not empty.
   void add(const Key& key, std::string_view record) {
     make_room();
     entries_.push_back({key, bytes_.size(), record.size()});
     bytes_ += record;
   }
-  /// A record that stays where it is.
+  /// Adds a record that stays at its place in a file.
   void add_place(const Key& key, std::uint64_t place) {
     make_room();
     entries_.push_back({key, place, 0});
   }
 
-  /// Throws Failure, Cancelled, here as elsewhere.
+  /// Ends the adding. Throws Failure, Cancelled, as all members do.
   void begin() {
     if (levels_.empty()) {
       sort();
@@ -141,7 +141,7 @@ class SortedRecords {
   void sort() {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
-  /// What is in memory becomes a file.
+  /// Writes the records in memory to a file.
   void keep() {
     sort();
     const std::string path = files_.next();
@@ -157,7 +157,7 @@ class SortedRecords {
     bytes_ = {};
     keep(path, 0);
   }
-  /// Many files of a level become one of the next.
+  /// Adds a file to a level; when a level is full, merges its files into one of the next.
   void keep(const std::string& path, std::size_t level) {
     if (levels_.size() == level) levels_.emplace_back();
     levels_[level].push_back(path);

@@ -45,7 +45,7 @@ std::string bytes_of(const Region& box, double alpha, const TileSummary& summary
   return {bytes, sizeof header};
 }
 
-/// Before each block.
+/// The head of each block.
 struct Frame {
   std::uint32_t size, checksum;
 };

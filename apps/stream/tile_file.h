@@ -1,6 +1,7 @@
-// What: the points of a tile in a file of scratch: those that it owns, and those around it that matter for them.
-// Law:  what is read is what was written, or Damaged.
-// Cost: of a file some blocks are in memory at a time. The format is in docs/stream.md.
+// What: the file of a tile in the scratch: the points that the tile owns, and the points around it that matter for
+//       them.
+// Law:  reading returns what was written, or throws Damaged.
+// Cost: memory of a few blocks. docs/stream.md has the format.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// A file of scratch is not what was written.
+/// Thrown if a file of scratch is not what was written.
 class Damaged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -26,33 +27,33 @@ class Damaged : public std::runtime_error {
 
 /// The summary of a file, which must be correct when the file is read.
 struct TileSummary {
-  std::uint64_t points = 0;  ///< all of the file
-  std::uint64_t owned = 0;   ///< those in the box
-  std::uint64_t bytes = 0;   ///< of the blocks
+  std::uint64_t points = 0;  ///< all points of the file
+  std::uint64_t owned = 0;   ///< points in the box
+  std::uint64_t bytes = 0;   ///< size of the blocks
   std::uint64_t blocks = 0;
   std::uint32_t checksum = 0;  ///< CRC-32 of the checksums of all blocks
   friend bool operator==(const TileSummary&, const TileSummary&) = default;
 };
 
-/// Appends blocks to the file at `path`, which is open only while that is done.
+/// Appends blocks to the file at `path`, which is open only during a write.
 class TileWriter {
  public:
   TileWriter(std::string path, const Region& box, double alpha);
 
-  /// Keeps the point. Requires: the index is larger than all before.
+  /// Adds a point. Requires: the index is larger than all before.
   void add(const Point& p, std::uint64_t index, bool owned) {
     waiting_.points.push_back(p);
     waiting_.indices.push_back(index);
     summary_.owned += owned ? 1 : 0;
   }
-  /// Goes on with the file as it was when that much was in it. Throws Damaged when there is less now; Failure.
+  /// Resumes the file from the state of `summary`. Throws Damaged if there is less in it, Failure.
   void resume(const TileSummary& summary);
 
   const TileSummary& summary() const { return summary_; }
   std::size_t waiting() const { return waiting_.size(); }
   /// Writes the points that wait. Throws Failure.
   void flush();
-  /// The same, and the header: the file is whole. Throws Failure.
+  /// Writes the points that wait and the header, which completes the file. Throws Failure.
   TileSummary finish();
 
  private:
@@ -68,9 +69,9 @@ class TileWriter {
 /// Reads a file block by block.
 class TileReader {
  public:
-  /// Throws Damaged when the file is not there or is none of a tile; Failure.
+  /// Opens a file. Throws Damaged if it is missing or no file of a tile, Failure.
   explicit TileReader(const std::string& path);
-  /// The same when it is not of this box and alpha.
+  /// Opens a file. Throws Damaged also if it has another box or alpha.
   TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;
@@ -79,7 +80,7 @@ class TileReader {
   const Region& box() const { return box_; }
   double alpha() const { return alpha_; }
   const TileSummary& summary() const { return summary_; }
-  /// Appends a block; false at the end. Throws Damaged, Failure.
+  /// Appends a block to `points`. Returns false at the end. Throws Damaged, Failure.
   bool next(IndexedPoints& points);
 
  private:
@@ -96,9 +97,9 @@ class TileReader {
   std::string buffer_ = {};
 };
 
-/// All points that are still to come. Throws Damaged, Failure, Cancelled.
+/// Returns all points that are not read yet. Throws Damaged, Failure, Cancelled.
 IndexedPoints read_tile(TileReader& reader);
-/// Calls visit(block) with them, some at a time.
+/// Calls visit(block) with all points that are not read yet, block by block. Throws as read_tile().
 template <typename Visit>
 void for_each_block(TileReader& reader, Visit visit) {
   for (IndexedPoints block; reader.next(block); block.clear()) {

@@ -1,6 +1,6 @@
-// What: the plane cut in two, and each part again, until the parts are tiles.
+// What: cuts the plane in two, and each part again, until the parts are tiles.
 // Law:  every point is in the box of exactly one tile.
-// Cost: a point's tile is found by a comparison a cut; near sides of tiles several tiles are.
+// Cost: one comparison per cut to find the tile of a point; near sides of tiles, one search per tile in reach.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace rbpa::app {
 
 // Distances to the sides of regions, rounded so that no point is missing.
 
-/// At most a − b, and by little; at least a + b.
+/// Return a number slightly below or equal to a − b, and one slightly above or equal to a + b.
 inline double below(double a, double b) {
   const double rounded = a - b;
   return rounded - std::abs(rounded) * 0x1p-52;
@@ -25,7 +25,7 @@ inline double above(double a, double b) {
   return rounded + std::abs(rounded) * 0x1p-52;
 }
 
-/// How far a point may be from a tile and matter for it: no less than 2 alpha; infinite beyond the range of double.
+/// Returns the distance up to which points matter for a tile: at least 2 alpha; infinite beyond the range of double.
 inline double reach_of(double alpha) { return std::nextafter(2 * alpha, std::numeric_limits<double>::infinity()); }
 
 class TileTree {
@@ -34,24 +34,24 @@ class TileTree {
   struct Part {
     enum class Kind : std::uint8_t { tile, cut_x, cut_y };
     Kind kind = Kind::tile;
-    double line = 0;          ///< what is less is in the first part
-    std::uint32_t first = 0;  ///< the parts, or in `first` the number of the tile
+    double line = 0;          ///< smaller coordinates are in the first part
+    std::uint32_t first = 0;  ///< numbers of the two parts; for a tile `first` is its number
     std::uint32_t second = 0;
   };
 
   /// One tile, number 0.
   TileTree() : parts_{Part{}}, boxes_{Region{}} {}
-  /// Of parts as parts() has them. Requires that they are.
+  /// Makes a tree of parts. Requires: they have the form that parts() returns.
   explicit TileTree(std::vector<Part> parts);
 
-  /// The tile keeps its number for what is less, and the rest becomes a new tile, whose number is returned.
+  /// Cuts a tile at a line. The part of smaller coordinates keeps the number; returns the number of the other part.
   std::uint32_t cut(std::uint32_t tile, Part::Kind kind, double line);
 
   std::size_t tiles() const { return boxes_.size(); }
   const Region& box(std::uint32_t tile) const { return boxes_[tile]; }
-  const std::vector<Part>& parts() const { return parts_; }  ///< the first is the plane
+  const std::vector<Part>& parts() const { return parts_; }  ///< the first is the whole plane
 
-  /// The numbers of all tiles, neighbours near each other: all of a part before what follows it.
+  /// Returns the numbers of all tiles, part by part, so that neighbors are close to each other.
   std::vector<std::uint32_t> order() const;
 
   std::uint32_t tile_of(const Point& p) const {
@@ -61,8 +61,7 @@ class TileTree {
     return part->first;
   }
 
-  /// Calls visit(tile) for every tile that has points within `reach` of p, and perhaps for some whose points are a
-  /// little farther.
+  /// Calls visit(tile) for every tile within `reach` of p, and possibly for tiles slightly farther away.
   template <typename Visit>
   void for_each_near(const Point& p, double reach, Visit visit) const {
     const Point low{below(p.x, reach), below(p.y, reach)}, high{above(p.x, reach), above(p.y, reach)};

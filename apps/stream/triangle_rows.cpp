@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t few_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows of either kind
 
-/// A number of a row that depends on all its bits: their sum does not depend on the order.
+/// Returns a hash of a row. The sum of hashes does not depend on the order of rows.
 std::uint64_t number_of(const TriangleRow& row) {
   std::uint64_t h = row[0] * 0x9e3779b97f4a7c15U;
   h = (h ^ h >> 32U ^ row[1]) * 0xc2b2ae3d27d4eb4fU;
@@ -23,7 +23,7 @@ std::uint64_t number_of(const TriangleRow& row) {
   return h ^ h >> 32U;
 }
 
-/// Rows of an integer type in a file.
+/// A file of rows of an integer type.
 template <typename Index>
 class RowFile {
  public:
@@ -45,7 +45,7 @@ class RowFile {
   std::vector<Row> rows_;
 };
 
-/// The rows of a file that are few, in order. Adds up their numbers.
+/// Returns the rows of a small file in order. Adds their hashes to `sum`.
 template <typename Index>
 std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint64_t& sum) {
   std::vector<std::array<Index, 3>> rows;
@@ -57,7 +57,7 @@ std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint
   return rows;
 }
 
-/// Sorts the rows of a file whose smallest indices are from `first` to `last`, some at a time.
+/// Sorts the rows of a file whose smallest indices are from `first` to `last`, part by part.
 template <typename Index>
 class BucketSort {
  public:
@@ -69,7 +69,7 @@ class BucketSort {
         counts_(last - first + 1),
         most_(std::max<std::uint64_t>(memory / sizeof(Row), 4096)) {}
 
-  /// Counts rows, and returns the sum of their numbers.
+  /// Counts rows, and returns the sum of their hashes.
   std::uint64_t count(std::uint64_t& rows) {
     std::uint64_t sum = 0;
     file_.for_each([&](const Row& row) {
@@ -129,7 +129,8 @@ std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), ro
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
     : scratch_(scratch), short_(have_short_indices(points)) {
-  // There are at most two triangles a point, and of points in random order three times as many with small indices.
+  // There are at most two triangles per point. For points in random order three times the average have a small least
+  // index.
   const std::uint64_t bytes = 2 * points * row_bytes();
   constexpr std::uint64_t most_files = 4096, least_waiting = 24 * 64;
   const std::uint64_t all_waiting = file_bytes / 4;
@@ -194,7 +195,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
       begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
-    // Few of the indices begin a triangle: no use in a number for each.
+    // Few indices are the least of a triangle: a counter for each would be a waste.
     if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);

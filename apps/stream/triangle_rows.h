@@ -1,6 +1,6 @@
-// What: triangles in files of scratch by their least index, and from there in order.
-// Law:  what comes out are all triangles that were added, in lexicographic order: the canonical order of files.
-// Cost: each triangle is written once and read twice; memory as the buffers of all files, at the end as a file.
+// What: stores triangles in files of scratch by their least index, and reads them sorted.
+// Law:  all added triangles come out in lexicographic order, which is the canonical order of files.
+// Cost: each triangle is written once and read twice; memory of the buffers of all files, at the end of one file.
 #pragma once
 
 #include <array>
@@ -16,32 +16,32 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
-/// Whether indices of so many points have 4 bytes, not 8.
+/// Returns whether indices of so many points have 4 bytes, not 8.
 bool have_short_indices(std::uint64_t points);
 
-/// How far the files have come.
+/// The state of the files, from which they are resumed.
 struct RowsState {
-  std::vector<std::uint64_t> rows = {};  ///< of each file
-  std::vector<std::uint64_t> sums = {};  ///< of a number for each row, of each file
+  std::vector<std::uint64_t> rows = {};  ///< number of rows of each file
+  std::vector<std::uint64_t> sums = {};  ///< checksum of each file: a sum over its rows
   std::uint64_t total() const;
 };
 
 class TriangleRows {
  public:
-  /// Of so many points, so that a file is about so many bytes at most, as long as what waits to be written to all files
-  /// takes a quarter of that at most.
+  /// Takes triangles of `points` points. A file has at most about `file_bytes` bytes, provided that the rows that wait
+  /// to be written take at most a quarter of that.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
-  /// Goes on where the files had come to. Throws BadInput when they are not as they were.
+  /// Resumes the files from a state. Throws BadInput if they are damaged.
   void resume(const RowsState& state);
-  /// Requires: the smallest index first, all of them below the number of points.
+  /// Adds triangles. Requires: the smallest index of each is first, and all are below the number of points.
   void add(std::span<const TriangleRow> triangles);
-  /// All that was added is in the files.
+  /// Writes everything that was added to the files, and returns their state.
   RowsState flush();
 
   bool are_short() const { return short_; }
-  /// Calls write(bytes) with all rows in order, as they lie in memory of a little-endian machine. With about so many
-  /// bytes of memory; throws BadInput when a file is not as it was written.
+  /// Calls write(bytes) with all rows in order, little-endian. Uses about `memory` bytes. Throws BadInput if a file is
+  /// damaged.
   void sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const;
 
  private:
@@ -55,7 +55,7 @@ class TriangleRows {
 
   const Scratch& scratch_;
   bool short_;
-  std::uint64_t width_;       // indices of a bucket
+  std::uint64_t width_;       // number of least indices in a bucket
   std::size_t most_waiting_;  // bytes of a bucket, a whole number of rows
   std::vector<Bucket> buckets_;
 };

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Adds up what goes to a writer.
+/// Counts polygons, holes, area and perimeter on their way to a writer.
 class Adding final : public PolygonSink {
  public:
   explicit Adding(PolygonSink& to) : to_(to) {}

@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The numbers of the triangles that are not new.
+/// Returns the numbers of the triangles that are not new.
 std::vector<std::uint32_t> old_ones(const std::vector<bool>& is_new) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t t = 0; t < is_new.size(); ++t)
@@ -33,7 +33,7 @@ double area_of(const Point3& a, const Point3& b, const Point3& c) {
   return std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2;
 }
 
-/// Another surface in place of one. Requires: the curves have numbers of its triangles.
+/// Replaces the surface. Requires: the curves have the triangle numbers of the new one.
 void replace(std::span<const Point3> points, BoundedSurface& bounded, Surface surface, const std::vector<bool>& is_new,
              const SurfaceOptions& options) {
   const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
@@ -67,7 +67,7 @@ AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, Fill
   std::vector<Point3> all(points.begin(), points.end());
   all.insert(all.end(), refined.points.begin(), refined.points.end());
   const std::vector<std::uint32_t> old = old_ones(bounded.filled);
-  std::vector<std::uint32_t> number(bounded.filled.size(), Surface::none);  // of those that are not new
+  std::vector<std::uint32_t> number(bounded.filled.size(), Surface::none);  // number of each triangle that is not new
   std::size_t next = 0;
   std::vector<double> areas;
   for (std::uint32_t t = 0; t < refined.is_new.size(); ++t) {
@@ -105,7 +105,7 @@ FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded,
   ClosedSurface closed = close_surface(points, bounded.surface, options);
   FillingCounts counts = count(closed.holes);
   counts.given_up = closed.given_up;
-  if (closed.given_up > 0) bounded.curves.clear();  // it is closed
+  if (closed.given_up > 0) bounded.curves.clear();  // the surface is closed
   renumber(bounded.curves, old_ones(closed.is_new));
   replace(points, bounded, std::move(closed.surface), closed.is_new, options);
   return counts;

@@ -1,5 +1,5 @@
-// What: holes of a surface filled, with what became of them and of the curves that stay.
-// Law:  a function of the surface and the choice.
+// What: fills holes of a surface, and keeps track of the curves that stay.
+// Law:  the result is a function of the surface and the choice.
 #pragma once
 
 #include <array>
@@ -16,37 +16,38 @@
 
 namespace rbpa::app {
 
-/// A surface with the curves at which it ends and their kinds.
+/// A surface with its boundary curves and their kinds.
 struct BoundedSurface {
   Surface surface;
   SurfaceComponents components;
   std::vector<Hole> curves;
   std::vector<CurveKind> kinds;
-  std::vector<bool> filled = {};  ///< of each triangle, whether it fills a hole; empty: none does
+  std::vector<bool> filled = {};  ///< for each triangle whether it fills a hole; empty: none does
 };
 
-/// Fills the holes that are chosen. Curves that stay keep the causes of their edges.
-/// Requires: an indexable surface, its components, and its curves as surface_curves() has them, possibly with causes.
+/// Fills the chosen holes. Curves that stay keep the causes of their edges.
+/// Requires: an indexable surface, its components, and its curves as surface_curves() returns them, possibly with
+/// causes.
 /// Throws:   as fill_holes().
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
                           const SurfaceOptions& options);
 
-/// The same of every curve, as rbpa::close_surface() does it.
+/// Fills the holes of every curve, as rbpa::close_surface() does.
 FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options);
 
 /// Points inside fillings.
 struct AddedPoints {
-  std::vector<Point3> points;                         ///< their numbers go on where the points' end
-  std::vector<std::array<std::uint32_t, 3>> between;  ///< of each the points between which it was put
+  std::vector<Point3> points;                         ///< numbered after the points of the surface
+  std::vector<std::array<std::uint32_t, 3>> between;  ///< for each, the three points between which it was put
 };
 
-/// Makes what is filled as fine and smooth as the rest, as rbpa::refine_filling() does it, and changes the counts
-/// accordingly.
+/// Refines and smooths the fillings like the surface around them, as rbpa::refine_filling() does, and updates the
+/// counts.
 /// Throws: as refine_filling().
 AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
                    const SurfaceOptions& options);
 
-/// The curves of a surface, with the causes that some of its edges have in `known`.
+/// Returns the curves with the causes that `known` has for their edges.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known);
 
 }  // namespace rbpa::app

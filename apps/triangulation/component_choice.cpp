@@ -52,7 +52,7 @@ std::vector<bool> kept_components(const SurfaceComponents& components, const std
   std::size_t left = choice.largest.value_or(components.all.size());
   if (choice.shell == ShellChoice::largest) left = 1;
   std::vector<bool> kept;
-  for (std::size_t c = 0; c < components.all.size(); ++c) {  // by descending area
+  for (std::size_t c = 0; c < components.all.size(); ++c) {  // components are sorted by descending area
     const SurfaceComponent& component = components.all[c];
     const bool is_wanted = (choice.shell == ShellChoice::all || outer[c]) &&
                            component.triangles >= choice.least_triangles && component.area >= choice.least_area;

@@ -25,7 +25,9 @@ FillingCounts count(std::span<const HoleFill> holes) {
     counts.triangles += hole.triangles;
     areas.push_back(hole.area);
   }
-  std::sort(areas.begin(), areas.end());  // the order of holes depends on that of the points, and their sum must not
+  std::sort(
+      areas.begin(),
+      areas.end());  // sorted, so that the sum does not depend on the order of holes, which depends on that of points
   for (const double area : areas) counts.area += area;
   return counts;
 }

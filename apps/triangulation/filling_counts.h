@@ -1,4 +1,4 @@
-// What: how many holes were filled, and how many stay open for which reason; as numbers, text and JSON.
+// What: counts filled holes, and open ones by reason; as numbers, text and JSON.
 #pragma once
 
 #include <array>
@@ -12,30 +12,30 @@
 
 namespace rbpa::app {
 
-/// By HoleOutcome.
+/// Names of the outcomes, by HoleOutcome.
 inline constexpr std::array outcome_names{"filled", "crosses", "edge_taken", "no_area", "too_much_work"};
 
 struct FillingCounts {
-  std::array<std::size_t, outcome_names.size()> holes = {};  ///< by HoleOutcome
-  std::size_t triangles = 0;                                 ///< new
-  double area = 0;                                           ///< theirs
-  std::size_t given_up = 0;                                  ///< triangles around holes, so that these can be filled
-  std::size_t points = 0;                                    ///< that are added, where fillings are refined
-  std::size_t smooth = 0;                                    ///< fillings of which these are moved as well
+  std::array<std::size_t, outcome_names.size()> holes = {};  ///< number of holes, by HoleOutcome
+  std::size_t triangles = 0;                                 ///< new triangles
+  double area = 0;                                           ///< of the new triangles
+  std::size_t given_up = 0;  ///< triangles around holes removed so that these can be filled
+  std::size_t points = 0;    ///< added by refining
+  std::size_t smooth = 0;    ///< refined fillings whose points are also moved
 
   std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
   std::size_t left() const { return std::accumulate(holes.begin() + 1, holes.end(), std::size_t{0}); }
 };
 
-/// The same in any order of the holes.
+/// Returns the counts. They do not depend on the order of the holes.
 FillingCounts count(std::span<const HoleFill> holes);
 
-/// "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
+/// Returns "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
 std::string filled_text(const FillingCounts& counts);
-/// "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some are left.
+/// Returns "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some holes are left.
 std::string left_text(const FillingCounts& counts);
 
-/// {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area", "too_much_work"}}.
+/// Returns {"holes", "triangles", "area", "given_up", "left": {"crosses", "edge_taken", "no_area", "too_much_work"}}.
 nlohmann::ordered_json as_json(const FillingCounts& counts);
 
 }  // namespace rbpa::app

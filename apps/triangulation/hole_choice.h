@@ -1,4 +1,4 @@
-// What: which holes of a surface are filled: --fill-holes.
+// What: the holes of a surface to fill: --fill-holes.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace rbpa::app {
 
-/// All curves of kind `hole`, by default.
+/// The curves to fill; by default all of kind `hole`.
 struct HoleChoice {
   std::size_t most_edges = std::numeric_limits<std::size_t>::max();
   double most_length = std::numeric_limits<double>::infinity();
-  bool rims = false;  ///< curves of every kind
+  bool rims = false;  ///< true: curves of every kind
 
   bool has(const Hole& curve, CurveKind kind) const {
     return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
   }
 };
 
-/// "all"; "rims": those and the rims of sheets and islands; "30": of at most so many edges; "length=2.5": at most so
-/// long. Throws WrongUsage that names the option.
+/// Parses "all"; "rims", which adds the rims of sheets and of islands; "30", curves of at most 30 edges; "length=2.5",
+/// curves of at most this length. Throws WrongUsage that names the option.
 HoleChoice parse_fill_holes(const std::string& text);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: counts by cause as words.
+// What: formats counts by cause as text.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// "3 where ..., 2 ..." of the counts that are not 0, the greatest first.
+/// Returns "3 where ..., 2 ..." for the counts that are not 0, the greatest first.
 template <std::size_t n>
 std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::array<const char*, n>& texts) {
   std::array<std::size_t, n> order{};

@@ -31,7 +31,7 @@ SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components) 
 }
 
 std::size_t crowded_edges(std::span<const std::array<Index, 3>> triangles) {
-  // The other ends of all sides, at their lesser ends.
+  // For each point, the other ends of the sides at which it is the lesser end.
   Index most = 0;
   for (const auto& triangle : triangles) most = std::max({most, triangle[0], triangle[1], triangle[2]});
   std::vector<std::size_t> begin(std::size_t{most} + 2, 0);
@@ -64,11 +64,11 @@ std::size_t crowded_edges(std::span<const std::array<Index, 3>> triangles) {
 
 std::vector<Index> by_shells(const SurfaceComponents& components) {
   const std::size_t triangles = components.number.size();
-  std::vector<std::size_t> first(components.all.size(), triangles);  // triangle of each component
+  std::vector<std::size_t> first(components.all.size(), triangles);  // first triangle of each component
   for (std::size_t t = triangles; t-- > 0;) first[components.number[t]] = t;
   const auto diagonal = [](const SurfaceComponent& component) {
     const Point3 &low = component.low, &high = component.high;
-    // Halves, so that extreme coordinates do not overflow.
+    // Halved first, so that extreme coordinates do not overflow.
     return std::hypot(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2);
   };
   std::vector<Index> order(components.all.size()), rank(components.all.size());

@@ -1,5 +1,6 @@
-// What: the topology of a surface of points in space, from its arrays, and the order of its shells.
-// Law:  a function of the triangles and how they are glued; every fan of triangles at a point counts as a vertex.
+// What: counts the topology of a surface of points in space from its arrays, and orders its shells.
+// Law:  the result is a function of the triangles and how they are glued; every fan of triangles at a point is a
+//       vertex.
 // Cost: linear, and a sort of the triangles by shells.
 #pragma once
 
@@ -16,22 +17,23 @@ namespace rbpa::app {
 
 struct SurfaceCounts {
   std::size_t triangles = 0;
-  std::size_t points = 0;    ///< of the input that are in a triangle
-  std::size_t vertices = 0;  ///< fans
-  std::size_t touching = 0;  ///< points with several fans: the surface touches itself there
+  std::size_t points = 0;    ///< points of the input that are in a triangle
+  std::size_t vertices = 0;  ///< number of fans
+  std::size_t touching = 0;  ///< points with several fans, where the surface touches itself
   std::size_t edges = 0;
   std::size_t boundary_curves = 0;
   std::size_t components = 0;
-  std::size_t genus = 0;  ///< of all components
+  std::size_t genus = 0;  ///< sum over all components
 };
 
 SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 
-/// The edges that more than two triangles have: pairs of corners, whatever is glued there.
+/// Returns the number of non-manifold edges: pairs of corners with more than two triangles, however these are glued.
 std::size_t crowded_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// The numbers of the triangles by components: the one with the largest box first, of equal boxes the one that encloses
-/// more; triangles within a component, and components without such a difference, in the order of the surface.
+/// Returns the numbers of the triangles sorted by component: the one with the largest box first, of equal boxes the one
+/// that encloses more. Triangles of a component, and components without such a difference, keep the order of the
+/// surface.
 std::vector<std::uint32_t> by_shells(const SurfaceComponents& components);
 
 }  // namespace rbpa::app

@@ -18,7 +18,7 @@ std::string why_file_is_open(Format format, const std::string& file, std::span<c
   if (const std::size_t edges = crowded_edges(triangles); format == Format::stl && edges > 0)
     return file + ": STL joins what is at equal positions, and " + counted(edges, "edge") +
            " would have more than two triangles (.ply, .obj and .off keep them apart)";
-  constexpr std::size_t most = 1000;  // pairs that are counted
+  constexpr std::size_t most = 1000;  // pairs to count at most
   const auto crossing = [&](const std::optional<Shift>& by) {
     std::vector<Point3> places;
     for (const auto& [x, y, z] : single_positions(format, points, triangles, by, file).at) places.push_back({x, y, z});

@@ -1,5 +1,5 @@
-// What: whether a file in single precision is as watertight as the surface that is written to it.
-// Law:  what is asked is the surface as a reader of the file finds it, exactly.
+// What: checks whether a file in single precision is as watertight as the surface that is written to it.
+// Law:  the check is exact, for the surface as a reader of the file finds it.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace rbpa::app {
 
-/// Why not, with what mends it: triangles lose their area, fall together or cross, or STL joins what is apart only by
-/// the numbers of its vertices. Empty where it is, and of formats with double precision.
+/// Returns why the file is not watertight, and how to mend that: triangles lose their area, coincide or cross, or STL
+/// joins vertices that differ only by number. Returns "" if it is watertight, and for formats in double precision.
 /// Requires: triangles of a closed surface without crossings. Throws as crossing_triangles() and single_positions().
 std::string why_file_is_open(Format format, const std::string& file, std::span<const Point3> points,
                              std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
