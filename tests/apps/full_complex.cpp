@@ -162,7 +162,7 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
   return count;
 }
 
-/// Pixels of a picture that have this colour.
+/// Pixels of a picture that have this color.
 std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_t, 3>& colour) {
   png_image image;
   std::memset(&image, 0, sizeof image);

@@ -41,7 +41,7 @@ Picture inverse(Picture picture) {
   return picture;
 }
 
-/// The law itself: where the centres of the pixels with this grey value are.
+/// The law itself: where the centers of the pixels with this gray value are.
 std::vector<Point> centres(const Picture& picture, std::uint8_t grey) {
   std::vector<Point> points;
   for (std::uint32_t y = 0; y < picture.height; ++y)

@@ -119,7 +119,7 @@ TEST_SUITE("several elements a line") {
 
   TEST_CASE("what is neither is refused by its line") {
     const Folder folder;
-    // A colour of the plane's vertices and a file that is cut off; two words too many; two vertices and half of one a
+    // A color of the plane's vertices and a file that is cut off; two words too many; two vertices and half of one a
     // line.
     folder.file("a.off", "OFF\n4 4 6\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n0 0 1 255 0 0\n3 0 2 1\n");
     folder.file("b.off", off(2, 1) + "3 4\n");

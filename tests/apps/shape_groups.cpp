@@ -350,7 +350,7 @@ TEST_SUITE("shape groups") {
       CHECK(svg.find("<title>g" + std::to_string(g + 10) + "</title>", at) < svg.find("</path>", at));
     }
     CHECK(fills.size() == groups);
-    // The colours of the picture that cover much of it, but for the background.
+    // The colors of the picture that cover much of it, but for the background.
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     REQUIRE(png_image_begin_read_from_file(&image, folder.path("g.png").c_str()) != 0);

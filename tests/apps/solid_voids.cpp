@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A grid of 7 × 7 × 7 points without some: one alone, two that are neighbours, and two across a diagonal.
+/// A grid of 7 × 7 × 7 points without some: one alone, two that are neighbors, and two across a diagonal.
 std::string hollow_cube() {
   const std::vector<std::array<int, 3>> missing = {{1, 1, 1}, {3, 5, 1}, {4, 5, 1}, {3, 3, 4}, {4, 4, 5}};
   std::string text;
@@ -153,7 +153,7 @@ TEST_SUITE("solid voids") {
     CHECK(json::parse(folder.rbpa("solid c.xyz --alpha 1.7 --json -q").out)["void_list"].empty());
     CHECK(folder.rbpa("solid c.xyz --alpha auto --complex full -q --json").code == 0);
 
-    // An island: a point's neighbourhood within a hollow cube of two walls.
+    // An island: a point's neighborhood within a hollow cube of two walls.
     folder.file("cube.xyz", hollow_cube());
     outcome = folder.rbpa("solid cube.xyz --alpha 0.9 --complex full --json -q --voids v.json");
     REQUIRE(outcome.code == 0);

@@ -158,7 +158,7 @@ TEST_SUITE("tables of space") {
   }
 
   TEST_CASE("headers as other programs write them") {
-    // CloudCompare: behind two slashes, and fractions of colours by their own names.
+    // CloudCompare: behind two slashes, and fractions of colors by their own names.
     is(read("//X Y Z R G B Nx Ny Nz\n0.5 -1 2 1 2 255 0 0 1\n3 4e-3 1e6 128 0 7 0 1 0\n", Format::text),
        {{0, 0, 1}, {0, 1, 0}}, colors,
        {"the comment 'X Y Z R G B Nx Ny Nz' names the columns (--columns chooses others)"});

@@ -84,7 +84,7 @@ TEST_SUITE("STL: behind the last facet") {
     const Outcome outcome = folder.meshtopo("m.stl --check closed,vertices=5,faces=6");
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "meshtopo: m.stl: 15 bytes of attributes are left out\n");
-    // A colour in the attributes is no length.
+    // A color in the attributes is no length.
     std::string colored = plain;
     colored[84 + 48] = '\x05';
     folder.file("c.stl", colored);

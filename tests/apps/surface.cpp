@@ -221,7 +221,7 @@ TEST_SUITE("surface") {
       CHECK(rows("--viewpoint 0.1,0,-0.2") == inward);
       CHECK(rows("--viewpoint 0.1,0,-0.2 --flip") == outward);
     }
-    // Fewer neighbours, and a file's own normals left aside.
+    // Fewer neighbors, and a file's own normals left aside.
     const Outcome fewer = folder.rbpa("surface own.xyz --radius 0.3 --neighbors 8 -o m.npy");
     CHECK(fewer.err.find("normals estimated") != std::string::npos);
   }

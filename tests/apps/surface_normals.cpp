@@ -1,4 +1,4 @@
-// Estimated normals of `rbpa surface`: how sure they are, in files, counts, colours and words.
+// Estimated normals of `rbpa surface`: how sure they are, in files, counts, colors and words.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ struct Vertex {
   std::array<std::uint8_t, 3> color;
 };
 
-/// Of a PLY file with coordinates, normals, colours if it has any, and certainties.
+/// Of a PLY file with coordinates, normals, colors if it has any, and certainties.
 std::vector<Vertex> vertices_of(const std::string& ply, bool colors) {
   const std::string end = "end_header\n";
   const char* at = ply.data() + ply.find(end) + end.size();

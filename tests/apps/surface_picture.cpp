@@ -1,4 +1,4 @@
-// The picture of `rbpa surface`: what is upright in it, and whose colours it has.
+// The picture of `rbpa surface`: what is upright in it, and whose colors it has.
 #include <doctest/doctest.h>
 #include <png.h>
 
@@ -53,7 +53,7 @@ Pixels pixels_of(const std::string& bytes) {
   return pixels;
 }
 
-/// The colour at the middle.
+/// The color at the middle.
 std::array<int, 3> middle_of(const std::string& bytes) {
   const Pixels pixels = pixels_of(bytes);
   const std::size_t at = 3 * (pixels.image.height / 2 * std::size_t{pixels.image.width} + pixels.image.width / 2);
@@ -108,7 +108,7 @@ TEST_SUITE("surface picture") {
     };
     const auto plain = middle("0 0 1", ""), behind = middle("0 0 -1", "");
     CHECK(plain[2] > plain[0] + 20);  // blue
-    CHECK(behind[2] < behind[0]);     // grey
+    CHECK(behind[2] < behind[0]);     // gray
     const std::string red = "240 000 030 240 000 000 240 000 060 ";
     const auto front = middle("0 0 1", red);
     CHECK(front[0] > 150);

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1 without what is above `top`; each point with its normal, and a colour that is the same for all.
+/// A sphere of radius 1 without what is above `top`; each point with its normal, and a color that is the same for all.
 std::string bowl(double top, const std::string& behind) {
   std::ostringstream text;
   text.precision(17);

@@ -79,7 +79,7 @@ std::vector<std::array<double, 3>> rows(const std::string& obj, const std::strin
   return found;
 }
 
-/// A sheet of a grid in space, with colours.
+/// A sheet of a grid in space, with colors.
 std::string sheet(double origin) {
   std::string text = "x y z r g b\n";
   for (int i = 0; i < 10; ++i)

@@ -2,13 +2,13 @@
 "use strict";
 
 class LogAxis {
-  /** From `low` to `high`, both logarithms to the base of ten, on `from` to `to`. */
+  /** Maps the logarithms to base ten from `low` to `high` to the positions from `from` to `to`. */
   constructor(low, high, from, to) {
     Object.assign(this, { low, high, from, to });
   }
 
-  /** For sorted radii, with room at both ends. Those above `reach` lie at the end: there flat triangles of the convex hull
-   *  come, whose radii may be anything. */
+  /** Returns an axis for sorted radii, with room at both ends. Radii above `reach` lie at the end: they belong to flat
+   *  triangles of the convex hull, and may be arbitrarily large. */
   static of(radii, reach, from, to) {
     const last = radii.length === 0 ? 1 : Math.min(reach, radii[radii.length - 1], Number.MAX_VALUE);
     const low = radii.length === 0 ? 0 : Math.log10(radii[0]);
@@ -22,14 +22,14 @@ class LogAxis {
     return this.from + Math.min(1, Math.max(0, share)) * (this.to - this.from);
   }
 
-  /** The radius that lies at `position`. */
+  /** Returns the radius at `position`. */
   radiusAt(position) {
     const share = (position - this.from) / (this.to - this.from);
     if (share >= 1) return Infinity;
     return 10 ** (this.low + Math.max(0, share) * (this.high - this.low));
   }
 
-  /** Powers of ten, at most `most`; where fewer than two are inside, the ends. */
+  /** Returns at most `most` powers of ten, or the two ends if fewer than two powers are inside. */
   ticks(most) {
     const stride = Math.max(1, Math.ceil((this.high - this.low) / most));
     const powers = [];
@@ -38,7 +38,7 @@ class LogAxis {
   }
 }
 
-/** Four digits. */
+/** Returns a number with four digits. */
 function short(number) {
   if (!Number.isFinite(number)) return "∞";
   if (number === 0) return "0";
@@ -46,7 +46,7 @@ function short(number) {
   return size >= 1e6 || size < 1e-4 ? number.toExponential(3) : String(Number(number.toPrecision(4)));
 }
 
-/** 10 to a power, which may lie beyond the range of double. */
+/** Returns 10 to a power, as text, also beyond the range of double. */
 function powerOfTenText(power) {
   if (power === Math.round(power) && power >= -3 && power <= 5) return short(10 ** power);
   const whole = Math.floor(power);
@@ -54,7 +54,7 @@ function powerOfTenText(power) {
   return whole >= -3 && whole <= 5 ? short(Number((digits * 10 ** whole).toPrecision(3))) : `${digits}e${whole}`;
 }
 
-/** Fits a canvas to its place. Returns its context in CSS pixels, and their number. */
+/** Fits a canvas to its place. Returns its context, in CSS pixels, and its size in these. */
 function prepared(canvas, background) {
   const ratio = Math.min(2, devicePixelRatio || 1);
   const width = canvas.clientWidth, height = canvas.clientHeight;

@@ -1,8 +1,8 @@
-// What: the complex at every step: the triangles below a number. The neighbours of triangles, and connected components.
+// What: the complex at every step: the triangles below a number. The neighbors of triangles, and connected components.
 // Law:  triangles are in the order in which they come, so that `count` of them, from the first, are a step's.
 "use strict";
 
-/** The triangle of a side, and the side behind it. */
+/** Return the triangle of a side, and the side after it. */
 const triangleOf = (side) => (side / 3) | 0;
 const nextSide = (side) => (side % 3 === 2 ? side - 2 : side + 1);
 
@@ -48,7 +48,7 @@ class Complex {
     this.twin = twin;
   }
 
-  /** firstAt[p]: the first triangle at point p; where there is none, `size`. */
+  /** firstAt[p]: the first triangle at point p; `size` if there is none. */
   findFirstTriangles() {
     this.firstAt = new Uint32Array(this.pointCount).fill(this.size);
     for (let side = this.triangles.length - 1; side >= 0; --side) this.firstAt[this.triangles[side]] = triangleOf(side);
@@ -67,22 +67,22 @@ class Complex {
     return Math.hypot(right - left, top - bottom);
   }
 
-  /** The last step whose radius is at most alpha; −1 where nothing is there yet. */
+  /** Returns the last step whose radius is at most alpha; −1 before the first. */
   stepAt(alpha) {
     return lastAtMost(this.data.radii, alpha);
   }
 
-  /** How many triangles are there at a step. */
+  /** Returns the number of triangles at a step. */
   countAt(step) {
     return step < 0 ? 0 : this.data.counts.triangles[step];
   }
 
-  /** The points of a step's triangles, each as often as it is a corner. */
+  /** Returns the corners of the triangles of a step, with repetitions. */
   cornersAt(step) {
     return this.triangles.subarray(0, 3 * this.countAt(step));
   }
 
-  /** What a step has, by the names of `rbpa alpha --json`. */
+  /** Returns the counts of a step, by the names of `rbpa alpha --json`. */
   numbersAt(step) {
     const { counts, areas, radii } = this.data;
     const isolated = this.pointCount - (step < 0 ? 0 : counts.covered[step]);
@@ -99,7 +99,7 @@ class Complex {
     };
   }
 
-  /** The side is there and what is beyond it is not. */
+  /** Returns whether the side is at the boundary: its triangle is there, and the one beyond it is not. */
   isBoundary(side, count) {
     const twin = this.twin[side];
     return side < 3 * count && (twin < 0 || twin >= 3 * count);
@@ -110,8 +110,8 @@ class Complex {
     return birth[pair] <= step && step < death[pair];
   }
 
-  /** The triangles of the component, connected through points, or of the hole, that a pair is at a step; null when it is
-   *  not alive there, or has more triangles than `limit`. */
+  /** Returns the triangles of the component, connected through points, or of the hole, of a pair at a step; null if the
+   *  pair is not alive there, or has more triangles than `limit`. */
   regionOf(pair, step, limit = Infinity) {
     if (!this.isAlive(pair, step)) return null;
     const { dimension, triangle } = this.data.pairs;
@@ -120,7 +120,7 @@ class Complex {
       : this.gapAt(triangle[pair], this.countAt(step), limit);
   }
 
-  /** The pair whose component or hole has this triangle at a step; −1 in the outside. */
+  /** Returns the pair whose component or hole contains this triangle at a step; −1 for the outside. */
   pairAt(triangle, step) {
     const { pairs } = this.data;
     const inside = triangle < this.countAt(step);
@@ -153,7 +153,7 @@ class Complex {
     return region;
   }
 
-  /** Missing triangles that are connected through their sides. */
+  /** Returns missing triangles that are connected through their sides. */
   gapAt(triangle, count, limit = Infinity) {
     const seen = new Uint8Array(this.size - count);
     const region = [triangle];
@@ -170,7 +170,7 @@ class Complex {
     return region;
   }
 
-  /** Numbers from 0 for the solid components of the first `count` triangles. */
+  /** Numbers the solid components of the first `count` triangles from 0. */
   solidComponents(count) {
     const label = new Int32Array(count).fill(-1);
     const stack = [];

@@ -8,13 +8,13 @@ function bytesOf(base64) {
   return bytes;
 }
 
-/** Little-endian doubles. */
+/** Reads little-endian doubles. */
 function doublesOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   return Float64Array.from({ length: bytes.byteLength / 8 }, (_, i) => view.getFloat64(8 * i, true));
 }
 
-/** Whole numbers, seven bits a byte, the lowest first. */
+/** Reads whole numbers, seven bits a byte, the lowest first. */
 class WholeNumbers {
   constructor(bytes) {
     this.bytes = bytes;
@@ -31,7 +31,7 @@ class WholeNumbers {
     }
   }
 
-  /** A difference: 0, 1, 2, 3, … are 0, −1, 1, −2, … */
+  /** Reads a signed number: 0, 1, 2, 3, … are 0, −1, 1, −2, … */
   nextSigned() {
     const value = this.next();
     return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
@@ -60,7 +60,8 @@ function countsOf(bytes, steps) {
   return counts;
 }
 
-/** By the step at which each is first to be seen; a side is 3 · triangle + corner, from that corner to the next. */
+/** Reads edges in the order of the steps at which they appear. A side is 3 · triangle + corner, from that corner to the
+ *  next. */
 function freeEdgesOf(bytes, count) {
   const numbers = new WholeNumbers(bytes);
   const edges = { step: new Uint32Array(count), side: new Uint32Array(count) };
@@ -73,7 +74,8 @@ function freeEdgesOf(bytes, count) {
   return edges;
 }
 
-/** Alive at steps from birth to before death; the number of steps is the death of what never dies. */
+/** Reads pairs. A pair is alive from the step of its birth to before that of its death, which is the number of steps if it
+ *  never dies. */
 function pairsOf(bytes, facts) {
   const numbers = new WholeNumbers(bytes);
   const count = facts.componentPairs + facts.holePairs;
@@ -94,12 +96,12 @@ function pairsOf(bytes, facts) {
   return pairs;
 }
 
-/** A radius as JSON has it: "inf" is above all doubles, null is none. */
+/** Returns a radius of the JSON: "inf" is above all doubles, null is none. */
 function radiusOf(value) {
   return value === "inf" ? Infinity : value;
 }
 
-/** The place of the last of ascending radii that is at most alpha; −1 where none is. */
+/** Returns the index of the last of ascending radii that is at most alpha; −1 if none is. */
 function lastAtMost(radii, alpha) {
   let low = 0, high = radii.length;
   while (low < high) {
@@ -110,7 +112,7 @@ function lastAtMost(radii, alpha) {
   return low - 1;
 }
 
-/** `text(name)` is what the element of that name has. */
+/** Decodes the data of the page. `text(name)` returns the content of the element of that name. */
 function decode(text) {
   const facts = JSON.parse(text("facts"));
   return {

@@ -1,14 +1,14 @@
-// What: what is seen, as text: the shape as GeoJSON, the view as SVG.
+// What: exports the shape as GeoJSON and the view as SVG.
 // Law:  GeoJSON has the coordinates of the input, to the last bit.
 "use strict";
 
-/** The shortest text that reads back to it, with the sign of zero. */
+/** Returns the shortest text that reads back to the number, with the sign of zero. */
 function textOf(number) {
   if (!Number.isFinite(number)) return "null";
   return Object.is(number, -0) ? "-0" : String(number);
 }
 
-/** A FeatureCollection with a Feature for each polygon, as `rbpa shape` writes it. */
+/** Returns a FeatureCollection with a Feature for each polygon, as `rbpa shape` writes it. */
 function geojsonOf(polygons, points) {
   const at = (p) => `[${textOf(points[2 * p])},${textOf(points[2 * p + 1])}]`;
   const ringText = (ring) => `[${[...ring, ring[0]].map(at).join(",")}]`;
@@ -20,14 +20,14 @@ function geojsonOf(polygons, points) {
   return `{"type":"FeatureCollection","features":[${features.map((text) => "\n" + text).join(",")}\n]}\n`;
 }
 
-/** To a hundredth of a pixel. */
+/** Rounds to a hundredth of a pixel. */
 const pixelText = (value) => String(Math.round(100 * value) / 100);
 
 function pathOf(points, x, y) {
   return points.map((p, i) => `${i === 0 ? "M" : "L"}${pixelText(x[p])} ${pixelText(y[p])}`).join("");
 }
 
-/** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their colour;
+/** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their color;
  *  `lines`: pairs of points to join, `dots`: points; `bar`: that of the scale, or null. Rings wholly outside the view are
  *  left out. */
 function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, bar, unit, title }) {

@@ -1,4 +1,4 @@
-// What: what people do to the page: with slider, keys, mouse and fingers.
+// What: connects slider, keys, mouse and touch to the page.
 "use strict";
 
 function listen(page) {
@@ -21,7 +21,7 @@ function listen(page) {
   element("save-svg").addEventListener("click", () => saveFile(page, "svg", "image/svg+xml", viewAsSvg(page)));
 }
 
-/** A window that goes to a finer screen keeps its size, and has more pixels. */
+/** Resizes the page when the window moves to a finer screen: it keeps its size, and has more pixels. */
 function listenToRatio(page) {
   const same = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
   const changed = () => {

@@ -1,8 +1,8 @@
-// What: the shape at a step as polygons with holes, one for each solid component: those of `rbpa shape`, in its order.
+// What: the shape at a step as polygons with holes, one for each solid component, as in `rbpa shape` and in its order.
 // How:  docs/shape.md. Points are numbered in lexicographic order, so that to compare them is to compare numbers.
 "use strict";
 
-/** The double as a whole number of 2⁻¹⁰⁷⁴. */
+/** Returns the double as a multiple of 2⁻¹⁰⁷⁴. */
 function wholeNumberOf(value) {
   const view = new DataView(new ArrayBuffer(8));
   view.setFloat64(0, value);
@@ -13,7 +13,7 @@ function wholeNumberOf(value) {
   return bits >> 63n === 1n ? -magnitude : magnitude;
 }
 
-/** > 0 when the points a, b, c run counter-clockwise. Exact: where rounding might decide, whole numbers do. */
+/** Returns a number > 0 if the points a, b, c run counter-clockwise. Exact: falls back to whole numbers. */
 function orientation(points, a, b, c) {
   const left = (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]);
   const right = (points[2 * b + 1] - points[2 * a + 1]) * (points[2 * c] - points[2 * a]);
@@ -25,14 +25,14 @@ function orientation(points, a, b, c) {
   return exact > 0n ? 1 : exact < 0n ? -1 : 0;
 }
 
-/** The boundary side behind this one, at the same fan of triangles. */
+/** Returns the boundary side after this one, at the same fan of triangles. */
 function nextBoundarySide(complex, side, count) {
   let next = nextSide(side);
   while (!complex.isBoundary(next, count)) next = nextSide(complex.twin[next]);
   return next;
 }
 
-/** A closed curve that passes points several times, as rings that pass each point once. */
+/** Splits a closed curve that passes points several times into rings that pass each point once. */
 function splitIntoRings(curve, place, rings) {
   const walked = [];
   for (const p of curve) {
@@ -48,7 +48,7 @@ function splitIntoRings(curve, place, rings) {
   rings.push(walked);
 }
 
-/** The same ring from its least point on. */
+/** Rotates a ring to begin at its least point. */
 function fromLeastPoint(ring) {
   let least = 0;
   for (let i = 1; i < ring.length; ++i) if (ring[i] < ring[least]) least = i;
@@ -57,7 +57,7 @@ function fromLeastPoint(ring) {
 
 const byFirstPoints = (a, b) => a[0] - b[0] || a[1] - b[1];
 
-/** Signed, positive when the ring runs counter-clockwise; rounded. */
+/** Returns the signed area, rounded; positive if the ring runs counter-clockwise. */
 function ringArea(points, ring) {
   const x = points[2 * ring[0]], y = points[2 * ring[0] + 1];
   let twice = 0;
@@ -85,7 +85,7 @@ function polygonOf(points, rings) {
   return { shell: sorted[shell], holes, area: sum(ringArea), perimeter: sum(ringLength) };
 }
 
-/** The polygons of the first `count` triangles; rings are numbers of points. */
+/** Returns the polygons of the first `count` triangles. Rings are point numbers. */
 function polygonsAt(complex, count) {
   const { label, components } = complex.solidComponents(count);
   const rings = Array.from({ length: components }, () => []);

@@ -1,18 +1,18 @@
-// What: the page: what is chosen, what is drawn for it, and what people do to it.
+// What: the page: its choices, its drawing, and its events.
 "use strict";
 
 const element = (id) => document.getElementById(id);
 
-/** A colour of the style sheet, as text. */
+/** Returns a color of the style sheet, as text. */
 const colourText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
-/** "#rrggbb" as an opaque pixel. */
+/** Returns "#rrggbb" as an opaque pixel. */
 function pixelOf(text) {
   const bytes = new Uint8Array([1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16)).concat(255));
   return new Uint32Array(bytes.buffer)[0];
 }
 
-const maxPlateaus = 4; // to choose from
+const maxPlateaus = 4; // plateaus to choose from
 const snapDistance = 8; // thousandths of the slider
 
 class Page {
@@ -48,7 +48,7 @@ class Page {
     this.fitShape();
   }
 
-  // What is fixed ------------------------------------------------------------------------------------------------------
+  // ---- fixed
 
   takeColours() {
     const names = ["paper", "panel", "text", "faint", "grid", "fill", "edge", "line", "isolated", "holes", "free", "lit"];
@@ -122,19 +122,19 @@ class Page {
     if (element(id).childElementCount === 0) element(id).textContent = "none";
   }
 
-  // What is chosen -----------------------------------------------------------------------------------------------------
+  // ---- choices
 
   goTo(step) {
     const last = this.complex.steps - 1;
     this.show(Math.max(-1, Math.min(last, step)));
   }
 
-  /** Of any alpha, the step that it is in. */
+  /** Moves to any alpha, and shows the step that it is in. */
   goToAlpha(alpha) {
     this.show(this.complex.stepAt(alpha), alpha);
   }
 
-  /** Of a position on the slider; near the alpha of a plateau it is that. */
+  /** Moves to a position of the slider, or to the alpha of a plateau if that is near. */
   goToPosition(position) {
     const alphas = this.complex.data.plateaus.slice(0, maxPlateaus).map(({ alpha }) => alpha);
     const near = alphas.find((alpha) => Math.abs(this.axis.at(alpha) - position) < snapDistance);
@@ -149,7 +149,7 @@ class Page {
     this.ask("step");
   }
 
-  /** -1: none. `bring`: shows it, at a radius at which it is there. */
+  /** Chooses a pair, −1 for none. With `bring`, moves to a radius at which it is alive, and shows it. */
   choosePair(pair, bring) {
     this.pair = pair;
     for (const [other, button] of this.pairButtons) button.setAttribute("aria-pressed", String(other === pair));
@@ -227,9 +227,9 @@ class Page {
     element("selection").textContent = `${kind}, ${this.lifeOf(this.pair)}: ${here}.`;
   }
 
-  // What is drawn ------------------------------------------------------------------------------------------------------
+  // ---- drawing
 
-  /** Draws before the next frame; "view": what lies under the pixels has changed as well. */
+  /** Requests a drawing before the next frame; "view" if the triangles under the pixels have changed as well. */
   ask(what) {
     this.fine = null;
     this.canvas.dataset.state = "drawing";
@@ -244,7 +244,7 @@ class Page {
   draw() {
     this.showScale();
     if (this.pending.view) {
-      // On large sets a view takes longer than a frame: until it stands still, the last picture moves instead.
+      // For large sets a view takes longer than a frame, so the last picture is moved until the view stands still.
       if (this.held && this.layTime > 30) {
         this.moveSnapshot();
         clearTimeout(this.settling);
@@ -284,7 +284,7 @@ class Page {
     this.laid = { scale: view.scale, left: view.left, top: view.top };
   }
 
-  /** Marks the region of the chosen pair; of one larger than `limit` only when there is time. */
+  /** Marks the region of the chosen pair; one larger than `limit` only when there is time. */
   light(limit) {
     for (const t of this.region) this.marked[t] = 0;
     this.region = (this.pair >= 0 && this.complex.regionOf(this.pair, this.step, limit)) || [];
@@ -297,7 +297,7 @@ class Page {
     this.context.putImageData(this.image, 0, 0);
   }
 
-  /** Lines are drawn beside, and shown when they are all there. */
+  /** Draws lines on a separate canvas, and shows them when all are drawn. */
   beginFine() {
     this.light(Infinity);
     this.tellPair();
@@ -364,7 +364,7 @@ class Page {
     this.tellNumbers();
   }
 
-  // What people do -----------------------------------------------------------------------------------------------------
+  // ---- events
 
   move(change) {
     if (!this.held) this.moving = null;
@@ -373,7 +373,7 @@ class Page {
     this.ask("view");
   }
 
-  /** What is in triangles at this radius, however far off other points are. */
+  /** Fits the view to the points in triangles at this radius, not to other points far away. */
   fitShape() {
     this.move((view) => view.fit(this.complex.cornersAt(this.step)));
   }

@@ -1,5 +1,4 @@
-// What: the counts against alpha, and births against deaths, as pictures that are drawn once; where alpha is now is
-//       laid over them.
+// What: draws the counts against alpha, and births against deaths, once; a mark for the current alpha is drawn over them.
 "use strict";
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
@@ -15,7 +14,7 @@ function drawRadiusTicks(context, axis, top, bottom, colours) {
   }
 }
 
-/** The counts that are drawn, with the colour of each. */
+/** The counts that are drawn, each with its color. */
 const plottedCounts = [
   ["covered", "faint"],
   ["solidComponents", "edge"],
@@ -61,7 +60,7 @@ class CountsPlot {
     plateaus.forEach(({ alpha }, i) => context.fillText(`${i + 1}`, this.axis.at(alpha), top + 10));
   }
 
-  /** Per column of pixels its least, greatest and last value. */
+  /** Draws a curve: each column of pixels gets its least, greatest and last value. */
   drawCurve(context, radii, counts, up, colour) {
     context.strokeStyle = colour;
     context.beginPath();
@@ -94,7 +93,7 @@ class PersistenceDiagram {
     const { context, width, height } = prepared(this.canvas, colours.panel);
     const { left, right, top, bottom } = plotMargin;
     const { radii, pairs } = complex.data;
-    const never = top + 4; // deaths of what never dies
+    const never = top + 4; // position of the deaths of pairs that never die
     this.births = LogAxis.of(radii, complex.reach(), left, width - right);
     this.deaths = LogAxis.of(radii, complex.reach(), height - bottom, top + 18);
     drawRadiusTicks(context, this.births, top, height - bottom, colours);
@@ -108,8 +107,7 @@ class PersistenceDiagram {
     context.fillText("never", left - 4, never + 4);
     drawLine(context, colours.grid, left, never, width - right, never);
     drawLine(context, colours.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
-    // Pairs whose dots would cover each other are one dot, the longest: the first found there when the longest come
-    // first.
+    // If dots would cover each other, only the longest pair is drawn: the first one, as the longest come first.
     this.dots = new Map();
     for (let p = 0; p < pairs.count; ++p) {
       const x = Math.round(this.births.at(radii[pairs.birth[p]]));
@@ -123,7 +121,7 @@ class PersistenceDiagram {
     }
   }
 
-  /** The pair whose dot is nearest, within twelve pixels; −1 where there is none. */
+  /** Returns the pair whose dot is nearest, within twelve pixels; −1 if there is none. */
   pairNear(x, y) {
     let best = { distance: 12, pair: -1 };
     for (const dot of this.dots.values()) {
@@ -143,7 +141,7 @@ class PersistenceDiagram {
   }
 }
 
-/** The `most` pairs of a dimension that live longest, by the ratio of death and birth. */
+/** Returns the `most` pairs of a dimension that live longest, by the ratio of death and birth. */
 function longestPairs(complex, dimension, most) {
   const { radii, pairs } = complex.data;
   const length = (p) => (pairs.death[p] < radii.length ? Math.log(radii[pairs.death[p]]) - Math.log(radii[pairs.birth[p]]) : Infinity);

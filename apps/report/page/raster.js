@@ -1,7 +1,6 @@
-// What: which triangle lies under each pixel. Laid once for a view; from then on the picture at any step is one pass
-//       over the pixels, whatever the number of triangles: a pixel is in the shape when its triangle's number is small
-//       enough.
-// Law:  a pixel belongs to the triangle that its centre is in; where triangles meet, to one of them.
+// What: finds the triangle under each pixel, once for a view. The picture at any step is then one pass over the pixels,
+//       whatever the number of triangles: a pixel is in the shape if the number of its triangle is small enough.
+// Law:  a pixel belongs to the triangle that contains its center; where triangles meet, to one of them.
 "use strict";
 
 const noTriangle = 0xffffffff;
@@ -11,7 +10,7 @@ class Raster {
     this.width = width;
     this.height = height;
     this.triangle = new Uint32Array(width * height);
-    // 1 + the last first triangle of the points whose dots cover the pixel; 0 where none does.
+    // 1 + the last of the first triangles of the points whose dots cover the pixel; 0 if no dot does.
     this.dot = new Uint32Array(width * height);
   }
 
@@ -31,7 +30,7 @@ class Raster {
     const top = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
     const bottom = Math.min(this.height, Math.ceil(Math.max(ay, by, cy) - 0.5));
     if (!(top < bottom)) return;
-    // Nothing of it is at the centre of a column.
+    // The triangle covers no center of a column.
     const left = Math.min(ax, bx, cx), right = Math.max(ax, bx, cx);
     if (!(Math.ceil(left - 0.5) < Math.ceil(right - 0.5)) || right < 0 || left > this.width) return;
     for (let row = top; row < bottom; ++row) {
@@ -66,14 +65,14 @@ class Raster {
         if (this.dot[i] < value) this.dot[i] = value;
   }
 
-  /** The triangle under a pixel, or −1. */
+  /** Returns the triangle under a pixel, or −1. */
   at(column, row) {
     if (column < 0 || row < 0 || column >= this.width || row >= this.height) return -1;
     const t = this.triangle[row * this.width + column];
     return t === noTriangle ? -1 : t;
   }
 
-  /** Colours are values for elements of `pixels`, one for each pixel. Marked triangles are lit, there or not. */
+  /** Fills `pixels`, one element for each pixel, with the given colors. Marked triangles are lit, present or not. */
   paint(pixels, count, marked, colours, { outline, dots }) {
     const { width, height, triangle, dot } = this;
     const { paper, fill, line, isolated, lit, litGap } = colours;
@@ -95,7 +94,7 @@ class Raster {
   }
 }
 
-/** Where a side is at height y; the same from either end. */
+/** Returns the x of a side at height y; the same from either end. */
 function crossing(ax, ay, bx, by, y) {
   return ay < by ? ax + (y - ay) * ((bx - ax) / (by - ay)) : bx + (y - by) * ((ax - bx) / (ay - by));
 }

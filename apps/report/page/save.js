@@ -1,4 +1,4 @@
-// What: what is shown as files: the shape as GeoJSON, the view as SVG.
+// What: saves the shape as GeoJSON and the view as SVG.
 "use strict";
 
 function shapeAsGeojson({ complex, step }) {
@@ -31,7 +31,7 @@ function viewAsSvg(page) {
   });
 }
 
-/** Has the browser save a text, under the name of the points and of the radius. */
+/** Lets the browser save a text in a file named after the points and the radius. */
 function saveFile({ complex, alpha }, ending, type, text) {
   const link = document.createElement("a");
   const name = complex.data.facts.source.replace(/\.[^.]*$/, "") || "shape";

@@ -1,7 +1,7 @@
 // What: lengths and areas in the unit of the coordinates, and the scale bar of the picture.
 "use strict";
 
-/** What stands behind a number, by the name of the unit in the page's facts. */
+/** The text after a number, by the name of the unit in the page's facts. */
 const unitSigns = {
   metre: { length: " m", area: " m²" },
   foot: { length: " ft", area: " ft²" },
@@ -12,7 +12,7 @@ const unitSigns = {
 
 const signsOf = (unit) => unitSigns[unit] ?? unitSigns.none;
 
-/** Four significant digits, thousands apart; fewer where they are the whole number. */
+/** Returns a number with four significant digits, or fewer if they are exact, and with separators of thousands. */
 function fourDigits(number) {
   if (!Number.isFinite(number)) return "∞";
   const size = Math.abs(number), isExact = Number(number.toPrecision(4)) === number;
@@ -21,7 +21,7 @@ function fourDigits(number) {
   return number.toLocaleString("en", { maximumSignificantDigits: 4, minimumSignificantDigits: isExact ? 1 : 4 });
 }
 
-/** In metres or in kilometres, whichever is shorter to read; in feet, degrees, or unknown units. */
+/** In meters or in kilometers, whichever is shorter to read; in feet, degrees, or unknown units. */
 function lengthText(length, unit) {
   if (unit === "metre" && Number(length.toPrecision(4)) >= 1000) return `${fourDigits(length / 1000)} km`;
   if (unit === null && length === 1) return "1 unit";
@@ -33,7 +33,7 @@ function areaText(area, unit) {
   return fourDigits(area) + signsOf(unit).area;
 }
 
-/** The greatest of 1, 2 and 5 times a power of ten that is at most `most`; 0 where there is none. */
+/** Returns the greatest of 1, 2 and 5 times a power of ten that is at most `most`; 0 if there is none. */
 function roundLength(most) {
   if (!(most > 0 && most < Infinity)) return 0;
   for (let power = Math.floor(Math.log10(most)) + 1; power >= -324; --power)
@@ -44,8 +44,8 @@ function roundLength(most) {
   return 0;
 }
 
-/** The bar of a view that is at most `most` pixels long: its length, and how many pixels that is; null where the view has
- *  no length that is a finite double. */
+/** Returns the bar of a view, at most `most` pixels long: its length, and its length in pixels; null if no such length is
+ *  a finite double. */
 function scaleBar(view, most) {
   const length = roundLength(view.lengthOf(most));
   const pixels = view.pixelsOf(length);

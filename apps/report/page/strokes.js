@@ -1,12 +1,13 @@
-// What: lines and dots over the shape with smooth edges, drawn piece by piece while nothing else is to do.
-// Why:  the picture of a step has to be there at once, and is: pixels (raster.js). Lines take longer, and can wait.
+// What: draws smooth lines and dots over the shape, piece by piece while the page is idle.
+// Why:  the picture of a step has to appear at once; raster.js draws it as pixels. Lines take longer and can wait.
 "use strict";
 
-const mostBoundary = 60000; // sides in view above which a boundary is as fine as pixels
+const mostBoundary = 60000; // with more sides in view the boundary is drawn as pixels
 const mostTriangles = 15000;
 const mostDots = 20000;
 
-/** Sides in view of the first `count` triangles: those of the boundary, and others where there are not too many. */
+/** Returns the sides in view of the first `count` triangles: those of the boundary, and others unless there are too
+ *  many. */
 function sidesInView(complex, view, count) {
   const { triangles } = complex;
   const boundary = [], inner = [];
@@ -27,7 +28,7 @@ function crossesView(view, a, b) {
     Math.min(y[a], y[b]) <= height;
 }
 
-/** Edges in no triangle at a step. */
+/** Returns the edges in view that are in no triangle at a step. */
 function freeEdgesInView(complex, view, step) {
   const { freeEdges } = complex.data;
   const count = complex.countAt(step);
@@ -47,7 +48,7 @@ function isolatedInView(complex, view, count) {
   return dots;
 }
 
-/** Strokes sides; stops for a moment after every thousand. */
+/** Strokes sides; pauses after every thousand. */
 function* strokeSides(context, complex, view, sides, colour, width) {
   const { x, y } = view;
   context.strokeStyle = colour;
@@ -78,7 +79,7 @@ function* fillDots(context, view, dots, colour, radius) {
   }
 }
 
-/** The whole picture; `fill(outline, dots)` lays the pixels, with a boundary and dots of pixels where requested. */
+/** Draws the whole picture. `fill(outline, dots)` draws the pixels, with a boundary and dots of pixels on request. */
 function* fineDrawing(context, complex, view, step, shown, colours, ratio, fill) {
   const count = complex.countAt(step);
   const { boundary, inner } = sidesInView(complex, view, count);

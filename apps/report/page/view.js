@@ -1,4 +1,4 @@
-// What: from coordinates to pixels and back: what part of the plane is seen, and how large.
+// What: maps coordinates to pixels and back: the visible part of the plane, and its scale.
 // Why:  coordinates may be anything from 10⁻³²⁴ to 10³⁰⁸; they are moved and scaled to a square of −1 … 1 first.
 "use strict";
 
@@ -28,7 +28,7 @@ class View {
     }
     const middleX = (left + right) / 2, middleY = (bottom + top) / 2;
     const half = Math.max(right - left, top - bottom) / 2 || 1;
-    this.unit = half / power; // of the normalised plane, in that of the coordinates
+    this.unit = half / power; // length 1 of the normalized plane, in units of the coordinates
     for (let p = 0; p < this.count; ++p) {
       this.u[p] = (this.u[p] - middleX) / half;
       this.v[p] = (this.v[p] - middleY) / half;
@@ -37,7 +37,8 @@ class View {
     this.halfHeight = (top - bottom) / 2 / half;
   }
 
-  /** What was fitted fits again. Once it was moved or zoomed, what is in the middle stays there, `by` times as large. */
+  /** Adapts to a new size. A fitted view is fitted again; one that was moved or zoomed keeps its middle, `by` times as
+   *  large. */
   resize(width, height, by = 1) {
     const dx = this.left - this.width / 2, dy = this.top - this.height / 2;
     Object.assign(this, { width, height });
@@ -47,13 +48,13 @@ class View {
     this.top = height / 2 + dy * by;
   }
 
-  /** These points, with a margin; of none all. */
+  /** Shows these points with a margin; without points, all. */
   fit(points = []) {
     const all = { left: -this.halfWidth, right: this.halfWidth, bottom: -this.halfHeight, top: this.halfHeight };
     this.show({ ...(points.length === 0 ? all : this.boxOf(points)), share: 0.94 });
   }
 
-  /** In the normalised plane. */
+  /** Returns the box of points in the normalized plane. */
   boxOf(points) {
     let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
     for (const p of points) {
@@ -65,7 +66,7 @@ class View {
     return { left, right, bottom, top };
   }
 
-  /** A box of the normalised plane, as a share of the picture. */
+  /** Shows a box of the normalized plane, at `share` of the picture. */
   show(box) {
     const { left, right, bottom, top, share } = box;
     this.fitted = box;
@@ -81,7 +82,7 @@ class View {
     this.top += dy;
   }
 
-  /** What lies at (x, y) stays there. */
+  /** Zooms; the point at pixel (x, y) stays there. */
   zoom(factor, x, y) {
     this.fitted = null;
     const limit = 1e14;
@@ -91,7 +92,7 @@ class View {
     this.top = y + (this.top - y) * by;
   }
 
-  /** x and y of every point, in pixels. */
+  /** Returns x and y of every point, in pixels. */
   project() {
     const { u, v, x, y, scale, left, top } = this;
     for (let p = 0; p < this.count; ++p) {
@@ -100,7 +101,7 @@ class View {
     }
   }
 
-  /** That of some pixels, in the unit of the coordinates; and how many pixels a length is. */
+  /** Return the length of some pixels in the unit of the coordinates, and the pixels of a length. */
   lengthOf(pixels) {
     return (pixels / this.scale) * this.unit;
   }
@@ -109,12 +110,12 @@ class View {
     return (length / this.unit) * this.scale;
   }
 
-  /** Pixels between points that lie alike everywhere. */
+  /** Returns the distance of points in pixels if they were spread evenly. */
   spacing() {
     return this.scale * Math.sqrt((4 * (this.halfWidth || 1e-3) * (this.halfHeight || 1e-3)) / Math.max(1, this.count));
   }
 
-  /** Shows the points when they are out of sight, or too small to see. */
+  /** Shows the points if they are out of sight, or too small to see. */
   bringToView(points) {
     const { left, right, bottom, top } = this.boxOf(points);
     const at = (u) => this.left + this.scale * u, down = (v) => this.top - this.scale * v;

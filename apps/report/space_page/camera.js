@@ -1,5 +1,5 @@
-// What: a perspective camera around a center: turned by drags and keys, moved, zoomed; the matrices of WebGL, column by
-//       column.
+// What: a perspective camera around a center, turned by drags and keys, moved and zoomed; returns matrices for WebGL,
+//       column by column.
 "use strict";
 
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
@@ -23,7 +23,7 @@ class OrbitCamera {
     this.distance = Math.min(50, Math.max(0.02, this.distance / factor));
   }
 
-  /** Turns what is seen around the axes of the picture, in radians: to the left, and up. */
+  /** Turns the scene around the axes of the picture, in radians: to the left, and up. */
   turn(across, up) {
     const turned = (v, w, angle) => unit(v.map((x, k) => x * Math.cos(angle) + w[k] * Math.sin(angle)));
     const back = turned(this.back, this.right, across);
@@ -32,7 +32,7 @@ class OrbitCamera {
     this.right = unit(cross(cross(this.back, this.right), this.back));
   }
 
-  /** Moves what is seen, in shares of the height of the picture. */
+  /** Moves the scene, in shares of the height of the picture. */
   move(across, up) {
     const height = 2 * this.distance * Math.tan(OrbitCamera.halfAngle);
     this.shift = [this.shift[0] + across * height, this.shift[1] + up * height];
@@ -53,7 +53,8 @@ class OrbitCamera {
 }
 OrbitCamera.halfAngle = (20 * Math.PI) / 180;
 
-/** Has drags turn the camera, with another button or shift move it; wheels and two fingers zoom and move. Calls `changed`. */
+/** Lets drags turn the camera, or move it with another button or shift; wheels and two fingers zoom and move. Calls
+ *  `changed`. */
 function steerByPointers(canvas, camera, changed) {
   const pointers = new Map();
   const spread = () => {

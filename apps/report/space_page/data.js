@@ -2,7 +2,7 @@
 //       docs/report.md has the format.
 "use strict";
 
-/** `text(name)` is what the element of that name has. */
+/** Decodes the data of the page. `text(name)` returns the content of the element of that name. */
 function decodeSpace(text) {
   const facts = JSON.parse(text("facts"));
   const points = doublesOf(bytesOf(text("points")));
@@ -31,7 +31,8 @@ function decodeSpace(text) {
   };
 }
 
-/** Corners of the triangles of a step: from `boundary` on those with a tetrahedron on one side, from `dangling` on those with none. Returns how many corners of each. */
+/** Writes the corners of the triangles of a step: into `boundary` those with a tetrahedron on one side, into `dangling`
+ *  those with none. Returns the number of corners of each. */
 function fillCorners({ corners, steps }, step, boundary, dangling) {
   let bounds = 0, dangles = 0;
   for (let at = 0; at < corners.length; at += 3) {

@@ -1,4 +1,4 @@
-// What: the page of points in space: what is chosen, and what people do to it.
+// What: the page of points in space: its choices and its events.
 "use strict";
 
 const element = (id) => document.getElementById(id);
@@ -28,7 +28,7 @@ class SpacePage {
     this.resize();
   }
 
-  // What is fixed ------------------------------------------------------------------------------------------------------
+  // ---- fixed
 
   takeColours() {
     const names = ["paper", "panel", "text", "faint", "grid", "fill", "solid", "dangling", "components", "tunnels", "voids"];
@@ -92,7 +92,7 @@ class SpacePage {
     if (all.length === 0) element(`pairs-${dimension}`).textContent = "none";
   }
 
-  // What is chosen -----------------------------------------------------------------------------------------------------
+  // ---- choices
 
   goTo(step) {
     const { radii } = this.data;
@@ -100,7 +100,7 @@ class SpacePage {
     this.show(at, at < 0 ? 0 : radii[at]);
   }
 
-  /** The step at or below a radius. */
+  /** Moves to the last step at or below a radius. */
   goToAlpha(alpha) {
     this.goTo(lastAtMost(this.data.radii, alpha));
   }
@@ -125,7 +125,7 @@ class SpacePage {
     this.milliseconds = performance.now() - start;
   }
 
-  /** A representative, at its birth; null: none. */
+  /** Chooses a representative, and moves to its birth; null for none. */
   choose(one) {
     this.chosen = one;
     for (const [its, button] of this.pairButtons) button.setAttribute("aria-pressed", String(its === one));
@@ -147,7 +147,7 @@ class SpacePage {
     return { boundary: is("show-boundary"), dangling: is("show-dangling"), points: is("show-points"), seeThrough: is("see-through") };
   }
 
-  // What people do -----------------------------------------------------------------------------------------------------
+  // ---- events
 
   listen() {
     addEventListener("resize", () => this.resize());
@@ -183,7 +183,7 @@ class SpacePage {
     element("fit").addEventListener("click", () => this.scene?.fit());
   }
 
-  /** A radius that was typed. */
+  /** Takes a radius that was typed. */
   take(text) {
     const alpha = /^inf(inity)?$/i.test(text) ? Infinity : Number(text);
     if (text === "" || !(alpha > 0)) {

@@ -46,7 +46,7 @@ async function assertNumbers(tab, alpha) {
 }
 /** What goes wrong; that software draws here, and how, is not. */
 const complaintsOf = (tab) => tab.events.filter((e) => e.method === "Runtime.exceptionThrown" || (e.method === "Log.entryAdded" && e.params.entry.source !== "rendering"));
-/** How many pixels of the picture are of about that colour. */
+/** How many pixels of the picture are of about that color. */
 const pixelsLike = (tab, name) => tab.value(`(() => {
   const { canvas } = page.scene, copy = document.createElement("canvas");
   copy.width = canvas.width; copy.height = canvas.height;

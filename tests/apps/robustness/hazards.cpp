@@ -273,7 +273,7 @@ TEST_SUITE("robustness") {
       const Ending ending = child.wait();
       CAPTURE(bytes);
       // Where not even its libraries fit, the program does not begin: the system kills it, or says so, or the C++
-      // runtime ends it in an initialiser of theirs.
+      // runtime ends it in an initializer of theirs.
       const bool is_ended_by_runtime = ending.signal == SIGABRT &&
                                        scene.said().starts_with("terminate called without an active exception") &&
                                        bytes < (16U << 20U);

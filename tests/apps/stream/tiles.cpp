@@ -58,7 +58,7 @@ TEST_CASE("what is packed comes back to the bit") {
     return points;
   };
   for (const std::size_t count : {1U, 2U, 63U, 4096U}) {
-    // Centimetres within some hundred metres, far from the origin: 2 · 16 bits and few for the index.
+    // Centimeters within some hundred meters, far from the origin: 2 · 16 bits and few for the index.
     const auto metres = block(count, [&] { return double(50'000'000 + std::int64_t(random.below(60'000))) / 100; });
     CHECK(packed_size_of(metres) < 60 + count * 5);
     const auto whole = block(count, [&] { return double(random.below(1000)) * 64; });

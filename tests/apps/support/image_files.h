@@ -17,7 +17,7 @@ struct Picture {
 enum class PngKind { grey, grey_with_opacity, colour, colour_with_opacity, palette };
 
 /// `depth` is of bits a channel, of an index for a palette. Requires values that it can hold: of 1 bit 0 and 255 only.
-/// Kinds without opacity make black the transparent colour of the file when the picture has some.
+/// Kinds without opacity make black the transparent color of the file when the picture has some.
 std::string png(const Picture& picture, PngKind kind, int depth, bool interlaced = false);
 
 /// A PNG file that ends where its pixels would begin.
