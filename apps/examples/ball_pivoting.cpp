@@ -1,5 +1,5 @@
-// Ball pivoting on the advancing-front engine: points on a torus become a closed surface of genus 1, points of a double
-// torus one of genus 2; noise, a grid full of ties and files of points with normals become what they are; a second radius
+// Ball pivoting on the advancing-front engine. Points on a torus become a closed surface of genus 1, points on a double
+// torus one of genus 2. Other inputs are noise, a grid full of ties, and files of points with normals. A second radius
 // closes the sparse half of a sphere. Each mesh is compared with rbpa::surface(), which has no front.
 //   example_ball_pivoting [FILE.xyz RADIUS[,RADIUS...]]...
 #include "examples/ball_pivoting.h"
@@ -35,14 +35,14 @@ double distance2(const Point3& p, const Point3& q) { return square(p.x - q.x) + 
 
 class Random {
  public:
-  /// From −1 to 1.
+  /// Returns a number from −1 to 1.
   double operator()() { return 2 * static_cast<double>(engine_()) / 0x1p32 - 1; }
 
  private:
   std::mt19937 engine_{1999};
 };
 
-/// Points where f is 0, none nearer to another than `spacing`: random ones, brought there along the gradient.
+/// Returns points at which f is 0, no two of them nearer than `spacing`: random points, moved there along the gradient.
 template <typename Function>
 Samples on_surface(const std::string& name, double size, double spacing, int trials, Function f) {
   Random random;
@@ -75,7 +75,7 @@ Samples torus() {
     return out * out + z * z - 0.16;
   });
 }
-/// Two tori that have grown together.
+/// Returns points on two merged tori.
 Samples double_torus() {
   return on_surface("double torus", 2.5, 0.12, 100'000, [](double x, double y, double z) {
     const auto torus_at = [&](double centre) { return std::hypot(std::hypot(x - centre, y) - 1, z) - 0.35; };
@@ -83,7 +83,7 @@ Samples double_torus() {
   });
 }
 
-/// A spiral on the sphere, each point moved in or out by up to half of their distance.
+/// Returns a spiral of points on the sphere, each moved in or out by up to half of their spacing.
 Samples noisy_sphere() {
   Random random;
   constexpr int count = 2000;
@@ -100,7 +100,8 @@ Samples noisy_sphere() {
   return samples;
 }
 
-/// Integer points on the surface of a box, some of them twice, and a radius at which four and more touch the ball.
+/// Returns integer points on the surface of a box, some of them twice, and a radius at which four and more touch the
+/// ball.
 Samples grid() {
   Samples samples{"grid", {}, {}, {1}};
   const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
@@ -117,7 +118,7 @@ Samples grid() {
   return samples;
 }
 
-/// A sphere that is scanned five times as densely above its equator, with a radius for each half.
+/// Returns points on a sphere that is scanned five times as densely above its equator, with a radius for each half.
 Samples uneven_sphere() {
   Samples samples{"uneven sphere", {}, {}, {0.1, 0.25}};
   for (const double side : {-1, 1})
@@ -130,7 +131,7 @@ Samples uneven_sphere() {
   return samples;
 }
 
-/// Lines of six numbers.
+/// Reads lines of six numbers: a point and its normal.
 Samples of_file(const std::string& path, const std::string& radii) {
   Samples samples{path, {}, {}, {}};
   std::istringstream list(radii);
@@ -143,7 +144,7 @@ Samples of_file(const std::string& path, const std::string& radii) {
   return samples;
 }
 
-/// Returns: whether the mesh is rbpa::surface().
+/// Runs ball pivoting. Returns: whether the mesh equals that of rbpa::surface().
 bool run(const Samples& samples) {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, samples.points.size(), 4096);

@@ -1,6 +1,6 @@
 // Ball pivoting in space, after Bernardini, Mittleman, Rushmeier, Silva and Taubin (1999), as a policy of the advancing
-// front, one radius after another. Every decision is exact, and the mesh is that of rbpa::surface() with the same radii: the
-// same triangles, glued at the same sides, on any input. Copy and change it.
+// front, one radius after another. Every decision is exact, and the mesh is that of rbpa::surface() with the same
+// radii: the same triangles, glued at the same sides, on any input. Copy and change it.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 #include "rbpa/facing_sides.h"
 #include "rbpa/rolling_ball.h"
 
-/// A ball rolls over points with normals, from edge to edge. Each radius is a level of the front, with a ball and a policy of
-/// its own. Sites are input indices.
+/// Policy of a ball that rolls over points with normals, from edge to edge. Each radius is a level of the front, with a
+/// ball and a policy of its own. Sites are input indices.
 class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
 
-  /// For the level that the front is on now: `carried` is the result of next_level(). Interior points stay closed.
+  /// Prepares the present level of the front: `carried` is the result of next_level(). Interior points stay closed.
   BallPivoting(const rbpa::RollingBall& ball, const meshops::Front& front, std::vector<meshops::Site> carried)
       : ball_(ball), level_(front.level()), open_(std::move(carried)) {
     std::erase_if(open_, [&](meshops::Site s) {
@@ -30,7 +30,7 @@ class BallPivoting {
     });
   }
 
-  /// Every triangle on which the ball rests is looked at, point by point: no component can be missed.
+  /// Tries every triangle on which the ball rests, point by point: no component can be missed.
   std::optional<Triangle> seed(const meshops::Front& front) {
     while (true) {
       for (; !waiting_.empty(); waiting_.pop_back()) {
@@ -42,21 +42,21 @@ class BallPivoting {
     }
   }
 
-  /// Where the triangle beyond h may not be, the surface ends.
+  /// Proposes the triangle beyond h; if it is not allowed, the surface ends there.
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
     const auto p = beyond(front, h);
     return p && is_candidate(front, {front.from_site(h), front.to_site(h), *p}) ? p : std::nullopt;
   }
 
-  /// A triangle on the same two points is glued to h if it is the one beyond it. It need not be: sheets touch along edges,
-  /// and what hangs over an edge parts the triangles on either side of it.
+  /// Glues a triangle to h only if it is the one beyond h. Other triangles can lie on the same two points: sheets touch
+  /// along edges, and a triangle that overhangs an edge separates those on either side of it.
   bool glues(const meshops::Front& front, meshops::Halfedge h, meshops::Site apex) const {
     return beyond(front, h) == apex;
   }
 
  private:
-  /// The ball rests on the triangle behind h, and rolls over h until it touches a point. Or it is too large to rest there any
-  /// more: then what comes next around the edge.
+  /// Returns the apex of the triangle beyond h. The ball rests on the triangle behind h, and rolls over h until it
+  /// touches a point. If it is too large to rest there, the next candidate around the edge is taken.
   std::optional<meshops::Site> beyond(const meshops::Front& front, meshops::Halfedge h) const {
     const meshops::Halfedge behind = front.mesh().opposite_halfedge_handle(h);
     const meshops::Site a = front.from_site(behind), b = front.to_site(behind), c = apex(front, behind);
@@ -64,7 +64,7 @@ class BallPivoting {
     return p ? p : facing(front, a, b, c);
   }
 
-  /// The candidate whose side faces that of the triangle (a, b, c), by its third corner.
+  /// Returns the candidate whose side faces that of the triangle (a, b, c), by its third corner.
   std::optional<meshops::Site> facing(const meshops::Front& front, meshops::Site a, meshops::Site b,
                                       meshops::Site c) const {
     constexpr std::uint32_t before = 0, candidate = 1;
@@ -84,8 +84,8 @@ class BallPivoting {
     return std::nullopt;
   }
 
-  /// The triangle agrees with the normals, is not of the levels before, and touches nothing that was interior then. Whether it
-  /// has come since does not matter.
+  /// Returns whether the triangle agrees with the normals, is not from an earlier level, and touches no point that was
+  /// interior at the beginning of this level. Points that became interior since do not matter.
   bool is_candidate(const meshops::Front& front, const Triangle& t) const {
     for (unsigned i = 0; i < 3; ++i) {
       if (!std::binary_search(open_.begin(), open_.end(), t[i])) return false;
@@ -96,7 +96,7 @@ class BallPivoting {
     return (!there.is_valid() || front.level(there) == level_) && ball_.agrees(t);
   }
 
-  /// On the left of h is a triangle of a level before.
+  /// Returns whether a triangle of an earlier level lies on the left of h.
   bool is_of_before(const meshops::Front& front, meshops::Halfedge h) const {
     const meshops::Face f = front.mesh().face_handle(h);
     return f.is_valid() && front.level(f) < level_;
@@ -107,7 +107,7 @@ class BallPivoting {
 
   const rbpa::RollingBall& ball_;
   std::size_t level_;
-  std::vector<meshops::Site> open_;  // of those carried, those around which no fan closes
-  std::vector<Triangle> waiting_;    // of the point before next_
+  std::vector<meshops::Site> open_;  // the carried sites around which no fan closes
+  std::vector<Triangle> waiting_;    // candidates at the point before next_
   std::size_t next_ = 0;
 };

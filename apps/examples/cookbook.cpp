@@ -14,7 +14,7 @@
 
 using namespace meshops;
 
-// What is cut or removed is marked deleted.
+// Cut and removed elements are marked deleted, which needs status.
 struct Mesh : OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
   Mesh() {
     request_vertex_status();
@@ -27,7 +27,7 @@ struct Mesh : OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
 
 namespace {
 
-/// A sheet of 12 by 8 squares, each cut in two, with waves in it and a hump in its middle.
+/// Returns a sheet of 12 by 8 squares, each cut in two, with waves, and a hump in its middle.
 Mesh sheet() {
   constexpr std::uint32_t columns = 12, rows = 8;
   PolygonSoup soup;
@@ -49,7 +49,7 @@ Mesh sheet() {
   return mesh;
 }
 
-/// The vertices of a face are all on the upper part of the hump.
+/// Returns whether all vertices of a face are on the upper part of the hump.
 bool is_high(const Mesh& mesh, Face f) {
   for (const Vertex v : mesh.fv_range(f))
     if (mesh.point(v)[2] < 1.5) return false;
@@ -61,7 +61,7 @@ void print(const char* what, const Mesh& mesh) {
   std::printf("%s: %zu faces, %zu pieces, %zu boundary curves\n", what, r.faces, r.components, r.boundary_curves);
 }
 
-// A patch comes off where the faces beyond an edge are not of it. Each vertex on the cut is two afterwards, in one place.
+// Cuts a patch out along the edges between its faces and others. Each vertex on the cut becomes two, at the same point.
 template <typename IsInPatch>
 void cut_out(Mesh& mesh, IsInPatch is_in_patch) {
   for_each_halfedge(mesh, [&](Halfedge h) {
@@ -71,8 +71,8 @@ void cut_out(Mesh& mesh, IsInPatch is_in_patch) {
   });
 }
 
-// Holes are filled so that nothing crosses: of the triangulations without crossings the one that turns least. Those
-// that are long stay.
+// Fills holes so that no triangles cross: of the triangulations without crossings, it takes the one that turns least.
+// Long holes stay open.
 std::size_t fill_holes(Mesh& mesh, std::size_t longest) {
   std::vector<BoundaryCurve> holes = boundary_curves(mesh);
   std::erase_if(holes, [&](const BoundaryCurve& hole) { return hole.length() > longest; });
@@ -81,7 +81,8 @@ std::size_t fill_holes(Mesh& mesh, std::size_t longest) {
       std::ranges::count(filled.holes, rbpa::HoleOutcome::filled, &rbpa::HoleFill::outcome));
 }
 
-// The longest edge first, and what comes of it again: new vertices lie in the middle of their edges.
+// Splits the longest edge first, and the parts again while they are too long: new vertices lie in the middle of their
+// edges.
 int split_long_edges(Mesh& mesh, double longest) {
   const auto length = [&](Edge e) { return get(length_map(mesh), mesh.halfedge_handle(e, 0)); };
   std::priority_queue<std::pair<double, int>> edges;
@@ -100,7 +101,7 @@ int split_long_edges(Mesh& mesh, double longest) {
   return splits;
 }
 
-// Dijkstra's algorithm of Boost on the vertices and edges of the mesh, weighed by length.
+// Runs Boost's algorithm of Dijkstra on the vertices and edges of the mesh, weighted by length.
 std::vector<Vertex> shortest_path(const Mesh& mesh, Vertex from, Vertex to) {
   const PrimalGraph graph(mesh);
   std::vector<Vertex> before(num_vertices(graph));
@@ -113,7 +114,8 @@ std::vector<Vertex> shortest_path(const Mesh& mesh, Vertex from, Vertex to) {
   return path;
 }
 
-// A loop around each hole but one, and two for each handle; short ones, given the lengths of the edges.
+// Returns a loop around each hole but one, and two loops for each handle. Given the lengths of the edges, the loops are
+// short.
 std::vector<Loop> short_loops(const Mesh& mesh) {
   std::vector<double> lengths(mesh.n_edges(), 0);
   for_each_edge(mesh, [&](Edge e) {
@@ -122,13 +124,13 @@ std::vector<Loop> short_loops(const Mesh& mesh) {
   return homology(mesh, lengths).generators;
 }
 
-// The new vertex is as warm as the middle of the edge, and has the mean of its texture coordinates.
+// Gives the new vertex the mean heat of the ends of the edge, and the mean of their texture coordinates.
 template <typename Heat>
 double split_between(Mesh& mesh, Edge e, Heat& heat) {
   return heat[split_edge(mesh, e, Interpolate(heat, mesh.vertex_texcoords2D_pph())).added.vertex];
 }
 
-// Each edge is flipped, and flipped back if that did not make it shorter. undo_to() the returned number undoes all of it.
+// Flips each edge, and flips it back if that did not make it shorter. undo_to() the returned number undoes all of it.
 std::size_t shorten_by_flips(History& history, const Mesh& mesh) {
   const auto length = [&](Edge e) { return get(length_map(mesh), mesh.halfedge_handle(e, 0)); };
   const std::size_t before = history.steps();
@@ -150,7 +152,7 @@ int main() {
   cut_out(mesh, [&](Face f) { return is_high(mesh, f); });
   print("with a patch cut out", mesh);
 
-  // Without the patch there is a hole.
+  // Remove the patch, which leaves a hole.
   for (const Face f : live_faces(mesh))
     if (is_high(mesh, f)) remove_triangle(mesh, f);
   print("without the patch", mesh);
@@ -158,7 +160,7 @@ int main() {
   const std::vector<Loop> loops = short_loops(mesh);
   std::printf("loops: %zu, of %zu edges\n", loops.size(), loops.front().size());
 
-  // Cut open the sheet is a disc; glued back it is what it was.
+  // Cut open, the sheet is a disc; glued back, it is as it was before.
   const std::vector<UnglueEffect> cuts = cut_open(mesh, homology(mesh));
   print("cut open", mesh);
   glue_back(mesh, cuts);

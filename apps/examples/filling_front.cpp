@@ -1,4 +1,4 @@
-// A front that begins on a mesh and processes its edges in an order of its own: a hole is filled, the shortest edge first.
+// A front that begins on a mesh and processes its edges in its own order: it fills a hole, the shortest edge first.
 // Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>
@@ -19,7 +19,7 @@ struct Traits : OpenMesh::DefaultTraitsDouble {
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// Of a mesh in the plane, with integers for coordinates, so that every decision is exact. Site v is vertex v.
+/// Policy for a mesh in the plane, with integer coordinates, so that every decision is exact. Site v is vertex v.
 class ShortestFirst {
  public:
   explicit ShortestFirst(const Mesh& mesh, Halfedge hole) : mesh_(mesh) {
@@ -27,13 +27,13 @@ class ShortestFirst {
       rim_.push_back(static_cast<Site>(mesh.from_vertex_handle(h).idx()));
   }
 
-  /// The least key comes first.
+  /// Returns the square of the length: the least key comes first.
   double key(const Front& front, Halfedge h) const { return (at(front.from_site(h)) - at(front.to_site(h))).sqrnorm(); }
 
-  /// No triangle that is apart from the others.
+  /// Proposes no triangle apart from the others.
   std::optional<std::array<Site, 3>> seed(const Front&) const { return std::nullopt; }
 
-  /// Of the points on the rim of the hole the nearest that makes a triangle into which nothing reaches.
+  /// Proposes the nearest point on the rim of the hole that makes a triangle into which nothing reaches.
   std::optional<Site> propose(const Front& front, Halfedge h) const {
     const Site a = front.from_site(h), b = front.to_site(h);
     std::optional<Site> best;
@@ -48,7 +48,7 @@ class ShortestFirst {
   const Mesh::Point& at(Site s) const { return mesh_.point(meshops::Vertex(static_cast<int>(s))); }
   double distance(Site a, Site b, Site s) const { return (at(a) + at(b) - 2 * at(s)).sqrnorm(); }
 
-  /// Positive when c is left of the line from a to b.
+  /// Returns a positive number when c is left of the line from a to b.
   double side(Site a, Site b, Site c) const { return ((at(b) - at(a)) % (at(c) - at(a)))[2]; }
 
   bool is_empty(const Front& front, Site a, Site b, Site c) const {
@@ -69,7 +69,7 @@ class ShortestFirst {
   std::vector<Site> rim_;
 };
 
-/// A square sheet of triangles with a hole in it that is no disc of them: all that lies near a slanting line is missing.
+/// Returns a square sheet of triangles with a hole that is not convex: all near a slanting line is missing.
 Mesh sheet_with_hole(int side) {
   Mesh mesh;
   for (int y = 0; y <= side; ++y)

@@ -1,8 +1,9 @@
-// What: a grid over the sides of a front in the plane: does a new side cross the front? Copy it.
-// Law:  the answer of a look at every side of the front (tested). Exact, with whole numbers for coordinates: of two the lesser
-//       never has the greater cell, so that sides that cross have a cell in common, and no product overflows. With doubles,
-//       give it exact predicates of yours in turn().
-// Cost: of a side no longer than a few times the mean distance of points, the sides near it; of a long one, its cells.
+// What: a grid over the sides of a front in the plane, which answers whether a new side crosses the front. Copy it.
+// Law:  the answer equals that of a test of every side of the front (tested). It is exact for integer coordinates: a
+//       lesser coordinate never has a greater cell, so that sides that cross have a cell in common, and no product
+//       overflows. For doubles, call exact predicates of your own in turn().
+// Cost: for a side no longer than a few times the mean distance of points, the sides near it; for a long one, its
+//       cells.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,8 @@ struct Place {
   std::int64_t x, y;  ///< from −2³⁰ to 2³⁰
 };
 
-/// A visitor of the front: pass it to meshops::advance(), and it keeps in step. Sites are indices of places; with a policy
-/// that adds places, these are to be in the vector, inside the box of the others, before their triangle comes.
+/// Visitor that keeps the grid in step with the front: pass it to meshops::advance(). Sites are indices of places. If a
+/// policy adds places, they must be in the vector, and inside the box of the others, before their triangle is inserted.
 class FrontGrid : public meshops::FrontVisitor {
  public:
   explicit FrontGrid(const std::vector<Place>& places) : places_(places) {
@@ -31,11 +32,11 @@ class FrontGrid : public meshops::FrontVisitor {
     cells_.resize(static_cast<std::size_t>(columns_ * rows_));
   }
 
-  /// The inner part of a side of the front crosses that of the side between a and b. Touching is no crossing, nor is a
-  /// common end.
+  /// Returns whether the segment between a and b crosses a side of the front in the inner parts of both. Touching is no
+  /// crossing, and neither is a common end.
   bool crosses(const meshops::Front& front, meshops::Site a, meshops::Site b) {
     return any_cell(a, b, [&](std::vector<Side>& cell) {
-      // What is at the front no longer is dropped where it is met.
+      // Sides that are no longer at the front are removed when they are met.
       std::erase_if(cell, [&](const Side& s) { return !front.boundary_between(s.from, s.to).is_valid(); });
       return std::ranges::any_of(cell, [&](const Side& s) { return cross(a, b, s.from, s.to); });
     });
@@ -50,7 +51,7 @@ class FrontGrid : public meshops::FrontVisitor {
       if (side.is_valid()) add(front, side);
   }
 
-  /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
+  /// Returns 1 when a, b, c turn left, −1 when they turn right, 0 when they are on a line.
   int turn(meshops::Site a, meshops::Site b, meshops::Site c) const {
     const Place &p = places_[a], &q = places_[b], &r = places_[c];
     const std::int64_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -67,7 +68,7 @@ class FrontGrid : public meshops::FrontVisitor {
     friend bool operator==(const Side&, const Side&) = default;
   };
 
-  /// Of a triangle that came, those sides that are at the front.
+  /// Adds those sides of a new triangle that are at the front.
   void add(const meshops::Front& front, const std::array<meshops::Halfedge, 3>& sides) {
     for (const meshops::Halfedge side : sides) {
       const meshops::Halfedge beyond = front.mesh().opposite_halfedge_handle(side);

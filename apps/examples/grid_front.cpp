@@ -1,5 +1,5 @@
-// A front that queries a grid whether a new side would cross it, instead of testing every side. Each answer is compared with
-// that of a look at all of them, which a front of one's own leaves out.
+// A front that queries a grid whether a new side would cross it, instead of testing every side. Here each answer is
+// compared with a test of all sides; your own front would leave this out.
 #include "examples/front_grid.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -15,7 +15,7 @@ using meshops::Front;
 using meshops::Halfedge;
 using meshops::Site;
 
-/// Every edge gets the nearest possible point, of those left of it.
+/// Policy that attaches to every edge the nearest possible point on its left.
 class NearestByGrid {
  public:
   NearestByGrid(const std::vector<Place>& places, FrontGrid& grid) : places_(places), grid_(grid) {}

@@ -1,4 +1,5 @@
-// An advancing front of one's own on the engine: every front edge gets the nearest possible point. Copy and change it.
+// An advancing-front method of your own on the engine: every front edge gets the nearest possible point. Copy and
+// change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 #include <iostream>
@@ -13,7 +14,7 @@ struct Place {
   std::int64_t x, y;  // integers, so that every decision is exact
 };
 
-/// Positive when c is left of the line from a to b.
+/// Returns a positive number when c is left of the line from a to b.
 std::int64_t side(const Place& a, const Place& b, const Place& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -22,7 +23,7 @@ class NearestPoint {
  public:
   explicit NearestPoint(const std::vector<Place>& places) : places_(places) {}
 
-  /// The first triangle: an edge to the nearest point, and the nearest point that makes a triangle with it.
+  /// Proposes the first triangle: an edge to the nearest point, and the nearest point that makes a triangle with it.
   std::optional<std::array<meshops::Site, 3>> seed(const meshops::Front& front) const {
     if (front.faces() > 0 || places_.size() < 3) return std::nullopt;
     const meshops::Site first = 0;
@@ -34,7 +35,7 @@ class NearestPoint {
     return std::nullopt;  // all on one line
   }
 
-  /// The point that is attached to the edge h: left of it is nothing yet.
+  /// Proposes the point to attach to the edge h, whose left side is empty.
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
     return nearest(front, front.from_site(h), front.to_site(h));
   }
@@ -43,7 +44,7 @@ class NearestPoint {
   meshops::Site count() const { return static_cast<meshops::Site>(places_.size()); }
   const Place& at(meshops::Site s) const { return places_[s]; }
 
-  /// Four times the square of the distance from the middle of a and b.
+  /// Returns four times the square of the distance from the middle of a and b.
   std::int64_t distance(meshops::Site a, meshops::Site b, meshops::Site s) const {
     const std::int64_t x = 2 * at(s).x - at(a).x - at(b).x, y = 2 * at(s).y - at(a).y - at(b).y;
     return x * x + y * y;
@@ -57,7 +58,7 @@ class NearestPoint {
     return best;
   }
 
-  /// The triangle holds no other point, and no edge of the front crosses its new sides.
+  /// Returns whether the triangle holds no other point, and no edge of the front crosses its new sides.
   bool fits(const meshops::Front& front, meshops::Site a, meshops::Site b, meshops::Site c) const {
     for (meshops::Site s = 0; s < count(); ++s)
       if (s != a && s != b && s != c && side(at(a), at(b), at(s)) >= 0 && side(at(b), at(c), at(s)) >= 0 &&
@@ -92,7 +93,7 @@ int main() {
   NearestPoint policy(places);
   meshops::advance(front, policy);
 
-  const std::vector<meshops::Site> site = front.finish();  // of each vertex of the mesh
+  const std::vector<meshops::Site> site = front.finish();  // for each vertex of the mesh
   for (std::size_t v = 0; v < site.size(); ++v) {
     const Place& place = places[site[v]];
     mesh.set_point(meshops::Vertex(static_cast<int>(v)),

@@ -1,5 +1,5 @@
-// A front that makes its own points, in the manner of Lo (1985): a round plate meshed with triangles of one size, from a
-// first triangle that is new altogether. Copy and change it.
+// A front that makes its own points, in the manner of Lo (1985): it meshes a round plate with triangles of one size,
+// beginning with a triangle of three new points. Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cmath>
 #include <iostream>
@@ -19,14 +19,14 @@ class EvenTriangles {
   explicit EvenTriangles(double radius) : radius_(radius) {}
   const std::vector<Vec>& places() const { return places_; }
 
-  /// One triangle in the middle, of the three sites that come next: they are the first.
+  /// Proposes one triangle in the middle, on the three next sites, which are the first ones.
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (front.faces() > 0) return std::nullopt;
     places_ = {{0, 0}, {1, 0}, third_corner({0, 0}, {1, 0})};
     return std::array<Site, 3>{0, 1, 2};
   }
 
-  /// Where the third corner should be there is a point already, or a new one if it is still on the plate.
+  /// Proposes the point that exists near the ideal third corner, or a new point there if it is still on the plate.
   std::optional<Site> propose(const Front& front, Halfedge h) {
     places_.resize(front.sites());
     const Vec apex = third_corner(places_[front.from_site(h)], places_[front.to_site(h)]);
@@ -34,7 +34,7 @@ class EvenTriangles {
     for (Site s = 0; s < front.sites(); ++s)
       if ((places_[s] - apex).norm() < 0.5) return s;
     places_.push_back(apex);
-    return static_cast<Site>(front.sites());  // the next: the front adds it with the triangle
+    return static_cast<Site>(front.sites());  // the next site: the front adds it with the triangle
   }
 
  private:
@@ -44,7 +44,7 @@ class EvenTriangles {
   }
 
   double radius_;
-  std::vector<Vec> places_;  // of each site
+  std::vector<Vec> places_;  // for each site
 };
 
 int main() {

@@ -1,5 +1,5 @@
-// A mesh is cut into regions by a front that goes over it: it attaches the triangles of the mesh, and does not glue across
-// creases. Copy it and change what a crease is.
+// Cuts a mesh into regions by a front that passes over it: the front attaches the triangles of the mesh, and does not
+// glue across creases. Copy it and change the definition of a crease.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 #include <cstdio>
@@ -21,14 +21,14 @@ using meshops::Site;
 using meshops::Vertex;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// Of a mesh of triangles whose edges join different vertices. Sites are its vertices. `is_crease(edge)` is called for
-/// inner edges.
+/// Policy for a mesh of triangles whose edges join different vertices. Sites are its vertices. `is_crease(edge)` is
+/// called for inner edges.
 template <typename IsCrease>
 class Regions {
  public:
   Regions(const Mesh& mesh, IsCrease is_crease) : mesh_(mesh), is_crease_(is_crease) {}
 
-  /// Each triangle that no region has reached begins one.
+  /// Begins a region at each triangle that no region has reached.
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     for (; next_ < static_cast<int>(mesh_.n_faces()); ++next_) {
       const Halfedge h = mesh_.halfedge_handle(Face(next_));
@@ -37,12 +37,12 @@ class Regions {
     }
     return std::nullopt;
   }
-  /// The triangle beyond the edge, unless the region ends there.
+  /// Proposes the triangle beyond the edge, unless the region ends there.
   std::optional<Site> propose(const Front& front, Halfedge at) const {
     const Halfedge h = beyond(front, at);
     return ends_at(h) ? std::nullopt : std::optional(apex(h));
   }
-  /// On either side of a crease each region has an edge of its own.
+  /// Keeps regions apart: on either side of a crease, each region has an edge of its own.
   bool glues(const Front& front, Halfedge at, Site) const { return !ends_at(beyond(front, at)); }
 
  private:
@@ -61,7 +61,8 @@ class Regions {
 
 namespace {
 
-/// The surface of a cube of side³ small ones, two triangles to a square; whole numbers, so that normals are exact.
+/// Returns the surface of a cube of side³ small cubes, two triangles per square; integer coordinates, so that normals
+/// are exact.
 Mesh cube(int side) {
   Mesh mesh;
   std::map<std::array<int, 3>, std::uint32_t> point;
@@ -96,7 +97,7 @@ Mesh cube(int side) {
   return mesh;
 }
 
-/// The triangles beside the edge are on two planes.
+/// Returns whether the triangles beside the edge lie in two planes.
 bool is_fold(const Mesh& mesh, Edge e) {
   const auto normal = [&](Halfedge h) {
     const auto& a = mesh.point(mesh.from_vertex_handle(h));
@@ -106,7 +107,7 @@ bool is_fold(const Mesh& mesh, Edge e) {
   return (normal(mesh.halfedge_handle(e, 0)) % normal(mesh.halfedge_handle(e, 1))).sqrnorm() != 0;
 }
 
-/// The regions by definition: faces that are connected across edges that are no crease.
+/// Returns the regions by definition: faces that are connected across edges that are no crease.
 template <typename IsCrease>
 std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease) {
   meshops::DisjointSets sets(mesh.n_faces());
@@ -120,14 +121,15 @@ std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease)
   return faces;
 }
 
-/// Each region is a component of what comes out: all its edges on the boundary are creases, or the boundary of the mesh.
+/// Cuts the mesh and checks the result: each region is a component, and all its boundary edges are creases or boundary
+/// edges of the mesh.
 template <typename IsCrease>
 void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
   Mesh regions;
   Front front(regions, mesh.n_vertices());
   Regions<IsCrease> policy(mesh, is_crease);
   meshops::advance(front, policy);
-  const std::vector<Site> vertex = front.finish();  // of the mesh, on which each vertex of the regions stands
+  const std::vector<Site> vertex = front.finish();  // for each vertex of the regions, its vertex in the mesh
 
   std::size_t wrong_edges = 0;
   const auto stands_on = [&](Vertex v) { return Vertex(static_cast<int>(vertex[static_cast<std::size_t>(v.idx())])); };
@@ -151,7 +153,7 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
 int main() {
   const Mesh mesh = cube(4);
   segment("sides of a cube", mesh, [&](Edge e) { return is_fold(mesh, e); });
-  // A crease that ends inside a region parts nothing: one region with a slit.
+  // A crease that ends inside a region separates nothing: one region with a slit.
   segment("a slit", mesh, [&](Edge e) { return e.idx() == 40; });
   segment("every edge", mesh, [](Edge) { return true; });
   segment("none", mesh, [](Edge) { return false; });

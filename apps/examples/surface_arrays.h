@@ -1,4 +1,4 @@
-// What a front has made on sites as plain arrays in canonical order, as rbpa::surface() returns.
+// Converts the mesh of a front to plain arrays in canonical order, as rbpa::surface() returns them.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,15 @@
 #include "meshops/front/front.h"
 #include "rbpa/surface.h"
 
-/// Triangles in canonical order, across from each corner the triangle there, and levels from 0, as rbpa::surface() has them.
-/// Requires: `site` is what finish() returned, and next_level() came before each radius.
+/// Returns triangles in canonical order, the triangles across from their corners, and levels from 0, as
+/// rbpa::surface().
+/// Requires: `site` is the result of finish(), and next_level() was called before each radius.
 inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<meshops::Site>& site) {
   using meshops::Halfedge;
   const meshops::Connectivity& mesh = front.mesh();
   const auto site_at = [&](Halfedge h) { return site[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; };
   std::vector<std::pair<std::array<meshops::Site, 3>, Halfedge>>
-      found;  // with the halfedge that leads to the first corner
+      found;  // each with the halfedge that leads to the first corner
   for (const meshops::Face f : mesh.faces()) {
     Halfedge h = mesh.halfedge_handle(f);
     while (site_at(h) > site_at(mesh.next_halfedge_handle(h)) || site_at(h) > site_at(mesh.prev_halfedge_handle(h)))
