@@ -73,6 +73,11 @@ def test_help_of_the_package_names_all_that_is_there():
         assert name in text
 
 
+def test_the_page_of_reference_names_all_that_is_there():
+    page = (ROOT / "docs/reference/python.md").read_text()
+    assert [name for name in PUBLIC if name not in page] == []
+
+
 def test_the_side_of_estimated_normals_is_called_a_guess():
     said = " ".join(rbpa.estimate_normals.__doc__.split())
     assert "The sign is a guess" in said and "have them outward" not in said
