@@ -17,29 +17,30 @@
 namespace rbpa {
 namespace {
 
-// Chosen by experiment: docs/surface_derivation.md, section 12.
+// Chosen by experiments: docs/surface_derivation.md, section 12.
 constexpr std::size_t neighbors = 32;
-constexpr double most_of_all = 0.99;  // share of the points whose gaps are ordinary
+constexpr double most_of_all = 0.99;  // fraction of the points whose gaps are ordinary
 constexpr double beyond_most = 2;     // a gap more than this many times the largest of these is an exception
-constexpr double margin = 1.25;       // surfaces are not flat, and not all gaps are seen
+constexpr double margin = 1.25;       // because surfaces are not flat, and not all gaps are seen
 constexpr double ladder = 2;          // a ball this many times larger than needed loses detail
-constexpr double some_of_all = 0.05;  // share of the points that gets a smaller radius of its own
+constexpr double some_of_all = 0.05;  // fraction of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
 constexpr double least_flatness = 0.5;  // of neighbors that are on a surface
-constexpr double least_returned = 0.5;  // share of a point's neighbors that are as near to it as to their own
+// Fraction of a point's neighbors that are at least as near to it as to their own neighbors
+constexpr double least_returned = 0.5;
 constexpr double most_strangers =
     0.3;  // share of the points that are on no surface; where there are more, they are the set
 constexpr double none = -1;
 
-/// The gap around each point, or none, in the order of the neighborhoods.
+/// The gap around each point, or none, in the order of `near`.
 struct Gaps {
   space::Neighborhoods near;
   std::vector<double> gap;
   std::vector<double> least;  // circumradii, used if no point has a gap
 };
 
-/// Whether a point is one of a surface, as far as its neighbors show: outliers are farther from their neighbors than
-/// these are from theirs, or have neighbors on all sides.
+/// Returns whether a point is on a surface, as far as its neighbors show. An outlier is farther from its neighbors than
+/// they are from theirs, or has neighbors on all sides.
 bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
   if (flatness < least_flatness) return false;
   const auto squared = [&](std::uint32_t p, std::uint32_t q) {
@@ -53,7 +54,8 @@ bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatn
   return static_cast<double>(returned) >= least_returned * static_cast<double>(near.count);
 }
 
-/// Neighbors relative to point i, times 2^-exponent so that no square overflows or underflows. Returns: the exponent.
+/// Replaces `result` by the neighbors relative to point i, times 2^-exponent so that no square overflows or underflows.
+/// Returns the exponent.
 int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
   const Point3& p = near.points[i];
   const auto around = near.around(i);
@@ -68,8 +70,8 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Points that are on no surface get no gap, nor do those, in flat places by chance, among whose neighbors they are the
-/// most.
+/// Removes the gaps of points that are on no surface, and of points whose neighbors are mostly such points, which are
+/// in flat places by chance.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
@@ -86,7 +88,7 @@ void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
 Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const std::function<void()> go_on = asking(options.progress, points.size());
-  Threads threads(points.size() < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // for few points another thread starts too late
   space::PlanesOfPoints planes = space::fit_planes<double>(std::move(points), neighbors, threads, go_on);
   const std::vector<Point3> normals = std::move(planes.normals);
   Gaps gaps{std::move(planes.near), {}, {}};
@@ -99,7 +101,8 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
       const int exponent = relative(gaps.near, i, around);
-      // A corner within half of the farthest neighbor's distance is not nearer to any point beyond the neighbors.
+      // A corner nearer than half of the farthest neighbor's distance is nearer to the point than to any point beyond
+      // the neighbors.
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;
@@ -115,7 +118,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-/// The largest gap up to `largest` in the neighborhood of each point; none where there is none.
+/// Returns the largest gap of at most `largest` in the neighborhood of each point; none where there is none.
 std::vector<double> needs(const Gaps& gaps, double largest) {
   std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {
@@ -145,7 +148,7 @@ std::vector<double> radii_of(const Gaps& gaps) {
   const double largest = *(std::upper_bound(sorted.begin(), sorted.end(), beyond_most * most) - 1);
   std::vector<double> need = without_none(needs(gaps, largest)), radii;
   const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
-  // Larger steps where densities differ too much for this many radii.
+  // Steps are larger where densities differ too much for this many radii.
   const double step = std::max(ladder, std::pow(need.back() / need[some], 1.0 / (most_radii - 1)));
   while (radii.size() < most_radii && need.size() > some) {
     radii.push_back(margin * need.back());
@@ -162,7 +165,7 @@ std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOpti
   double greatest = 0;
   for (const Point3& p : points) greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (greatest == 0) return {};
-  // Scaled so that the largest coordinate is about 1: distances below 1e-160 count as 0.
+  // Coordinates are scaled so that the largest is about 1: distances below 1e-160 count as 0.
   const int exponent = std::ilogb(greatest);
   const auto scaled = [&](double value) { return std::ldexp(value, -exponent); };
   std::vector<Point3> distinct;

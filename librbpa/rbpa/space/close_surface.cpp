@@ -15,8 +15,8 @@ namespace {
 
 std::ptrdiff_t count_of(const std::vector<bool>& which) { return std::count(which.begin(), which.end(), true); }
 
-/// Some triangles of a surface, without the islands that they make. Requires: all `kept` but of triangles; clears
-/// islands there.
+/// Returns the `kept` triangles of a surface, without components that thereby become islands; clears these in `kept`.
+/// Requires: `kept` has one entry for each triangle.
 Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept,
                 const std::function<bool()>& go_on) {
   for (;;) {
@@ -64,11 +64,11 @@ std::vector<bool> touching_points(std::span<const Point3> points, const Surface&
 
 ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options) {
   constexpr int rounds = 4;
-  constexpr double most = 0.05;         // of the triangles that are given up
-  constexpr std::size_t longest = 256;  // edges of a curve around which triangles are given up
+  constexpr double most = 0.05;         // fraction of the triangles that are removed
+  constexpr std::size_t longest = 256;  // edges of a curve around which triangles are removed
   const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
   ClosedSurface best = fill_all(points, surface, options, go_on);
-  // Triangles are given up around what is open, and once nothing is, around what touches.
+  // Triangles are removed around open curves and, once there are none, around points where sheets touch.
   std::vector<Hole> open = surface_curves(points, best.surface, go_on);
   std::vector<bool> wrong = open.empty() ? touching_points(points, best.surface, go_on) : points_of(points, open);
   auto least_touching = open.empty() ? count_of(wrong) : std::numeric_limits<std::ptrdiff_t>::max();
@@ -89,7 +89,7 @@ ClosedSurface close_surface(std::span<const Point3> points, const Surface& surfa
     wrong = open.empty() ? touching_points(points, trial.surface, go_on) : points_of(points, open);
     if (!open.empty()) continue;
     if (surface_components(points, trial.surface, go_on).all.size() > components)
-      break;  // the surface must not fall apart
+      break;  // the surface must not split into more components
     const std::ptrdiff_t touching = count_of(wrong);
     if (touching >= least_touching) break;
     least_touching = touching;

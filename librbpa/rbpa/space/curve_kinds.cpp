@@ -17,7 +17,8 @@ constexpr double island_share = 0.01, rim_share = 0.25;
 
 using Vector = space::Vector3<double>;
 
-/// Twice a vector area. The sums are exact, so that it does not matter where a curve begins and which one comes first.
+/// Twice a vector area. The sums are exact, so that they do not depend on the order of curves or on where a curve
+/// begins.
 struct VectorArea {
   std::array<ExactSum, 3> sums;
 
@@ -38,7 +39,7 @@ VectorArea vector_area(std::span<const Point3> points, const Hole& curve, const 
   return area;
 }
 
-/// Whether each of some curves is a rim: all curves of one component.
+/// Returns, for each curve of one component, whether it is a rim. Requires: all curves of the component.
 std::vector<bool> are_rims(std::span<const Point3> points, const SurfaceComponent& component,
                            std::span<const Hole* const> curves) {
   const space::BoxScale scale(component.low, component.high);

@@ -11,7 +11,8 @@ namespace {
 std::pair<std::uint32_t, std::uint32_t> ends(const EdgeSide& side) {
   return {std::min(side.from, side.to), std::max(side.from, side.to)};
 }
-/// Its positive side comes after it, counter-clockwise about the direction from the lower end to the higher.
+/// Returns whether the positive side of a triangle follows its side: counter-clockwise about the direction from the
+/// edge's lower end to the higher.
 bool opens(const EdgeSide& side) { return side.from < side.to; }
 
 /// Sorts the sides of one edge counter-clockwise, beginning with the first.

@@ -29,14 +29,14 @@ using space::Chord;
 using space::RimTriangle;
 using space::SimpleLoop;
 
-/// Triangulations that are tried for a loop of so many corners: more where one costs less.
+/// Returns the number of triangulations that are tried for a loop of `corners` corners: more where one costs less.
 std::size_t attempts_for(std::size_t corners) {
   constexpr std::size_t most = 100, least = 10, steps = 100'000'000;
   const std::size_t each = std::min(corners, std::size_t{300}) * std::min(corners, std::size_t{300}) * corners / 6 + 1;
   return std::clamp(steps / each, least, most);
 }
 
-/// Pairs of triangles that may be compared.
+/// Returns the number of pairs of triangles that may be compared.
 std::size_t most_pairs(std::size_t triangles) {
   constexpr std::size_t always = std::size_t{1} << 24U, each = 4096;
   return always + each * triangles;
@@ -77,7 +77,8 @@ class Closing {
   }
 
   HoleFilling run() {
-    // The best of each loop by itself; then in one order, as each may be in the way of the next.
+    // The best filling of each loop alone comes first. Then the loops are closed in a fixed order, because each may
+    // obstruct the next.
     std::vector<std::optional<space::RimFilling>> first(loops_.size());
     std::vector<std::vector<Chord>> taken(loops_.size());
     for_each_index(threads_, loops_.size(), [&](std::size_t i) {
@@ -99,7 +100,7 @@ class Closing {
   void close(std::uint32_t i, std::optional<space::RimFilling> filling, std::vector<Chord> taken) {
     const space::Rim& rim = rims_[i];
     HoleFill& fill = result_.loops[loops_[i].loop];
-    if (rim.size() < 3) return merge(loops_[i]);  // two edges that lie on each other
+    if (rim.size() < 3) return merge(loops_[i]);  // two edges on top of each other
     std::vector<Chord> candidates, chords = taken;
     std::vector<RimTriangle> triangles;
     bool has_crossed = false;
@@ -119,7 +120,7 @@ class Closing {
       if (candidates.empty()) candidates = space::candidate_chords(rim, work_.steps());
       filling = space::least_triangulation(rim, candidates, chords, triangles, work_.steps());
     }
-    if (fill.outcome != HoleOutcome::filled) return;  // of a part that came first
+    if (fill.outcome != HoleOutcome::filled) return;  // set by an earlier part of the loop
     fill.outcome = has_crossed ? HoleOutcome::crosses : !taken.empty() ? HoleOutcome::edge_taken : HoleOutcome::no_area;
   }
 
@@ -136,7 +137,7 @@ class Closing {
     for (const space::LoopCorner& corner : loop.corners) vertices_.join(corner.in, corner.out);
   }
 
-  /// The new triangles, loop by loop, of vertices as they are at last.
+  /// Appends the new triangles, loop by loop, with the final vertices.
   void assemble() {
     std::vector<std::uint32_t> order(loops_.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -165,13 +166,13 @@ class Closing {
   Threads threads_;
 };
 
-/// Loops that cannot be closed one by one, as an island lies in the hole: closed together. Strips of two triangles join
-/// them to one loop, which is closed as any other.
+/// Closes loops together that cannot be closed one by one because an island lies in the hole. Strips of two triangles
+/// join them to one loop, which is then closed like any other.
 class Joining {
  public:
   using Loop = std::vector<std::uint32_t>;
 
-  /// Keeps all but the result of closing them one by one.
+  /// Keeps all arguments except `result`, which is the result of closing the loops one by one.
   Joining(std::span<const Point3> points, std::span<const Loop> loops, const SurfaceOptions& options,
           HoleFilling result)
       : points_(points),
@@ -201,7 +202,7 @@ class Joining {
     bool is_closed = false;
   };
 
-  /// Those that are boundary still and come to no point twice, the longest first.
+  /// Returns the loops that are still boundary and visit no point twice, the longest first.
   std::vector<Open> open_loops() {
     std::vector<Open> open;
     if (std::count_if(result_.loops.begin(), result_.loops.end(), crosses) < 2) return open;
@@ -225,7 +226,8 @@ class Joining {
     return open;
   }
 
-  /// Of triangles as they are now: loops that were closed may have made vertices one.
+  /// Returns whether a loop is still a boundary of the current triangles: loops closed meanwhile may have merged
+  /// vertices.
   static bool is_boundary(const Loop& loop, const std::vector<space::TriangleSide>& sides) {
     const auto has = [&](std::uint32_t from, std::uint32_t to) {
       const auto found =
@@ -242,7 +244,7 @@ class Joining {
 
   static bool crosses(const HoleFill& fill) { return fill.outcome == HoleOutcome::crosses && fill.triangles == 0; }
 
-  /// Joins one more loop at a time that is near, until what is joined can be closed.
+  /// Joins one near loop at a time, until the joined loop can be closed.
   void close_with_others(std::vector<Open>& open, std::size_t first) {
     Loop joined = loops_[open[first].number];
     space::Box box = open[first].box;
@@ -267,7 +269,7 @@ class Joining {
     }
   }
 
-  /// The best of which no triangle crosses what is there.
+  /// Returns the best bridge whose triangles cross no existing triangle.
   std::optional<space::Bridge> free_bridge(const Loop& loop, const Loop& other) {
     constexpr std::size_t most = 8;
     for (const space::Bridge& bridge : space::nearest_bridges(points_, loop, other, most, work_)) {
@@ -277,7 +279,7 @@ class Joining {
     return std::nullopt;
   }
 
-  /// The triangles that there are now, those with an area.
+  /// Indexes the current triangles that have an area.
   void index() {
     triangles_.clear();
     std::vector<space::Box> boxes;
@@ -291,7 +293,8 @@ class Joining {
     tree_ = space::BoxTree(boxes, work_.steps());
   }
 
-  /// Counts all that are near as work, found or not, so that their order does not matter.
+  /// Returns whether a triangle crosses an existing one. Counts all near triangles as work, also after a hit, so that
+  /// the count does not depend on their order.
   bool is_in_the_way(const Triangle& triangle) {
     const space::Corners own = corners_of(triangle);
     if (space::are_collinear(own[0], own[1], own[2])) return true;
@@ -322,7 +325,7 @@ class Joining {
     return true;
   }
 
-  /// Two triangles have a side from one vertex to the same other.
+  /// Returns whether two triangles have a side in the same direction between the same vertices.
   bool has_common_side(std::span<const Triangle> triangles) {
     const std::vector<space::TriangleSide> sides = space::sorted_sides(triangles, {}, work_.steps());
     return std::adjacent_find(sides.begin(), sides.end(), [](const auto& s, const auto& t) {

@@ -13,7 +13,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The vertex at the end of an edge, in the fan of the edge's triangle.
+/// Returns the vertex at an end of an edge, in the fan of the edge's triangle.
 std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint32_t triangle, std::uint32_t point) {
   const Triangle& corners = surface.triangles[triangle];
   const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());

@@ -21,8 +21,8 @@
 namespace rbpa {
 namespace {
 
-/// Which tetrahedra that are not in the complex are connected outside of it, and the outside of all, which comes after
-/// them.
+/// Returns the sets of tetrahedra that are not in the complex and are connected outside of it. The outside of all is
+/// one more element, after the tetrahedra.
 meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces,
                                         const std::function<bool()>& go_on) {
   Steps step(go_on);
@@ -58,7 +58,7 @@ FullCounts count_flat(std::span<const Point3> points, double alpha, unsigned thr
   return counts;
 }
 
-/// How many pieces, connected through points, the triangles are.
+/// Returns the number of pieces of the triangles, connected through points.
 std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
   meshops::DisjointSets sets(hollow.points.size());
   const auto number = [&](std::uint32_t point) {
@@ -99,7 +99,7 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
       cells, threads, [&](std::span<const space::EdgeAt> ring) { return faces.has_edge(ring); }, go_on);
   counts.edges = edges.edges;
   counts.components = counts.points - edges.joined;
-  // Euler: points − edges + triangles − tetrahedra = components − tunnels + voids.
+  // Euler's formula: points − edges + triangles − tetrahedra = components − tunnels + voids.
   counts.tunnels =
       counts.components + counts.voids + counts.edges + counts.tetrahedra - counts.points - counts.triangles;
   return counts;

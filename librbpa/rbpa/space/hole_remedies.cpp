@@ -35,7 +35,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 using Indices = std::vector<std::uint32_t>;
 
 constexpr double ladder = 1.25;
-constexpr int steps = 12;  // of the ladder
+constexpr int steps = 12;  // of the ladder of radii
 constexpr double close_enough = 0x1p-10;
 
 Indices rim_of(const Hole& hole) {
@@ -51,9 +51,10 @@ double diagonal_of(const Hole& hole, std::span<const Point3> points) {
   return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
 }
 
-/// The least double that is no less than the circumradius. Requires: `enough` is no less.
+/// Returns the least double that is not below the circumradius. Requires: `enough` is not below it.
 double least_radius(const Point3& a, const Point3& b, const Point3& c, double enough) {
-  std::uint64_t too_small = 0, large = std::bit_cast<std::uint64_t>(enough);  // as ascending as positive doubles
+  // Positive doubles are ordered like their bits
+  std::uint64_t too_small = 0, large = std::bit_cast<std::uint64_t>(enough);
   while (large - too_small > 1) {
     const std::uint64_t middle = too_small + (large - too_small) / 2;
     const bool is_small = space::exact::compare_circumradius(a, b, c, std::bit_cast<double>(middle)) > 0;
@@ -62,14 +63,14 @@ double least_radius(const Point3& a, const Point3& b, const Point3& c, double en
   return std::bit_cast<double>(large);
 }
 
-/// What a larger ball makes of a hole.
+/// The effect of a larger ball on a hole.
 class LargerBall {
  public:
-  /// Keeps all. `radius`: of `near`; balls are not larger.
+  /// Keeps all arguments. Balls must not be larger than the radius of `near`.
   LargerBall(const space::LocalSurfaces& surfaces, const space::NeighborhoodFinder& near, std::uint32_t level)
       : surfaces_(surfaces), near_(near), level_(level) {}
 
-  /// Where the ball closes the hole, the least radius at which it may rest on all triangles by which it does.
+  /// Returns, if the ball closes the hole, the least radius at which it may rest on all triangles that close it.
   std::optional<double> closes(const Hole& hole, double radius) const {
     constexpr std::size_t most_points = 4096;
     Indices wanted = rim_of(hole);
@@ -89,11 +90,12 @@ class LargerBall {
   }
 
  private:
-  /// What is added next to the hole.
+  /// The triangles added next to a hole.
   struct Spread {
     std::vector<Triangle> added;
-    Indices beyond;        ///< corners at which more may be added than is known; empty: it ends here
-    bool is_open = false;  ///< at an edge of the hole, or of what is added
+    /// Corners around which there may be more triangles than are known; empty: nothing is missing
+    Indices beyond;
+    bool is_open = false;  ///< an edge of the hole, or of an added triangle, is still open
   };
 
   Spread spread_from(const Hole& hole, const space::LocalSurface& local, const std::vector<std::uint8_t>& known) const {
@@ -129,7 +131,7 @@ class LargerBall {
     return spread;
   }
 
-  /// The triangle of the surface at a rim, and its side there.
+  /// Returns the triangle of the surface at a rim edge, and its side there.
   std::pair<std::uint32_t, std::size_t> side_at(const RimEdge& edge, const space::LocalSurface& local) const {
     Triangle corners = surfaces_.corners_of(edge.triangle);
     for (std::uint32_t& corner : corners) corner = local.number_of(corner);
@@ -180,8 +182,8 @@ class Remedies {
   }
 
  private:
-  /// Calls attempt(hole, remedy, near) for the holes that are wanted and have no remedy yet, with what is near within a
-  /// radius.
+  /// Calls attempt(hole, remedy, near) for the wanted holes that have no remedy yet; `near` finds the neighborhoods
+  /// within the radius.
   template <typename IsWanted, typename Attempt>
   void for_each_left(double radius, const IsWanted& is_wanted, const Attempt& attempt) {
     Indices left;
@@ -211,13 +213,15 @@ class Remedies {
     for_each_left(radii_.back(), is_wanted, attempt);
   }
 
-  /// Adds to the points those that are equal to one of them.
+  /// Returns whether the hole is closed when the normals of `turned` are reversed. Adds to `turned` the points equal to
+  /// one of them.
   bool is_closed_with(Indices& turned, const Hole& hole, const space::NeighborhoodFinder& near) const {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());
     sort_unique(at);
-    // What a radius adds at a point depends on what smaller ones made at the points that its ball touches there. So
-    // each carries what is changed one neighborhood farther, and as many more make what is there as it is in the whole.
+    // The triangles that a radius adds at a point depend on those of smaller radii at the points that its ball touches
+    // there. So each radius extends the changed part by one neighborhood, and as many neighborhoods more are needed to
+    // compute that part as in the whole surface.
     Indices changed = at, input;
     for (std::size_t i = 0; i < radii_.size(); ++i) changed = near.around(changed);
     input = changed;
@@ -239,7 +243,7 @@ class Remedies {
     }
     const Surface after = surface(local.points, local.normals, radii_, {.threads = 1, .progress = {}});
 
-    // The hole is closed where its edges are there and not boundary, and no boundary is new.
+    // The hole is closed if its edges exist and are no boundary, and no other boundary is new.
     std::set<std::pair<std::uint32_t, std::uint32_t>> known, edges;
     for_each_side(before, is_at, [&](std::uint32_t from, std::uint32_t to, bool is_boundary) {
       if (is_boundary) known.insert({from, to});
@@ -255,7 +259,7 @@ class Remedies {
     });
   }
 
-  /// Calls visit(from, to, is_boundary) for the sides with an end at one of the points, as curves have them.
+  /// Calls visit(from, to, is_boundary) for the sides with an end at one of the points, directed like boundary curves.
   template <typename Visit>
   static void for_each_side(const Surface& surface, const std::vector<char>& is_at, const Visit& visit) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -280,8 +284,8 @@ class Remedies {
     for_each_left(radius, is_wanted, attempt);
   }
 
-  /// A radius that closes the hole as `radius` does, for triangles that need at least `least`. A ball of that radius
-  /// may hold a further point, or rest on other triangles as well.
+  /// Returns a smaller radius that closes the hole as `radius` does, with triangles that need at least `least`. A ball
+  /// of that radius may contain another point, or rest on other triangles too.
   static double least_closing(const LargerBall& ball, const Hole& hole, double too_small, double radius, double least) {
     while (least < radius && radius > too_small * (1 + close_enough)) {
       const double smaller = least > too_small ? least : too_small + (radius - too_small) / 2;

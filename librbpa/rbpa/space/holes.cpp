@@ -26,7 +26,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The boundary curves, without causes and lengths.
+/// Returns the boundary curves, without causes and lengths.
 std::vector<Hole> curves_of(const Surface& surface, Steps& step) {
   std::vector<Hole> curves;
   BoundaryWalk walk(space::arrays_of(surface));
@@ -53,7 +53,8 @@ std::vector<Hole> curves_of(const Surface& surface, Steps& step) {
   return curves;
 }
 
-/// Summed by ascending lengths, so that it is the same to the last bit wherever the curve begins.
+/// Returns the length of a curve, summed by ascending lengths of edges, so that the result has the same bits wherever
+/// the curve begins.
 double length_of(const Hole& curve, std::span<const Point3> points) {
   std::vector<double> lengths;
   for (const RimEdge& e : curve.edges) {
@@ -66,7 +67,7 @@ double length_of(const Hole& curve, std::span<const Point3> points) {
   return sum;
 }
 
-/// The exposed triangles of one radius at the beginnings of edges of the rim.
+/// The exposed triangles of one radius at the first ends of rim edges.
 class Exposed {
  public:
   Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
@@ -75,11 +76,12 @@ class Exposed {
     std::vector<std::uint8_t> wanted;
     for (const std::uint32_t i : near.input) wanted.push_back(at_rim[i]);
     exposed_ = space::exposed_at(near.points, radius, wanted, options);
-    for (space::ExposedAt& of : exposed_)  // in the same order still
+    for (space::ExposedAt& of : exposed_)  // their order does not change
       of = {near.input[of.at], near.input[of.second], near.input[of.third], near.input[of.beyond]};
   }
 
-  /// The triangle to which the ball rolls over the edge's side of a triangle; nothing where it does not rest on that.
+  /// Returns the triangle to which the ball rolls over the edge's side of a triangle; nothing where the ball does not
+  /// rest on that triangle.
   std::optional<Triangle> next(const Triangle& triangle, const RimEdge& edge) const {
     const auto k = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), edge.from) - triangle.begin());
     const space::ExposedAt wanted{triangle[k % 3], triangle[(k + 1) % 3], triangle[(k + 2) % 3], 0};
@@ -96,8 +98,8 @@ class Exposed {
   std::vector<space::ExposedAt> exposed_;
 };
 
-/// Fills in the cause of an edge, and where it is. Requires: edge.next; the interior of the smaller radii, if there are
-/// any.
+/// Fills in the cause of an edge and the place of the cause. Requires: edge.next; the interior of the smaller radii, if
+/// there are smaller radii.
 void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);

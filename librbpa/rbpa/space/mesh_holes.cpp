@@ -36,7 +36,7 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
   return triangles;
 }
 
-/// The vertices along a curve, beginning with the least.
+/// Returns the vertices along a curve, the least first.
 std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const meshops::BoundaryCurve& curve) {
   std::vector<std::uint32_t> loop;
   for (const meshops::Halfedge h : curve) {
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const mesh
   return loop;
 }
 
-/// Glues boundary halfedges that lie on each other, where vertices on one site are to become one: a slit.
+/// Glues boundary halfedges that lie on each other where vertices on one site become one: a slit.
 void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
   std::map<std::pair<meshops::Site, meshops::Site>, meshops::Halfedge> open;
   const auto site = [&](meshops::Vertex v) { return site_of[static_cast<std::size_t>(v.idx())]; };
@@ -78,7 +78,7 @@ FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> place
   meshops::require(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(), "fill_holes: found a curve twice");
   HoleFilling filling = fill_holes(places, triangles, loops, options);
 
-  // Vertices that become one stand on one site of a front.
+  // Vertices that are merged stand on one site of a front.
   std::vector<meshops::Site> site_of(mesh.n_vertices());
   for (std::size_t v = 0; v < site_of.size(); ++v) site_of[v] = static_cast<meshops::Site>(v);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -16,14 +16,14 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A corner from which a ray goes in the direction of x.
+/// A corner of a surface, from which a ray starts in the direction of x.
 struct Query {
   std::uint32_t surface, corner;
-  std::vector<std::uint32_t> hit = {};      // surfaces, once for each of their triangles
-  std::vector<std::uint32_t> touched = {};  // surfaces on which it lies, or may lie
+  std::vector<std::uint32_t> hit = {};      // surfaces hit, once for each triangle hit
+  std::vector<std::uint32_t> touched = {};  // surfaces on which the corner lies, or may lie
 };
 
-/// Queries in squares, as the rays see them.
+/// Queries in the squares of a grid in y and z, across the rays.
 class Squares {
  public:
   Squares(std::span<const Point3> points, std::vector<Query>& queries) : queries_(queries) {
@@ -36,7 +36,7 @@ class Squares {
     }
   }
 
-  /// Calls use(query) for each in the squares that a box meets.
+  /// Calls use(query) for each query in the squares that a box meets.
   template <typename Use>
   void for_each_in(const space::Box& box, const Use& use) {
     if (box.high.y < box_.low.y || box.low.y > box_.high.y || box.high.z < box_.low.z || box.low.z > box_.high.z)
@@ -49,7 +49,7 @@ class Squares {
  private:
   std::size_t at_y(double y) const { return place(y, box_.low.y, box_.high.y); }
   std::size_t at_z(double z) const { return place(z, box_.low.z, box_.high.z); }
-  /// Never descends where a coordinate ascends.
+  /// Returns the square of a coordinate along an axis, a monotone function.
   std::size_t place(double x, double least, double greatest) const {
     if (!(x > least)) return 0;
     const double share = (x / 2 - least / 2) / (greatest / 2 - least / 2);
@@ -98,7 +98,7 @@ void shoot_all(std::span<const Point3> points, std::span<const std::vector<Trian
     }
 }
 
-/// Counts the surfaces that are hit an odd number of times and not touched.
+/// Returns the number of surfaces that are hit an odd number of times and not touched.
 std::size_t depth_of(Query& query) {
   std::sort(query.hit.begin(), query.hit.end());
   std::size_t depth = 0;
@@ -117,7 +117,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
                                         const std::function<bool()>& go_on) {
   Steps step(go_on);
   std::vector<std::size_t> result(surfaces.size(), 0);
-  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // that are not asked yet, the next one last
+  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // those not queried yet; the next one is last
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (const Triangle& triangle : surfaces[s]) {
       step();
@@ -131,7 +131,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
     corners[s].erase(std::unique(corners[s].begin(), corners[s].end(), is_same), corners[s].end());
   }
   std::vector<bool> is_known(surfaces.size(), false), is_asked(surfaces.size(), false);
-  // Nearly all first corners touch nothing; of those that do, twice as many are tried each time.
+  // Nearly all first corners touch no other surface. For the rest, twice as many corners are tried each time.
   for (std::size_t at_once = 1;; at_once *= 2) {
     std::vector<Query> queries;
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)

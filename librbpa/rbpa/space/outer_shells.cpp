@@ -19,7 +19,7 @@
 namespace rbpa {
 namespace {
 
-using Real = long double;  // products of coordinates of double do not overflow
+using Real = long double;  // products of coordinates in double do not overflow it
 using Vector = space::Vector3<Real>;
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -35,7 +35,7 @@ class RestingBall {
     const Vector to_u = space::cross(v, normal_), to_v = space::cross(normal_, u);
     circumcentre_ = {(uu * to_u.x + vv * to_v.x) / (2 * nn), (uu * to_u.y + vv * to_v.y) / (2 * nn),
                      (uu * to_u.z + vv * to_v.z) / (2 * nn)};
-    // The height of the center above the triangle, in lengths of the normal.
+    // The height of the center above the triangle, in units of the length of the normal.
     height_ = std::sqrt(std::max(radius * radius - uu * vv * space::dot(w, w) / (4 * nn), Real(0)) / nn);
     clearance_ = height_ * std::sqrt(nn);
     const Vector to_centre = {circumcentre_.x + height_ * normal_.x, circumcentre_.y + height_ * normal_.y,
@@ -46,8 +46,8 @@ class RestingBall {
     }
   }
 
-  /// The distance from the triangle to the center, less what rounding may have made of it: of a triangle that is nearly
-  /// a line the center is anywhere.
+  /// Returns the distance from the triangle to the center, less the possible rounding error: the center of a nearly
+  /// degenerate triangle may be anywhere.
   Real clearance() const { return clearance_ - 1000 * error_; }
   Point3 centre() const {
     const auto sum = [&](double from, Real at, Real along) { return static_cast<double>(from + at + height_ * along); };
@@ -61,8 +61,8 @@ class RestingBall {
   Real height_ = 0, clearance_ = 0, error_ = 0;
 };
 
-/// Calls visit(component, i) for each component that winds around place i, with places of such coordinates as points
-/// have. A triangle is compared with the places that are in reach of it in y.
+/// Calls visit(component, i) for each component that winds around place i. A triangle is only compared with the places
+/// within its range of y. Requires: coordinates of places within the range of the points' coordinates.
 template <typename Visit>
 void for_each_enclosed(std::span<const Point3> points, const Surface& shells, const SurfaceComponents& components,
                        std::span<const Point3> places, Steps& step, const Visit& visit) {
@@ -118,7 +118,7 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
   for (const SurfaceComponent& component : components.all)
     meshops::require(component.is_closed(), "outer_shells: expected exposed triangles, which are closed");
 
-  // Of each shell the ball that is the highest above its triangle, where the rounding of its center matters least.
+  // For each shell, the ball with the center highest above its triangle, where rounding of the center matters least.
   Steps step(go_on);
   std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
   std::vector<Point3> centre(count);

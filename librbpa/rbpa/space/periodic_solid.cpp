@@ -22,14 +22,14 @@ namespace {
 using Row = std::array<std::uint32_t, 4>;
 constexpr std::uint32_t none = Solid::none;
 
-/// Points of the box, and the images of each at most `margin` away from it, in the order of vertices.
+/// The points of the box, and their images at most `margin` outside of it, in the order of vertices.
 struct Images {
   std::vector<PeriodicVertex> vertices;
   std::vector<Point3> positions;
 };
 
 Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, double margin) {
-  // One coordinate is in the box, or as little beyond it as that; the differences are exact.
+  // The offsets at which a coordinate is in the box, or at most `margin` beyond it; the differences are exact.
   struct Range {
     std::int8_t first, last;
   };
@@ -51,7 +51,7 @@ Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, dou
   return images;
 }
 
-/// Keeps the vertices that are corners. They keep their order, and so rows do.
+/// Keeps the vertices that are corners of tetrahedra. They keep their order, and so rows do.
 void keep_corners(PeriodicSolid& solid) {
   std::vector<std::uint32_t> number(solid.vertices.size(), none);
   for (const Row& row : solid.simplices)
@@ -78,8 +78,8 @@ void list_isolated(std::size_t points, PeriodicSolid& solid) {
   });
 }
 
-/// Those of circumradius at most `radius`. Around a corner in the box, all points within twice the radius are there: so
-/// tetrahedra with such a corner are right, and of every class there is one.
+/// Finds the tetrahedra of circumradius at most `radius`. All points within twice the radius of a corner in the box are
+/// known; so tetrahedra with such a corner are right, and each class of images has one.
 PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& torus, double radius,
                           const SolidOptions& options) {
   Images images = images_of(wrapped, torus, 2 * radius);
@@ -91,7 +91,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   found.box = torus.box();
   std::vector<std::uint32_t> number(around.simplices.size(), none), kept;
   for (std::uint32_t t = 0; t < number.size(); ++t) {
-    if (!is_in_box(around.simplices[t][0])) continue;  // the least corner has the least point
+    if (!is_in_box(around.simplices[t][0])) continue;  // the least corner is an image of the least point
     number[t] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(t);
   }
@@ -120,7 +120,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   return found;
 }
 
-/// Whether there is a tetrahedron at both sides of each triangle: then they fill the space that repeats.
+/// Returns whether there is a tetrahedron at both sides of each triangle: then the tetrahedra fill the periodic space.
 bool is_complete(const PeriodicSolid& solid) {
   const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), none) == row.end(); };
   return !solid.neighbors.empty() && std::all_of(solid.neighbors.begin(), solid.neighbors.end(), has_all);

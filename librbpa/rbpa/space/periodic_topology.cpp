@@ -31,7 +31,7 @@ Point3 minus(const Point3& p, const std::array<std::int8_t, 3>& offset, const Po
   return {p.x - offset[0] * box.x, p.y - offset[1] * box.y, p.z - offset[2] * box.z};
 }
 
-/// The image whose least corner is in the box, from that corner on: of all images the same.
+/// Returns the image of a triangle whose least corner is in the box, starting at that corner: the same for all images.
 std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangle) {
   const auto wrapped = [&](std::uint32_t v) { return minus(solid.positions[v], solid.vertices[v].offset, solid.box); };
   std::size_t least = 0;
@@ -44,13 +44,13 @@ std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangl
   return {corner(0), corner(1), corner(2)};
 }
 
-/// What closes some of the tetrahedra where they are: first the triangles that bound them, then those between two of
-/// them that are an image away.
+/// A closed surface around some of the tetrahedra where they are: the triangles that bound them, then pairs of
+/// triangles between two of them that are an image apart.
 class Hull {
  public:
   explicit Hull(const PeriodicSolid& solid) : solid_(solid), measure_(solid.positions) {}
 
-  /// Replaces what was there. is_bounding(t, k): whether the triangle across from corner k is a bound.
+  /// Replaces the surface. is_bounding(t, k): whether the triangle across from corner k is part of the boundary.
   template <typename IsBounding>
   void enclose(std::span<const std::uint32_t> tetrahedra, const IsBounding& is_bounding) {
     triangles_.clear();
@@ -66,7 +66,7 @@ class Hull {
 
   std::span<const Triangle> bounding() const { return std::span(triangles_).first(bounding_); }
 
-  /// Of the volume within, the area of the bounding triangles, and the least of these.
+  /// Returns the volume inside, the area of the bounding triangles, and the least of these.
   space::ClosedMeasures measures() const {
     std::vector<std::uint32_t> which(triangles_.size());
     std::iota(which.begin(), which.end(), std::uint32_t{0});
@@ -99,7 +99,7 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
   return points;
 }
 
-/// Marks of the tetrahedra inside, and of the triangles that separate voids.
+/// The full complex or the solid one: marks of the tetrahedra inside, and the triangles that separate voids.
 struct Complex {
   const PeriodicSolid& delaunay;
   std::vector<bool> is_inside;
@@ -112,7 +112,7 @@ struct Complex {
     if (faces) return faces->has_edge(ring);
     return std::any_of(ring.begin(), ring.end(), [&](const auto& at) { return is_inside[at.tetrahedron]; });
   }
-  /// Of a piece or a void.
+  /// Returns whether the triangle across from corner k of t bounds a piece or a void.
   bool is_bounding(std::uint32_t t, std::size_t k) const {
     return is_inside[delaunay.neighbors[t][k]] != is_inside[t] || (!is_inside[t] && has_triangle(t, k));
   }
@@ -136,8 +136,8 @@ void count_simplices(const Complex& of, Threads& threads, const std::function<bo
   topology.betti[0] = topology.points - edges.joined;
 }
 
-/// Betti numbers of the complex. By duality b₂ is that of one-dimensional cohomology of the torus relative to the
-/// outside: a class for each void but one, and for each direction of the torus in which no void percolates.
+/// Finds the Betti numbers of the complex. By duality b₂ is that of one-dimensional cohomology of the torus relative to
+/// the outside: one class for each void but one, and one for each direction of the torus in which no void percolates.
 void find_betti(const space::Parts& parts, PeriodicTopology& topology) {
   auto& [b0, b1, b2, b3] = topology.betti;
   if (topology.points == 0) return;
@@ -146,7 +146,7 @@ void find_betti(const space::Parts& parts, PeriodicTopology& topology) {
   b1 = b0 + b2 + topology.edges + topology.tetrahedra - b3 - topology.points - topology.triangles;
 }
 
-/// Of each part, for voids, the volume outside of the balls.
+/// Returns, for each part that is a void, its volume outside of the balls.
 std::vector<double> outside_of_balls(const Complex& of, const space::Parts& parts, double alpha, Threads& threads,
                                      const std::function<bool()>& go_on) {
   PeriodicSolid space;

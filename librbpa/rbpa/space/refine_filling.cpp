@@ -32,7 +32,7 @@ using space::FillingPatch;
 using space::FillingRim;
 using space::Vector;
 
-/// How far a patch is refined: smooth, flat, or not at all.
+/// The degree of refinement of a patch: smooth, flat, or none.
 enum class Stage : std::uint8_t { coarse, flat, smooth };
 
 /// A patch at one stage. Vertices of the rim have the lower numbers.
@@ -42,8 +42,8 @@ struct Refined {
 };
 
 struct Patch {
-  Indices triangles;  // of the surface
-  Indices rim;        // vertices, by places
+  Indices triangles;  // numbers in the surface
+  Indices rim;        // vertices, sorted by place
   std::optional<Refined> smooth, flat;
   Stage stage = Stage::coarse;
 
@@ -51,7 +51,7 @@ struct Patch {
   void lower() { stage = stage == Stage::smooth && flat ? Stage::flat : Stage::coarse; }
 };
 
-/// The triangles at each vertex, and what is on the boundary.
+/// The triangles at each vertex, and the vertices and edges on the boundary.
 class Fans {
  public:
   Fans(std::span<const Point3> points, const Surface& surface, const meshops::GoOn& go_on)
@@ -91,7 +91,7 @@ double distance(const Vector& u, const Vector& v) {
   return std::sqrt(dot(d, d));
 }
 
-/// A patch as it is given to be refined: of places, not of numbers.
+/// A patch in the form that the refinement takes: it depends on places, not on numbers.
 class PatchInput {
  public:
   PatchInput(const Fans& fans, const Patch& patch, const std::vector<bool>& is_new, meshops::Steps& step)
@@ -141,7 +141,7 @@ class PatchInput {
     rim_.triangles.neighbors = std::move(linked.neighbors);
   }
 
-  /// The edges at a vertex that are of triangles outside of the patch.
+  /// Takes the edges at a vertex whose triangles are outside of the patch.
   void take_outside(std::uint32_t v, const std::vector<bool>& is_new) {
     Indices around, outside;
     for (const std::uint32_t t : fans_.triangles_at(v)) {
@@ -166,7 +166,7 @@ class PatchInput {
                                           : sum / static_cast<double>(lengths.size()));
   }
 
-  /// In an order that the numbers of triangles do not change.
+  /// Returns the curvature, summed in an order that does not depend on the numbers of triangles.
   space::FanCurvature curvature_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
     std::vector<std::pair<Point3, Point3>> across;
     for (const std::uint32_t t : triangles) {
@@ -180,7 +180,8 @@ class PatchInput {
     return fan;
   }
 
-  /// Of the two rings next to a vertex of the rim: vertices with triangles all around, none of them in the patch.
+  /// Returns the bend of the two rings of vertices next to a vertex of the rim. Only vertices count that have triangles
+  /// all around, none of them in the patch.
   std::optional<double> bend_outside(std::uint32_t v) const {
     const auto neighbors_of = [&](const Indices& of) {
       Indices others;
@@ -210,7 +211,7 @@ class PatchInput {
   const Fans& fans_;
   const Patch& patch_;
   space::BoxScale scale_;
-  std::map<std::uint32_t, std::uint32_t> number_;  // of each vertex in the patch
+  std::map<std::uint32_t, std::uint32_t> number_;  // for each vertex: its number in the patch
   FillingRim rim_;
 };
 
@@ -235,7 +236,7 @@ class Refining {
   }
 
  private:
-  /// What is connected of the new triangles, in the order of places.
+  /// Finds the patches: the connected components of the new triangles, in the order of places.
   void find_patches() {
     meshops::DisjointSets connected(surface_.triangles.size());
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
@@ -277,7 +278,7 @@ class Refining {
 
   void refine(Patch& patch, meshops::Steps& step) const {
     constexpr std::size_t most = std::size_t{1} << 20U;  // points that are added
-    // A filling that has two vertices at one place is no disk among others.
+    // A filling with two vertices at one place is not a disk with distinct corners.
     const auto is_same = [&](std::uint32_t v, std::uint32_t w) { return fans_.place(v) == fans_.place(w); };
     if (std::adjacent_find(patch.rim.begin(), patch.rim.end(), is_same) != patch.rim.end()) return;
     const PatchInput input(fans_, patch, is_new_, step);
@@ -339,7 +340,7 @@ class Refining {
     return result;
   }
 
-  /// Whether some patch crosses something, and is refined less from now on.
+  /// Returns whether some patch crosses another triangle; such a patch is refined less from then on.
   bool lower_crossing(const RefinedSurface& result) {
     std::vector<Point3> all(points_.begin(), points_.end());
     all.insert(all.end(), result.points.begin(), result.points.end());
@@ -366,7 +367,7 @@ class Refining {
   meshops::GoOn go_on_;
   Fans fans_;
   std::vector<Patch> patches_;
-  Indices patch_of_;  // of each triangle that is assembled
+  Indices patch_of_;  // for each assembled triangle
 };
 
 }  // namespace

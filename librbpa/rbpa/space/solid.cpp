@@ -27,7 +27,7 @@
 namespace rbpa {
 namespace {
 
-/// Those of a triangulation that are selected, as rows.
+/// Returns the selected tetrahedra of a triangulation, as rows.
 space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, double scaled_alpha, bool neighbors,
                          Threads& threads) {
   const auto tetrahedra = triangulation.tetrahedra();
@@ -56,16 +56,16 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
   return rows;
 }
 
-/// Finds them from triples of points, where alpha is about the spacing at most and few points are cospherical. In
-/// order:
-///   1. sort the points into cells, and estimate what it would cost;
+/// Finds the tetrahedra from triples of points, where alpha is at most about the spacing and few points are
+/// cospherical:
+///   1. sort the points into cells, and estimate the cost;
 ///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
 ///   3. find neighbors, and sort.
-/// Returns: false if it would cost more than that for each point, in the unit of triples_cost(); then nothing is filled
-/// in.
+/// Returns false, and fills in nothing, if it would cost more than `most_cost` for each point, in units of
+/// triples_cost().
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
-  constexpr double most_exact = 1.0 / 64;  // a share of the points
+  constexpr double most_exact = 1.0 / 64;  // fraction of the points
   constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
   if (std::isinf(alpha) || points.size() < fewest) return false;
   Threads threads = threads_for(points.size(), options.threads);
@@ -75,7 +75,7 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
   const std::size_t sites = cells.sites().size();
   if (space::triples_cost(cells) > most_cost * static_cast<double>(sites)) return false;
 
-  std::vector<std::size_t> part_begin;  // by cells
+  std::vector<std::size_t> part_begin;  // first cell of each part
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
     if (part_begin.empty() || cells.first_in(cell) - cells.first_in(part_begin.back()) >= sites_in_part)
       part_begin.push_back(cell);
@@ -119,7 +119,7 @@ void list_isolated(std::size_t points, Solid& solid) {
   });
 }
 
-/// Finds them tile by tile, where points fill a volume.
+/// Finds the tetrahedra tile by tile, where points fill a volume.
 bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
   const space::Spread spread = space::spread(points);
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
@@ -141,7 +141,7 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
   return true;
 }
 
-/// Finds them in the triangulation of all points. In order:
+/// Finds the tetrahedra in the triangulation of all points:
 ///   1. scale the points by a power of two, and sort them;
 ///   2. insert them, one by one;
 ///   3. select the tetrahedra of circumradius at most alpha, and number them.
@@ -176,9 +176,9 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& op
   const auto ask = asking(options.progress, points.size());
   if (ask) ask();
   Solid solid;
-  // What a point costs in the unit of triples: fitted to uniform points, as that is.
+  // Costs for each point in units of triples_cost(), fitted to uniform points, as triples_cost() is.
   constexpr double by_insertion = 1500, by_tiles = 800;
-  constexpr std::size_t fewest_for_tiles = 20'000;  // of fewer, too many are at the hull
+  constexpr std::size_t fewest_for_tiles = 20'000;  // with fewer, too many points are at the hull
   const auto by_triples = [&](double most_cost) { return find_near(points, alpha, most_cost, options, solid); };
   const bool is_found =
       points.size() < fewest_for_tiles

@@ -22,7 +22,7 @@ using space::place_of;
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
 /// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face
-/// is known by 4 t + k: across from corner k of tetrahedron t.
+/// is identified by 4 t + k: across from corner k of tetrahedron t.
 class OpenFaces {
  public:
   explicit OpenFaces(const Solid& solid) : solid_(solid) {
@@ -30,10 +30,10 @@ class OpenFaces {
                      "solid_boundary: expected a solid with neighbors");
   }
 
-  /// 1. Those that have no neighbor, in canonical order.
+  /// Step 1: finds the faces without a neighbor, in canonical order.
   void find() {
     first_.resize(solid_.simplices.size());
-    std::vector<Row> rows;  // corners, and the face
+    std::vector<Row> rows;  // corners, and the number of the face
     std::uint32_t bound = 0;
     for (std::uint32_t t = 0; t < first_.size(); ++t) {
       first_[t] = static_cast<std::uint32_t>(rows.size());
@@ -55,7 +55,7 @@ class OpenFaces {
     neighbors_.assign(triangles_.size(), no_neighbors);
   }
 
-  /// 2. Each side to that which ends the same wedge of tetrahedra.
+  /// Step 2: glues each side to the one that ends the same wedge of tetrahedra.
   void glue() {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
       for (std::uint32_t j = 0; j < 3; ++j)
@@ -74,12 +74,12 @@ class OpenFaces {
   }
 
  private:
-  /// The tetrahedra around an edge are passed from the triangle on. Every neighbor is known to share its face before it
-  /// is passed to, so that no two have the same next one, and the way ends.
+  /// Passes the tetrahedra around an edge, starting at the triangle. Every neighbor is checked to share its face before
+  /// it is entered; so no two tetrahedra have the same next one, and the walk ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";
     const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];
-    // In each tetrahedron, the corners across from the face through which the way comes in, and goes out.
+    // In each tetrahedron: the corners across from the faces through which the walk enters and leaves.
     std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
     for (std::uint32_t next = solid_.neighbors[t][out]; next != Solid::none; next = solid_.neighbors[t][out]) {
       meshops::require(next < solid_.simplices.size(), not_shared);
@@ -104,8 +104,8 @@ class OpenFaces {
   }
 
   const Solid& solid_;
-  std::vector<std::uint32_t> first_;           // of each tetrahedron: how many open faces come before its own
-  meshops::FreshVector<std::uint32_t> place_;  // of open faces as they come, in canonical order
+  std::vector<std::uint32_t> first_;           // for each tetrahedron: the number of open faces before its own
+  meshops::FreshVector<std::uint32_t> place_;  // for each open face as found: its canonical place
   std::vector<Triangle> triangles_, neighbors_;
   std::vector<std::uint32_t> faces_;
 };

@@ -30,7 +30,8 @@ std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const 
   return space::order_on_curve(points, space::scaled(points, spread, copy), ask);
 }
 
-/// Which corner of a triangle is inside the least sphere of the others, as at most one is; 3 where none is.
+/// Returns the corner of a triangle that is inside the least sphere of the other two, as at most one is; 3 where none
+/// is.
 std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k)
     if (space::in_least_sphere(points[triangle[(k + 1) % 3]], points[triangle[(k + 2) % 3]], points[triangle[k]]))
@@ -38,7 +39,8 @@ std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& trian
   return 3;
 }
 
-/// That of its own least sphere if no corner around is inside, else that of the first triangle at it.
+/// Finds the radius of each edge: that of its own least sphere if no corner around is inside, else that of the first
+/// triangle at it.
 void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps& step, SolidFiltration& filtration) {
   const auto& triangles = filtration.triangles;
   std::vector<std::uint8_t> obtuse(triangles.size());
@@ -61,7 +63,7 @@ void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps
   });
 }
 
-/// Keeps the rows of which all corners are below `points`. Returns: of each row its new number.
+/// Keeps the rows whose corners are all below `points`. Returns the new number of each row.
 template <typename Rows>
 std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   std::vector<std::uint32_t> number(rows.size(), Solid::none);
@@ -75,7 +77,8 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// Fills in triangles and edges of points that have no tetrahedron, and the radii of triangles: what is left of a cone.
+/// Fills in triangles and edges of points that have no tetrahedron, and the radii of triangles: the base of a cone over
+/// the points.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {
   std::vector<Point3> cone(points.begin(), points.end());
@@ -101,7 +104,7 @@ void take_flat(std::span<const Point3> points, const SolidOptions& options, Thre
   });
 }
 
-/// From places on the curve to input indices.
+/// Renames the corners from places on the curve to input indices.
 void rename_corners(std::span<const std::uint32_t> index, SolidFiltration& filtration) {
   Solid& delaunay = filtration.delaunay;
   for (auto& row : delaunay.simplices)
@@ -130,7 +133,7 @@ void rename_corners(std::span<const std::uint32_t> index, SolidFiltration& filtr
 
 }  // namespace
 
-/// In order:
+/// Computes the filtration:
 ///   1. sort the points along a curve, and triangulate them as if they had been numbered so;
 ///   2. number triangles and edges;
 ///   3. find the radii of tetrahedra, triangles and edges;

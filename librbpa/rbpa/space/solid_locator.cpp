@@ -14,7 +14,8 @@
 namespace rbpa {
 namespace {
 
-/// Which of so many cells between low and high. Halves, as the difference may be beyond the doubles.
+/// Returns the cell of x among `cells` cells between low and high. Halves avoid a difference beyond the range of
+/// double.
 std::size_t cell_along(double x, double low, double high, std::size_t cells) {
   const double ratio = (x / 2 - low / 2) / (high / 2 - low / 2) * static_cast<double>(cells);
   return ratio >= 1 ? std::min(static_cast<std::size_t>(std::min(ratio, 1e6)), cells - 1) : 0;
@@ -22,7 +23,7 @@ std::size_t cell_along(double x, double low, double high, std::size_t cells) {
 
 }  // namespace
 
-/// What a query needs for itself.
+/// The working memory of a query.
 struct SolidLocator::Walk {
   std::vector<std::uint32_t> around;  // tetrahedra that contain the query
 };
@@ -44,7 +45,7 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
       high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
     }
-  // Cells are cubes, one for about twenty tetrahedra, unless the box is so flat that they would be too many.
+  // Cells are cubes, one for about twenty tetrahedra, unless the box is so flat that there would be too many.
   const std::array<double, 3> extent = {high_.x / 2 - low_.x / 2, high_.y / 2 - low_.y / 2, high_.z / 2 - low_.z / 2};
   const double longest = *std::max_element(extent.begin(), extent.end());
   double volume = 1;
@@ -56,7 +57,7 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
   for (std::uint32_t t = 0; t < simplices.size(); ++t)
     for (const std::uint32_t corner : simplices[t])
       if (std::uint32_t& start = start_[cell_of(points[corner])]; start == Solid::none) start = t;
-  // Where there is no point, begin where one was last.
+  // Cells without a point start at the tetrahedron of the last cell with a point.
   std::uint32_t last = 0;
   for (std::uint32_t& start : start_) last = start = start == Solid::none ? last : start;
 }
@@ -80,7 +81,7 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
     std::uint32_t next = t;
     for (std::size_t k = 0; k < 4 && next == t; ++k) {
       const std::uint32_t beyond = neighbors_[t][k];
-      if (beyond == before && before != Solid::none) continue;  // the query is on this side of it
+      if (beyond == before && before != Solid::none) continue;  // the query is on this side of the face
       if (side(t, k) <= 0) continue;
       if (beyond == Solid::none) return Solid::none;
       next = beyond;
@@ -89,7 +90,7 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
     before = t;
     t = next;
   }
-  // Those that have the query on a common face, edge or corner are neighbors through faces that it is on.
+  // Tetrahedra that have the query on a common face, edge or corner are neighbors through faces that contain it.
   walk.around.assign(1, t);
   std::uint32_t first = t;
   for (std::size_t i = 0; i < walk.around.size(); ++i)

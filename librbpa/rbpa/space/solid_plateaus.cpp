@@ -21,10 +21,10 @@ namespace {
 using Wide = long double;  // for its exponents: volumes are products of coordinates
 constexpr double settles = 2;
 
-/// A ratio that noise does not reach: see docs/which_alpha.md for how it was measured.
+/// Returns a ratio that noise does not reach: docs/which_alpha.md describes how it was measured.
 double noise_ratio(std::size_t distinct) { return 1.5 + 10 / std::sqrt(static_cast<double>(distinct)); }
 
-/// Half the diagonal of the box of the points.
+/// Returns half the diagonal of the points' bounding box.
 double reach_of(std::span<const Point3> points) {
   Point3 low = points[0], high = low;
   for (const Point3& p : points) {
@@ -35,7 +35,7 @@ double reach_of(std::span<const Point3> points) {
   return static_cast<double>(std::sqrt(dot(diagonal, diagonal)) / 2);
 }
 
-/// The complex from each radius to the next.
+/// The growth of the complex from each radius to the next.
 struct Growth {
   std::vector<double> alpha;
   std::vector<Wide> change;
@@ -43,12 +43,12 @@ struct Growth {
   std::size_t begin = 0;  // the first radius at which enough points are covered
 };
 
-/// Components of the tetrahedra so far, connected through points, by their numbers of points.
+/// Components of the tetrahedra so far, connected through points, counted by their numbers of points.
 class Parts {
  public:
   explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}
 
-  /// All points are in one part, and no tetrahedron changes that.
+  /// Returns whether all points are in one component, which no further tetrahedron changes.
   bool is_whole(std::size_t distinct) const { return components == 1 && points == distinct; }
   double effective() const {
     const auto of_all = static_cast<double>(points);
@@ -83,12 +83,12 @@ class Parts {
   }
 
   meshops::DisjointSets sets_;
-  std::vector<std::uint32_t> size_;  // of each set, at its least point
+  std::vector<std::uint32_t> size_;  // for each set, at its least point
 };
 
-/// Of each tetrahedron, the radius from which on it is in the complex or in a void of it.
+/// Returns, for each tetrahedron, the radius from which it is in the complex or in a void of it.
 std::vector<double> enclosed_from(std::span<const double> radii, const VoidTree& tree) {
-  std::vector<double> outermost(tree.nodes.size());  // the closing of the first void that each is parted from
+  std::vector<double> outermost(tree.nodes.size());  // the closing radius of the outermost void that contains each
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     outermost[n] = tree.nodes[n].parent == VoidTree::none ? tree.nodes[n].closes : outermost[tree.nodes[n].parent];
   std::vector<double> from(radii.begin(), radii.end());
@@ -139,7 +139,7 @@ Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::spa
   return growth;
 }
 
-/// All of it but what count() finds.
+/// Returns the plateau, except the numbers that count() finds.
 SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double ratio, std::size_t distinct) {
   SolidPlateau plateau{.from = growth.alpha[range.first], .ratio = ratio};
   if (range.last < growth.alpha.size()) plateau.to = growth.alpha[range.last];

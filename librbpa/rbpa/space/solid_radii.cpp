@@ -34,7 +34,7 @@ void require_share(double share) {
   meshops::require(share > 0 && share <= 1, "min_alpha, auto_alpha: a share is above 0 and at most 1");
 }
 
-/// The least number whose share of so many, as double divides, is at least this.
+/// Returns the least count with count / all ≥ share, divided in double.
 std::size_t share_of(std::size_t all, double share) {
   const auto whole = static_cast<double>(all);
   auto count = static_cast<std::size_t>(std::max(1.0, std::floor(share * whole) - 1));
@@ -42,10 +42,10 @@ std::size_t share_of(std::size_t all, double share) {
   return count;
 }
 
-/// Whether in the complex of alpha one solid component has a share of the corners that there are.
+/// Tests whether one solid component of the complex of alpha has a given share of all corners.
 class Connection {
  public:
-  /// Keeps all.
+  /// Keeps references to all arguments.
   Connection(const Solid& delaunay, std::span<const double> radii, double share, Steps& step)
       : delaunay_(delaunay), radii_(radii), step_(step), seen_(corner_bound<4>(delaunay.simplices), none) {
     std::size_t corners = 0;
@@ -68,7 +68,7 @@ class Connection {
     }
     for (std::uint32_t t = 0; t < simplices.size(); ++t)
       if (radii_[t] <= alpha) ++size[sets.find(t)];
-    // Each corner of a component is one of its tetrahedra's, so that hardly any component is large enough.
+    // Each corner of a component belongs to one of its tetrahedra, so that hardly any component is large enough.
     for (std::uint32_t root = 0; root < size.size(); ++root)
       if (4 * std::size_t{size[root]} >= wanted_ && count_corners(root, alpha, sets) >= wanted_) return true;
     return false;
@@ -91,7 +91,7 @@ class Connection {
   const Solid& delaunay_;
   std::span<const double> radii_;
   Steps& step_;
-  std::vector<std::uint32_t> seen_;  // of each point, the root of the last component that was seen to have it
+  std::vector<std::uint32_t> seen_;  // for each point: the root of the last component found at it
   std::size_t wanted_ = 0;
 };
 
@@ -142,14 +142,14 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   require_share(share);
   meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");
   if (delaunay.simplices.empty()) return infinity;
-  // A component with so many points keeps them as alpha grows: so the least alpha is found by bisection among radii.
+  // A component with enough points keeps them as alpha grows, so the least alpha is found by bisection over the radii.
   std::vector<double> sorted(radii.begin(), radii.end());
   Steps asked(go_on);
   sort(sorted, asked, std::less<>());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   Connection connection(delaunay, radii, share, asked);
   const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share, go_on));
-  auto first = static_cast<std::size_t>(at_min - sorted.begin());  // is the least that may do
+  auto first = static_cast<std::size_t>(at_min - sorted.begin());  // the least candidate
   std::size_t last = first;
   for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {
     first = last + 1;

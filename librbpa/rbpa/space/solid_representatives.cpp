@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// The tetrahedra that a void has at one radius.
+/// Finds the tetrahedra of a void at one radius.
 class VoidSearch {
  public:
   VoidSearch(std::span<const Point3> points, const SolidFiltration& filtration)
       : points_(points), filtration_(filtration), is_reached_(filtration.triangles_of.size(), false) {}
 
-  /// That with this tetrahedron at `alpha`. Requires: a bounded one.
+  /// Returns the void that contains this tetrahedron at `alpha`. Requires: the void is bounded.
   SolidRepresentative of(std::uint32_t tetrahedron, double alpha, Steps& step) {
     SolidRepresentative result;
     auto& reached = result.tetrahedra;
@@ -53,7 +53,7 @@ class VoidSearch {
  private:
   using Vector = space::Vector3<double>;
 
-  /// A triangle with the void on both sides bounds nothing.
+  /// Adds the bounding triangles. A triangle with the void on both sides bounds nothing.
   void add_faces(SolidRepresentative& result) const {
     struct Side {
       std::uint32_t triangle, tetrahedron;

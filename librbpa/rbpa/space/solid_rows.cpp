@@ -14,7 +14,8 @@ namespace {
 /// An even permutation of four numbers that puts the two least first: two bits for each place.
 using Permutation = std::uint8_t;
 
-/// Of twelve, the one for the least at i and the next at j.
+/// Returns the permutations, indexed by the places of the least number and of the next: element 4 i + j. Twelve are
+/// used.
 constexpr std::array<Permutation, 16> even_permutations() {
   std::array<Permutation, 16> all{};
   for (unsigned i = 0; i < 4; ++i)
@@ -30,10 +31,10 @@ constexpr std::array<Permutation, 16> even_permutations() {
   return all;
 }
 
-/// Which are the two least cannot be predicted, so that nothing branches.
+/// Returns the permutation of a row. The places of the two least cannot be predicted, so the code does not branch.
 Permutation permutation_of(const Row& row) {
   static constexpr auto all = even_permutations();
-  // Each number beside its place.
+  // Each number together with its place.
   const auto placed = [&](std::size_t i) { return std::uint64_t{row[i]} << 2U | i; };
   const std::uint64_t a = placed(0), b = placed(1), c = placed(2), d = placed(3);
   const std::uint64_t low = std::min(a, b), high = std::max(a, b), other_low = std::min(c, d),
@@ -73,10 +74,10 @@ void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t b
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
   if (!neighbors) return;
   if (ask) ask();
-  // The first touch of fresh memory costs as much as this, so that the neighbors come where the rows were.
+  // The first touch of fresh memory costs as much as this step, so the neighbors reuse the memory of the rows.
   rows.corners.swap(solid.neighbors);
   if (solid.neighbors.capacity() / 5 * 4 > count) solid.neighbors.shrink_to_fit();
-  // In the order of the rows, whose neighbors are near each other.
+  // In the order of the rows, because the neighbors of consecutive rows are near each other in memory.
   for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (i + 16 < count) __builtin_prefetch(&solid.neighbors[place[i + 16]], 1);

@@ -29,12 +29,12 @@ SolidCounts space::count_solid(const Solid& solid, const SolidBoundary& boundary
   counts.solid_components = count_sets(outside.solid_components);
   counts.components = count_sets(outside.components);
   const std::size_t surfaces = count_sets(outside.surfaces);
-  // Signed, as a sum of other arrays than a solid's may be negative.
+  // Signed numbers, because sums of arrays that are not a solid's may be negative.
   const auto signed_of = [](std::size_t count) { return static_cast<std::ptrdiff_t>(count); };
   const std::ptrdiff_t euler = outside.twice_euler / 2;
   const std::ptrdiff_t edges =
       signed_of(counts.points) + signed_of(counts.triangles) - signed_of(counts.tetrahedra) - euler;
-  // Each component has a surface around it.
+  // Each component has one surface around it.
   const std::ptrdiff_t voids = signed_of(surfaces) - signed_of(counts.components);
   const std::ptrdiff_t tunnels = signed_of(surfaces) - euler;
   meshops::require(outside.twice_euler % 2 == 0 && edges >= 0 && voids >= 0 && tunnels >= 0, not_its_boundary);

@@ -21,7 +21,7 @@ struct Side {
   std::uint32_t across;
 };
 
-/// Calls visit(first, last) for the sides between each two vertices.
+/// Calls visit(first, last) for the sides between each pair of vertices.
 template <typename Visit>
 void for_each_edge(const SplitFans& fans, const std::function<bool()>& go_on, const Visit& visit) {
   Steps step(go_on);
@@ -54,7 +54,7 @@ SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on)
   const auto corners = static_cast<std::uint32_t>(fans.size());
   const auto at = [&](std::uint32_t corner) -> std::uint32_t& { return result.triangles[corner / 3][corner % 3]; };
 
-  std::vector<std::uint32_t> first;  // corner of each fan
+  std::vector<std::uint32_t> first;  // first corner of each fan
   for (std::uint32_t corner = 0; corner < corners; ++corner)
     if (fans.find(corner) == corner) first.push_back(corner);
   sort(first, step, [&](std::uint32_t f, std::uint32_t g) { return at(f) != at(g) ? at(f) < at(g) : f < g; });
@@ -68,7 +68,7 @@ SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on)
 Surface indexable_surface(const Surface& surface, const std::function<bool()>& go_on) {
   Surface result = surface;
   const auto across = [&](const Side& side) -> std::uint32_t& { return result.neighbors[side.triangle][side.across]; };
-  // Once a fan is cut wherever it comes to the edge, each part comes to it at its two ends only.
+  // After a fan is cut everywhere that it meets the edge, each part meets the edge only at its two ends.
   for_each_edge(split_fans(surface, go_on), go_on, [&](auto first, auto last) {
     if (last - first > 2)
       for (auto side = first; side != last; ++side) across(*side) = Surface::none;

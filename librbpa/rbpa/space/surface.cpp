@@ -18,7 +18,7 @@
 namespace rbpa {
 namespace {
 
-/// The triangles for which keep(v, x, y) holds, for sites; see SurfaceAssembly::add(). In order:
+/// Assembles the triangles of sites for which keep(v, x, y) returns true; see SurfaceAssembly::add():
 ///   1. find the rings of a part of the sites, in any thread (find_rings());
 ///   2. add the triangles of the part that are kept, and the rings that are needed for their neighbors;
 ///   3. report progress, part by part in order;
@@ -61,7 +61,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   surface.duplicates = cells.duplicates();
 }
 
-/// A few sites are done before another thread has woken.
+/// Returns the threads to use. Few sites need one thread: another would start too late.
 Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(points < 1000 ? 1 : wanted); }
 
 }  // namespace

@@ -25,19 +25,20 @@ namespace {
 using Corners = std::array<Point3, 3>;
 using Vector = space::Vector3<double>;
 
-/// The corners of a triangle, the least point first: where indices begin depends on their order.
+/// Returns the corners of a triangle, the least point first: the first index of a triangle depends on the numbers of
+/// points.
 Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
   Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-/// A component, and what decides between equal ones.
+/// A component, and the tie-breaker between equal components.
 struct Measured : SurfaceComponent {
   Corners least{};  ///< triangle; no other component has the same, as triangles are oriented
 };
 
-/// Requires: at least one triangle.
+/// Measures a component. Requires: at least one triangle.
 Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles,
                  Steps& step) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -76,7 +77,7 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
   return result;
 }
 
-/// By their numbers.
+/// Returns whether the numbers of components fit the surface.
 bool are_of(const SurfaceComponents& components, const Surface& surface) {
   return components.number.size() == surface.triangles.size() &&
          std::all_of(components.number.begin(), components.number.end(),
@@ -129,7 +130,7 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
                                   const std::function<bool()>& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
   meshops::require(are_of(components, surface), "genus_of: expected the components of this surface");
-  std::vector<std::size_t> genus;  // vertices, at first
+  std::vector<std::size_t> genus;  // at first the number of vertices
   genus.resize(components.all.size(), 0);
   Steps step(go_on);
   const meshops::DisjointSets fans = fans_of(space::arrays_of(surface), step);

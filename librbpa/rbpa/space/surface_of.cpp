@@ -17,8 +17,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A side between two points, across from a third corner. It opens where it runs from the lower to the higher: then its
-/// positive side comes after it, counter-clockwise about that direction.
+/// A side of a triangle between two points, across from a third corner. It opens where it leads from the lower point to
+/// the higher: then the triangle's positive side follows it, counter-clockwise about that direction.
 struct SideInSpace {
   std::uint32_t low, high, apex;
   std::uint32_t triangle, across;
@@ -46,7 +46,7 @@ void check_triangles(std::span<const Point3> points, std::span<const Triangle> t
   }
 }
 
-/// Sets `distinct` and `duplicates`. Returns: of each point the lowest one at its place.
+/// Sets `distinct` and `duplicates`. Returns, for each point, the lowest index at its place.
 std::vector<std::uint32_t> lowest_equal(std::span<const Point3> points, Surface& surface) {
   std::vector<std::uint32_t> order(points.size()), lowest(points.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> lowest_equal(std::span<const Point3> points, Surface&
   return lowest;
 }
 
-/// The sides of triangles of more than two at an edge, in their order around it.
+/// Sorts the sides of more than two triangles at an edge by their order around it.
 class EdgeTurn {
  public:
   EdgeTurn(std::span<const Point3> points, std::span<SideInSpace> sides)
@@ -90,8 +90,8 @@ class EdgeTurn {
  private:
   const Point3& at(const SideInSpace& side) const { return points_[side.apex]; }
   int along(const SideInSpace& side) const { return space::orientation_along(a_, b_, at(side), axis_); }
-  /// Returns the part of the turn that begins in the direction of the first: there, the first half, opposite, the
-  /// second half.
+  /// Returns the part of the full turn, which starts in the direction of the first side: that direction, the first
+  /// half, the opposite direction, the second half.
   int part(const SideInSpace& side) const {
     const int turned = space::orientation(a_, b_, start_, at(side));
     if (turned != 0) return turned > 0 ? 1 : 3;
@@ -101,7 +101,7 @@ class EdgeTurn {
     const int first = part(s), second = part(t);
     return first != second ? first - second : -space::orientation(a_, b_, at(s), at(t));
   }
-  /// No other lies on it, with its positive side on the same side.
+  /// Returns whether no other triangle lies on the triangle of side i with its positive side on the same side.
   bool is_alone(std::size_t i) const {
     const auto lies_on = [&](std::size_t j) {
       return j != i && sides_[j].opens == sides_[i].opens && compare(sides_[i], sides_[j]) == 0;

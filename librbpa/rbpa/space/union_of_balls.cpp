@@ -25,7 +25,7 @@ using space::Measure;
 using space::Vector;
 using Sum = space::MeasureSum;
 
-/// The formula over one triangulation. Points from `own` on have no ball.
+/// Evaluates the formula over one triangulation. Points from number `own` on have no ball.
 class Union {
  public:
   Union(std::span<const Point3> points, std::size_t own, const Solid& delaunay, std::span<const double> radii,
@@ -61,10 +61,10 @@ class Union {
  private:
   using Row = std::array<std::uint32_t, 4>;
 
-  /// What a point adds, and the edges, triangles and tetrahedra of which it is the least corner.
+  /// Adds the terms of a point, and of the edges, triangles and tetrahedra of which it is the least corner.
   void add_star(std::uint32_t a, std::vector<space::EdgeEnd>& ends, Sum& sum) const {
     const auto star = stars_[a];
-    if (star.empty()) return;  // it repeats another point
+    if (star.empty()) return;  // the point is a duplicate
     for (const std::uint32_t t : star) {
       const Row& row = delaunay_.simplices[t];
       if (!faces_.has_tetrahedron(t) || a != *std::min_element(row.begin(), row.end())) continue;
@@ -87,8 +87,8 @@ class Union {
                             [&](std::uint32_t b, std::span<const space::EdgeAt> ring) { add_edge(a, b, ring, sum); });
   }
 
-  /// The tetrahedron is in the complex, and no face of it at a, or at the edge from a to b, is on the hull: what is
-  /// there adds nothing if all tetrahedra there are so.
+  /// Returns whether the tetrahedron is in the complex, and no face of it at a, or at the edge from a to b, is on the
+  /// hull. Where all tetrahedra are so, the terms sum to nothing.
   bool is_inside(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
     if (!faces_.has_tetrahedron(t)) return false;
     for (std::size_t k = 0; k < 4; ++k)
@@ -121,11 +121,11 @@ class Union {
     sum.add(-outside, space::two_balls(length(along)));
   }
 
-  /// In units of the radius.
+  /// Returns the vector from a to b, in units of the radius.
   Vector edge(std::uint32_t a, std::uint32_t b) const {
     return 1 / radius_ * space::from<double>(points_[a], points_[b]);
   }
-  /// The corners of a tetrahedron, one of them first.
+  /// Returns the corners of a tetrahedron, starting with `first`.
   Row from_corner(std::uint32_t t, std::uint32_t first) const {
     Row row = delaunay_.simplices[t];
     std::swap(row[0], *std::find(row.begin(), row.end(), first));
@@ -169,7 +169,7 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
   Solid delaunay = solid(points, infinity, with_neighbors);
   std::vector<Point3> more;
   if (delaunay.simplices.empty()) {
-    // All are in a plane. Points so far away that no ball reaches them make a triangulation.
+    // All points are in a plane. Additional points, too far away for any ball to reach them, make a triangulation.
     Point3 low = points[0], high = points[0];
     for (const Point3& p : points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};

@@ -21,7 +21,7 @@
 namespace rbpa {
 namespace {
 
-/// The distinct points that are in no triangle.
+/// Returns the distinct points that are in no triangle.
 std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& surface) {
   std::vector<std::uint8_t> is_used(points, 0);
   for (const auto& triangle : surface.triangles)
@@ -36,7 +36,7 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   return unused;
 }
 
-/// Raises the causes of the corners of one radius's exposed triangles at unused points.
+/// Raises the causes of unused points that are corners of one radius's exposed triangles.
 void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::ExposedAt> exposed,
                   const space::Agreement& agreement, std::vector<UnusedCause>& causes, Steps& step) {
   for (const space::ExposedAt& local : exposed) {
@@ -48,8 +48,8 @@ void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::
   }
 }
 
-/// Every ball that touches points[v] holds another point: so it is exactly if a ball rests on v, the nearest point and
-/// a third one (docs/surface_derivation.md, section 10).
+/// Returns whether every ball that touches points[v] contains another point. This is so if and only if a
+/// ball rests on v, the nearest point and a third one (docs/surface_derivation.md, section 10).
 /// Requires: distinct points; no empty ball rests on v; `around` has all points that such balls can touch or hold.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;
@@ -68,7 +68,7 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   });
 }
 
-/// Changes `no_ball_rests` to `hidden` where it is so, for wanted points in the subset.
+/// Changes `no_ball_rests` to `hidden` where every ball contains another point, for wanted points in the subset.
 void find_hidden(const space::NeighborhoodSubset& near, double radius, std::vector<UnusedCause>& causes,
                  const std::vector<std::uint8_t>& wanted, Steps& step) {
   Threads threads;

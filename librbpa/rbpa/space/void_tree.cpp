@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint32_t none = VoidTree::none;
 
-/// Of each triangle, the radius of the first tetrahedron at it.
+/// Returns, for each triangle, the radius of the first tetrahedron at it.
 std::vector<double> first_radii(std::span<const double> radii, const space::NumberedTriangles& triangles) {
   std::vector<double> first(triangles.corners.size(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
@@ -34,8 +34,8 @@ std::vector<double> first_radii(std::span<const double> radii, const space::Numb
   return first;
 }
 
-/// Backwards in alpha, each tetrahedron adds its volume to what its basin is in by then, and each void that closes has
-/// what it has by then.
+/// Computes the volumes in descending alpha: each tetrahedron adds its volume to the void that contains its basin, and
+/// each void that closes gets the volume collected so far.
 void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, Steps& step,
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());
@@ -44,7 +44,7 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
   meshops::DisjointSets sets(tree.nodes.size());
   std::vector<double> sum(tree.nodes.size(), 0);
   std::size_t left = order.size();
-  for (std::size_t last = tree.nodes.size(), first; last > 0; last = first) {  // those that close at one radius
+  for (std::size_t last = tree.nodes.size(), first; last > 0; last = first) {  // voids that close at one radius
     const double alpha = tree.nodes[last - 1].closes;
     for (; left > 0 && radii[order[left - 1]] > alpha; --left) {
       step();
@@ -74,10 +74,10 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
                                        ? first_radii(radii, triangles)
                                        : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
-  // What is filled as it closes is a part of what it is parted from.
+  // A void that is filled as soon as it closes belongs to the void that it is parted from.
   std::vector<std::uint32_t> part_of(radii.size());
   std::iota(part_of.begin(), part_of.end(), std::uint32_t{0});
-  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // that from which others are parted comes first
+  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before those parted from it
     if (wall[at->triangle] == radii[at->tetrahedron])
       part_of[at->tetrahedron] = at->parted_from == none ? none : part_of[at->parted_from];
   std::erase_if(found.all, [&](const space::PersistentVoid& v) { return part_of[v.tetrahedron] != v.tetrahedron; });
@@ -88,7 +88,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   sort(found.all, step, is_before);
 
   VoidTree tree;
-  std::vector<std::uint32_t> node(radii.size(), none);  // of each tetrahedron that is the last of one
+  std::vector<std::uint32_t> node(radii.size(), none);  // for each tetrahedron that is the last of a void
   for (std::uint32_t i = 0; i < found.all.size(); ++i) node[found.all[i].tetrahedron] = i;
   const auto node_of = [&](std::uint32_t last) {
     return last == none || part_of[last] == none ? none : node[part_of[last]];
@@ -103,8 +103,8 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // Its basin may belong to a void that closes only above this radius; below it is a part of what that is parted
-    // from.
+    // The basin may belong to a void that closes only above this radius; below, it is part of the void that this one is
+    // parted from.
     while (of != none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);
@@ -115,9 +115,9 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
                                     double alpha, const Surface& boundary, std::span<const SolidVoid> voids) {
   meshops::require(radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
                    "nodes_of: expected the triangulation of the tree, and its radii");
-  // One triangle of each void, turned outwards from the tetrahedron in it: boundaries are seen from within voids.
+  // One triangle of each void, turned outward from the tetrahedron in it, as boundaries are seen from within voids.
   std::map<Triangle, std::size_t> void_at;
-  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // of such a triangle
+  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the least corner of such a triangle
   for (std::size_t i = 0; i < voids.size(); ++i) {
     const auto& [a, b, c] = boundary.triangles[voids[i].triangles.front()];
     const Triangle face = from_least({a, c, b});

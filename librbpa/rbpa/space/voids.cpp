@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::uint32_t none = Voids::none;
 
-/// Finds which void each surface of the boundary bounds. In order:
-///   1. of each component of the complex, the surface around it; its others are around voids;
-///   2. which components are within which of these;
-///   3. the void that each component floats in: the innermost of them.
+/// Finds the void that each surface of the boundary bounds:
+///   1. for each component of the complex, find the surface around it; its other surfaces are around voids;
+///   2. find the components within each surface around a void;
+///   3. find the void that each component floats in: the innermost of those around it.
 class Nesting {
  public:
   Nesting(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary, space::Outside& outside)
@@ -44,12 +44,12 @@ class Nesting {
   }
 
   const space::Grouped& surfaces() const { return surfaces_; }
-  /// Whether it is around a component.
+  /// Returns whether a surface is around a component.
   bool is_outer(std::uint32_t surface) const { return outer_[component_[surface]] == surface; }
-  /// Of a surface around a component, the one around the void that this floats in, or none.
+  /// Returns, for a surface around a component, the surface around the void in which the component floats, or none.
   std::uint32_t around(std::uint32_t surface) const { return around_[surface]; }
 
-  /// Steps 2 and 3.
+  /// Does steps 2 and 3.
   void find_floating() {
     std::vector<std::uint32_t> by_y(outer_.size());
     std::iota(by_y.begin(), by_y.end(), std::uint32_t{0});
@@ -64,7 +64,7 @@ class Nesting {
         ++depth[c];
       }
     }
-    // All that are around the component of the innermost are around it too.
+    // Surfaces around the component of the innermost surface are around it too.
     for (const auto& [c, s] : within)
       if (depth[component_[s]] + 1 == depth[c]) around_[outer_[c]] = s;
   }
@@ -76,13 +76,13 @@ class Nesting {
     const auto& [a, b, c] = boundary_.surface.triangles[triangle];
     return {points_[a], points_[b], points_[c]};
   }
-  /// A tetrahedron of a component, from within which rays begin.
+  /// Returns a tetrahedron of a component; rays start within it.
   Tetrahedron start(std::uint32_t component) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(outer_[component]).front()]];
     return {points_[a], points_[b], points_[c], points_[d]};
   }
 
-  /// Of the surfaces of one component: that which has it inside.
+  /// Returns the surface of one component that encloses the component.
   std::uint32_t outer_surface(std::span<const std::uint32_t> surfaces) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(surfaces.front()).front()]];
     const Tetrahedron from = {points_[a], points_[b], points_[c], points_[d]};
@@ -96,7 +96,7 @@ class Nesting {
     return turns;
   }
 
-  /// Other components that a surface around a void has inside. Only those that begin in its box are looked at.
+  /// Returns the other components inside a surface around a void. Only components that begin in its box are tested.
   std::vector<std::uint32_t> components_within(std::uint32_t surface, const std::vector<std::uint32_t>& by_y) const {
     const auto triangles = surfaces_.items(surface);
     Point3 low = points_[boundary_.surface.triangles[triangles.front()][0]], high = low;
@@ -109,7 +109,7 @@ class Nesting {
       return std::lower_bound(components.begin(), components.end(), y,
                               [&](std::uint32_t c, double value) { return start(c)[0].y < value; });
     };
-    std::vector<std::uint32_t> inside_box;  // by y
+    std::vector<std::uint32_t> inside_box;  // sorted by y
     for (auto c = first_from(by_y, low.y); c != by_y.end() && start(*c)[0].y <= high.y; ++c) {
       const Point3 p = start(*c)[0];
       if (*c != component_[surface] && p.x >= low.x && p.x <= high.x && p.z >= low.z && p.z <= high.z)
@@ -133,8 +133,8 @@ class Nesting {
   const Solid& solid_;
   const SolidBoundary& boundary_;
   space::Grouped surfaces_;
-  std::vector<std::uint32_t> component_;  // of each surface
-  std::vector<std::uint32_t> outer_;      // of each component, the surface around it
+  std::vector<std::uint32_t> component_;  // for each surface
+  std::vector<std::uint32_t> outer_;      // for each component: the surface around it
   std::vector<std::uint32_t> around_;
 };
 
@@ -160,7 +160,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
 
   Nesting nesting(points, solid, boundary, outside);
   nesting.find_floating();
-  // A void is known by the surface around it.
+  // A void is identified by the surface around it.
   const auto& surfaces = nesting.surfaces();
   std::vector<std::size_t> islands(surfaces.size(), 0);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s)
@@ -182,7 +182,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
     place[v] = static_cast<std::uint32_t>(result.all.size());
     const auto triangles = of_voids.items(v);
     const space::ClosedMeasures& of = measures[v];
-    // Its triangles face it.
+    // The triangles of a void's boundary face the void.
     result.all.push_back({{triangles.begin(), triangles.end()},
                           corners_of(boundary, triangles),
                           islands[key[v]],

@@ -12,8 +12,8 @@
 namespace rbpa::space {
 namespace {
 
-/// Calls put(from, to, triangle, across) for each side that leads to the greater of two points: one for each wedge at
-/// an edge.
+/// Calls put(from, to, triangle, across) for each side that leads to the greater of its two points: once for each wedge
+/// at an edge.
 template <typename Put>
 void for_each_rising_side(const std::vector<Triangle>& triangles, const Put& put) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -32,7 +32,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
   struct Side {
     std::uint32_t to, triangle, across;
   };
-  // Of each point, those that leave it.
+  // The sides that leave each point.
   std::vector<std::uint32_t> end(points.size() + 1, 0);
   for_each_rising_side(triangles, [&](std::uint32_t from, auto...) { ++end[from + 1]; });
   for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
@@ -47,7 +47,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
     const Triangle& corners = triangles[t];
     sides.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k], t, k});
   };
-  // end[i] is now the end of i's, and that of the one before is where they begin.
+  // end[i] is now the end of point i's sides, which begin at the end of the sides of the point before.
   for (std::size_t i = 0, begin = 0; i < points.size(); begin = end[i++]) {
     const auto of = std::span(rising).subspan(begin, end[i] - begin);
     std::sort(of.begin(), of.end(), [](const Side& s, const Side& t) { return s.to < t.to; });

@@ -17,11 +17,11 @@ namespace {
 using Corners = std::array<Point3, 3>;
 using Integers = std::array<std::int64_t, 3>;
 
-/// Coordinates are below 2^60 as integers, and below 2^500 as doubles, whose products then fit double with their last
-/// bits.
+/// Bounds of coordinates: below 2^60 as integers, and below 2^500 as doubles, so that products fit double with their
+/// last bits.
 constexpr int integer_bits = 60, double_bits = 500;
 
-/// The greatest sizes of coordinates.
+/// Returns the greatest absolute value of each coordinate.
 Point3 size_of(std::span<const Point3> points) {
   Point3 size{0, 0, 0};
   for (const Point3& p : points)
@@ -29,7 +29,7 @@ Point3 size_of(std::span<const Point3> points) {
   return size;
 }
 
-/// The corners from the least on: where indices begin depends on their order.
+/// Returns the corners, the least first: the first index of a triangle depends on the numbers of points.
 Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   if (b < a && b < c) return {b, c, a};
@@ -37,7 +37,7 @@ Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   return {a, b, c};
 }
 
-/// x times the power of two, if that is a whole number.
+/// Multiplies x by the power of two. Returns whether the result is an integer.
 bool to_integer(const PowerOfTwo& scale, double x, std::int64_t& result) {
   const double scaled = scale(x);
   result = static_cast<std::int64_t>(scaled);
@@ -128,7 +128,7 @@ class Measures::Sums {
     const Point3 a = scaled(t[0]);
     const Vector3<double> normal = cross(from<double>(a, scaled(t[1])), from<double>(a, scaled(t[2])));
     const double square = dot(normal, normal);
-    constexpr double least_square = 0x1p-900;  // below, its terms may underflow
+    constexpr double least_square = 0x1p-900;  // below, the terms of the square may underflow
     areas_.add(square > least_square ? std::sqrt(square) : std::hypot(normal.x, normal.y, normal.z));
   }
 
@@ -153,7 +153,7 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
     }
     sums.add(corners);
   }
-  // Where other points are far beyond, these have a scale of their own.
+  // Where other points are much farther out, these triangles need a scale of their own.
   const Point3 size = size_of(std::array{result.low, result.high});
   constexpr int too_small = -200;  // a power of two
   const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {

@@ -14,7 +14,8 @@
 namespace rbpa::space {
 namespace {
 
-/// A triangle of the boundary at one of its corners, with all that is looked at there: nothing is read from afar.
+/// A triangle of the boundary at one of its corners, with a copy of all data used there, so that no distant memory is
+/// read.
 struct Corner {
   std::uint32_t triangle;
   std::uint32_t head;         // its next corner
@@ -23,7 +24,7 @@ struct Corner {
       outside;  // the next triangle around the corner, as glued through the solid and through the outside
 };
 
-/// A corner at the point that is looked at.
+/// A corner at the current point.
 struct CornerAt {
   std::uint32_t triangle, head;
   std::uint32_t region;  // of the link's inside: tetrahedra connected through faces at the point
@@ -31,7 +32,7 @@ struct CornerAt {
   std::uint32_t fan;     // of triangles glued through the outside
 };
 
-/// Looks at one point after the other, and joins what is connected through it.
+/// Visits one point after the other, and joins the regions that are connected at it.
 class AtPoints {
  public:
   AtPoints(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary,
@@ -79,7 +80,7 @@ class AtPoints {
     if (seen_.empty()) seen_.resize(solid_.simplices.size(), 0);
     at_.clear();
     const std::uint32_t first_region = next_region_;
-    std::size_t left = corners.size();  // in tetrahedra that are not reached
+    std::size_t left = corners.size();  // corners in tetrahedra that are not reached yet
     for (const Corner& c : corners) {
       if (seen_[c.tetrahedron] < first_region) left = pass_region(v, c.tetrahedron, left);
       at_.push_back({c.triangle, c.head, seen_[c.tetrahedron] - first_region, 0, 0});
@@ -93,8 +94,8 @@ class AtPoints {
     join_fans(v);
   }
 
-  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: its corners by triangle,
-  /// ascending, and the next triangle around it of each.
+  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: the corners at the point by
+  /// triangle, ascending; next_of(corner) is the next triangle around the point.
   template <typename Next>
   std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
@@ -122,8 +123,8 @@ class AtPoints {
     return fans;
   }
 
-  /// Passes tetrahedra at v that are reached from one through faces at v, until none of the boundary's corners is left.
-  /// Returns: how many are left.
+  /// Passes the tetrahedra at v that are reached from one of them through faces at v, until none of the boundary's
+  /// corners is left. Returns how many corners are left.
   std::size_t pass_region(std::uint32_t v, std::uint32_t from, std::size_t left) {
     seen_[from] = next_region_;
     reached_.assign(1, from);
@@ -147,7 +148,8 @@ class AtPoints {
     return left;
   }
 
-  /// Regions of the link touch at a point of it, an edge of the complex, if a side of each leaves along it.
+  /// Joins regions of the link that touch: in a point of the link, which is an edge of the complex, where a side of
+  /// each leaves along this edge.
   void find_parts(std::uint32_t regions) {
     std::sort(at_.begin(), at_.end(), [](const CornerAt& a, const CornerAt& b) { return a.head < b.head; });
     part_.resize(regions);
@@ -164,8 +166,8 @@ class AtPoints {
     return region;
   }
 
-  /// Fans of different parts of the link are in the same region of its complement if they can see each other past all
-  /// parts.
+  /// Joins fans of different parts of the link that are in the same region of its complement: the ones that no part
+  /// separates.
   void join_fans(std::uint32_t v) {
     std::sort(at_.begin(), at_.end(),
               [](const CornerAt& a, const CornerAt& b) { return std::pair(a.part, a.fan) < std::pair(b.part, b.fan); });
@@ -175,12 +177,12 @@ class AtPoints {
       parts += at_[i].part != at_[i - 1].part;
       fans += at_[i].fan != at_[i - 1].fan;
     }
-    if (parts == fans) {  // none goes around any other
+    if (parts == fans) {  // no part goes around another
       for (const CornerAt& c : at_) outside_.surfaces.join(at_.front().triangle, c.triangle);
       return;
     }
-    // Of each fan, for each part of several fans: which of these is between the fan and the part.
-    std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> places;  // and a triangle of the fan
+    // For each fan: its place with respect to each part of several fans, which is the fan of that part that faces it.
+    std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> places;  // second: a triangle of the fan
     std::vector<std::span<const CornerAt>> by_part;
     for (std::size_t i = 0, end = 0; i < at_.size(); i = end) {
       while (end < at_.size() && at_[end].part == at_[i].part) ++end;
@@ -204,7 +206,7 @@ class AtPoints {
       if (places[i].first == places[i - 1].first) outside_.surfaces.join(places[i].second, places[i - 1].second);
   }
 
-  /// Which fan of a part of the link is crossed an odd number of times on the way to it from another part.
+  /// Returns the fan of a part of the link that is crossed an odd number of times on the way to it from another part.
   std::uint32_t fan_between(std::uint32_t v, std::span<const CornerAt> from, std::span<const CornerAt> part) const {
     const auto link_triangle = [&](const CornerAt& c) {
       const Row& corners = solid_.simplices[behind_[c.triangle]];
@@ -230,10 +232,10 @@ class AtPoints {
   const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors
   const std::vector<std::uint32_t>& behind_;                   // tetrahedra
   Outside& outside_;
-  std::vector<std::uint32_t> seen_;  // of each tetrahedron, the last region that it was in
+  std::vector<std::uint32_t> seen_;  // for each tetrahedron: the last region that contained it
   std::uint32_t next_region_ = 1;
   std::size_t fans_ = 0, regions_ = 0;
-  // Of the point that is looked at.
+  // Data of the current point.
   std::vector<CornerAt> at_;
   std::vector<std::uint32_t> next_, fan_, reached_, part_;
 };
@@ -256,8 +258,8 @@ Outside outside_of(std::span<const Point3> points, const Solid& solid, const Sol
   AtPoints at_points(points, solid, boundary, glued.neighbors, outside);
   at_points.look_at_all();
 
-  // χ of the boundary, and of the surface just inside of it, along which fans of one region are joined by a tube: that
-  // of the open inside is half of the latter, and counts negatively in three dimensions.
+  // χ of the boundary, and of the surface just inside of it, along which a tube joins the fans of one region. χ of the
+  // open inside is half of the latter, and counts negatively in three dimensions.
   const auto faces = static_cast<std::ptrdiff_t>(triangles.size());
   const auto of_boundary =
       static_cast<std::ptrdiff_t>(outside.points) - static_cast<std::ptrdiff_t>(outside.edges) + faces;

@@ -11,7 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Numbers coordinates so that the numbers of two that differ by at most two radii differ by at most two.
+/// Numbers coordinates. The numbers of two coordinates that differ by at most two radii differ by at most two.
 class Numbering {
  public:
   explicit Numbering(double radius) : radius_(radius), inverse_(1 / (radius * (1 + 0x1p-6))) {}
@@ -21,7 +21,7 @@ class Numbering {
       return static_cast<std::int64_t>(std::floor(quotient));
     const long double quotient = std::floor(coordinate / (radius_ * (1 + 0x1p-6L)));
     if (std::abs(quotient) < 0x1p57L) return static_cast<std::int64_t>(quotient);
-    // No other double is within two radii of it: only its equals need have the same number.
+    // No other double is within two radii of it: only equal coordinates need the same number.
     return std::bit_cast<std::int64_t>(coordinate + 0.0);
   }
   std::array<std::int64_t, 3> operator()(const Point3& p) const { return {(*this)(p.x), (*this)(p.y), (*this)(p.z)}; }
@@ -64,7 +64,7 @@ class Packing {
   std::array<int, 3> width_;
 };
 
-/// Distributes by the digits above `shift`, of 2^digits values, then sorts each part.
+/// Sorts the points by cell: distributes them by the digits above `shift`, of 2^digits values, then sorts each part.
 std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) {
   constexpr int digits = 11;
   const std::size_t n = input.size();
@@ -84,7 +84,7 @@ std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) 
   return output;
 }
 
-/// The indices of the points, those of a cell together, in the order of cells.
+/// Returns the indices of the points in the order of cells; those of one cell are adjacent.
 std::vector<std::uint32_t> by_cell(std::span<const Point3> points, const Numbering& number, Threads& threads) {
   std::vector<Key> least((points.size() + at_a_time - 1) / at_a_time), greatest(least.size());
   for_each_part(threads, points.size(), at_a_time, [&](std::size_t from, std::size_t to) {
@@ -128,7 +128,7 @@ std::vector<std::uint32_t> by_cell(std::span<const Point3> points, const Numberi
   return order;
 }
 
-/// Whether two of a few points are equal.
+/// Returns whether two of a few points are equal.
 bool have_equals(std::span<const Point3> points) {
   for (std::size_t i = 1; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -9,10 +9,11 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::size_t all_up_to = 256;  // corners
+constexpr std::size_t all_up_to = 256;  // corners; up to this number all chords are candidates
 constexpr std::size_t nearest = 24, along = 8;
 
-/// Chords between corners of one level, which are some of all: to the nearest, and to the next along the rim.
+/// Adds chords between the corners of one level, a subset of all corners: from each to the nearest ones and to the next
+/// along the rim.
 void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vector<Chord>& chords,
                meshops::Steps& step) {
   std::vector<std::pair<double, std::uint32_t>> others;

@@ -31,7 +31,7 @@ class Search {
         from_(chords.size()),
         to_(chords.size()),
         around_(rim.size() + 1) {
-    // Twice the vector area of a part is a sum along the rim and one product at its chord.
+    // Twice the vector area of a part is a sum along the rim plus one product at its chord.
     for (std::size_t i = 0; i < rim.size(); ++i) {
       const Vector product = cross(rim.places[i], rim.places[(i + 1) % rim.size()]);
       around_[i + 1] = {around_[i].x + product.x, around_[i].y + product.y, around_[i].z + product.z};
@@ -40,7 +40,7 @@ class Search {
 
   std::optional<RimFilling> run() {
     find_least_turns();
-    // Parts of fewer corners first.
+    // Parts of fewer corners come first.
     std::vector<std::uint32_t> first(rim_.size() + 1, 0), order(chords_.size());
     for (std::size_t c = 0; c < chords_.size(); ++c) ++first[chords_[c].second - chords_[c].first + 1];
     for (std::size_t span = 1; span < first.size(); ++span) first[span] += first[span - 1];
@@ -55,8 +55,8 @@ class Search {
   /// The best triangulation behind a chord.
   struct Part {
     Vector unit{};                   // normal of the triangle at the chord
-    std::uint32_t apex = no_corner;  // none: a side
-    float least = 0;                 // turn: no triangulation of the part turns less
+    std::uint32_t apex = no_corner;  // none where the chord is a side
+    float least = 0;                 // lower bound of the turn of any triangulation of the part
   };
   /// Weights of the parts in some order.
   struct Weights {
@@ -64,16 +64,16 @@ class Search {
     std::vector<float> turn;
     std::vector<double> area;
   };
-  /// What is sought of a part.
+  /// The search for the best triangulation of a part.
   struct Best {
     FillingWeight weight{.turn = impossible, .area = 0};
     Part part{};
-    double enough = -1;  // area: none is smaller
+    double enough = -1;  // lower bound of the area
 
     bool is_final() const { return weight.area <= enough && weight.turn <= part.least; }
   };
 
-  /// Nothing where the three are on a line.
+  /// Returns the triangle; nothing where its corners are on a line.
   std::optional<Facet> facet(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Vector u = rim_.places[b] - rim_.places[a], v = rim_.places[c] - rim_.places[a], n = cross(u, v);
     const double length = std::sqrt(dot(n, n));
@@ -84,7 +84,7 @@ class Search {
     return Facet{{n.x / length, n.y / length, n.z / length}, length / 2};
   }
 
-  /// A bound of the turn over each side: its best triangle by itself.
+  /// Finds a lower bound of the turn over each side: that of its best triangle alone.
   void find_least_turns() {
     least_turns_.assign(rim_.size(), 0);
     if (!chords_.are_all()) return;
@@ -114,7 +114,7 @@ class Search {
       best.part.unit = rim_.normals[chord.first];
       best.part.least = least_turns_[chord.first];
     } else if (chords_.is_complete()) {
-      // Chords to all corners between: they are beside each other in both orders.
+      // There are chords to all corners in between. They are adjacent in both orders.
       const std::uint32_t count = chord.second - chord.first - 1;
       const std::uint32_t first = chords_.first_from(chord.first),
                           second = chords_.first_to(chord.second) + chord.first + 1;
@@ -137,8 +137,8 @@ class Search {
     from_.area[number] = to_.area[place] = best.weight.area;
   }
 
-  /// A triangle at the chord with the parts behind its two other sides, the second of which is at a place by higher
-  /// ends.
+  /// Tries the triangle at the chord with the parts behind its two other sides. `first` is the number of one of these
+  /// sides, `second` the place of the other in the order by higher ends.
   void attempt(const Chord& chord, std::uint32_t first, std::uint32_t second, Best& best) {
     FillingWeight weight{std::max(from_.turn[first], to_.turn[second]), 0};
     if (weight.turn > best.weight.turn || weight.turn == impossible) return;

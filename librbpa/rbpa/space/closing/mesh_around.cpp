@@ -21,7 +21,7 @@ std::vector<Box> boxes_of(std::span<const Point3> points, std::span<const Simple
   return boxes;
 }
 
-/// The triangles whose boxes meet that of a loop.
+/// Returns the triangles whose boxes meet the box of a loop.
 std::vector<Corners> near(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                           const BoxTree& loops, meshops::Steps& step) {
   std::vector<Corners> result;
@@ -57,7 +57,7 @@ bool is_side(const Chord& chord, std::size_t size) {
   return chord.second == chord.first + 1 || (chord.first == 0 && chord.second + 1 == size);
 }
 
-/// Of two triangles that cross each other the one to do without.
+/// Returns the one of two crossing triangles that is to be forbidden.
 const RimTriangle& worse(const Rim& rim, const RimTriangle& s, const RimTriangle& t) {
   const auto square = [&](const RimTriangle& of) {
     const Vector n = cross(rim.places[of[1]] - rim.places[of[0]], rim.places[of[2]] - rim.places[of[0]]);
@@ -82,7 +82,7 @@ MeshAround::MeshAround(std::span<const Point3> points, std::span<const std::arra
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (const LoopCorner& corner : loops[l].corners) corners_at_[l].push_back(*place_of(points[corner.in]));
 
-  std::vector<std::uint32_t> place(points.size(), 0);  // of each vertex, from 1
+  std::vector<std::uint32_t> place(points.size(), 0);  // for each vertex, counted from 1; 0: none
   for (std::size_t v = 0; v < points.size(); ++v) {
     step(2);
     if (const auto found = place_of(points[v])) place[v] = *found + 1;
@@ -107,7 +107,7 @@ std::optional<std::uint32_t> MeshAround::place_of(const Point3& p) const {
 
 std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
   const std::vector<std::uint32_t>& corners = corners_at_[static_cast<std::size_t>(&loop - loops_.data())];
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // places, and the corners there
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // places, and the corners at each
   for (std::uint32_t i = 0; i < corners.size(); ++i) at.emplace_back(corners[i], i);
   std::sort(at.begin(), at.end());
   std::vector<Chord> taken;
@@ -116,7 +116,7 @@ std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
     const auto take = [&](std::uint32_t other) {
       if (other >= i && !is_side({i, other}, corners.size())) taken.emplace_back(i, other);
     };
-    if (joined.size() > at.size()) {  // at an edge or a point at which there are many triangles
+    if (joined.size() > at.size()) {  // there are many triangles at this point
       for (const auto& [place, other] : at)
         if (std::binary_search(joined.begin(), joined.end(), place)) take(other);
       continue;
@@ -191,7 +191,7 @@ void MeshAround::add(std::uint32_t number, const Rim& rim, std::span<const RimTr
     added_[number].push_back(corners_of(rim, t));
     for (std::size_t k = 0; k < 3; ++k) {
       const Chord chord = std::minmax(t[k], t[(k + 1) % 3]);
-      if (is_side(chord, rim.size())) continue;  // joined already
+      if (is_side(chord, rim.size())) continue;  // the mesh joins them already
       join(corners[chord.first], corners[chord.second]);
       join(corners[chord.second], corners[chord.first]);
     }

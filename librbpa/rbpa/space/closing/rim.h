@@ -33,9 +33,8 @@ inline float turn_between(const Vector& unit, const Vector& other) {
 struct Rim {
   std::vector<Point3> points;
   std::vector<Vector> places;  ///< the points, scaled to a box of side 1
-  std::vector<Vector>
-      /// Normal of the triangle at the edge from each corner to the next: of unit length; zero where it has no area
-      normals;
+  /// Normal of the triangle at the edge from each corner to the next: of unit length; zero where it has no area
+  std::vector<Vector> normals;
   int exponent = 0;  ///< a unit of places is 2^exponent units of the points
 
   /// Scales the corners. `across` has, for each edge, the third corner of the triangle at that edge.

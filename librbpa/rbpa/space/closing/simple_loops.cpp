@@ -7,7 +7,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Where the sequence of the loop's points is least.
+/// Returns the corner from which the sequence of the loop's points is lexicographically least.
 std::size_t canonical_start(std::span<const Point3> points, const std::vector<std::uint32_t>& loop) {
   const auto at = [&](std::size_t i) -> const Point3& { return points[loop[i % loop.size()]]; };
   std::size_t best = 0;
@@ -29,7 +29,7 @@ std::vector<SimpleLoop> simple_loops(std::span<const Point3> points,
     const std::vector<std::uint32_t>& loop = loops[l];
     const std::size_t start = canonical_start(points, loop);
     std::vector<LoopCorner> open;
-    std::map<Point3, std::size_t> place;  // in `open`, of each point there
+    std::map<Point3, std::size_t> place;  // for each point: its position in `open`
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const auto edge = static_cast<std::uint32_t>((start + k) % loop.size());
       const std::uint32_t vertex = loop[edge];
@@ -38,7 +38,7 @@ std::vector<SimpleLoop> simple_loops(std::span<const Point3> points,
         open.push_back({vertex, vertex, edge});
         continue;
       }
-      // The part since then is a loop; what is before goes on behind it.
+      // The corners since then are a loop; the corners before it continue after it.
       const auto first = open.begin() + static_cast<std::ptrdiff_t>(found->second);
       SimpleLoop part{l, {first, open.end()}};
       for (auto corner = first + 1; corner != open.end(); ++corner) place.erase(points[corner->in]);

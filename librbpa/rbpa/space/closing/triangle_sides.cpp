@@ -15,7 +15,7 @@ constexpr std::uint32_t none = 0xffffffff;
 
 auto key(const TriangleSide& side) { return std::tie(side.from, side.to); }
 
-/// The one between two vertices in this direction, or the end.
+/// Returns the side between two vertices in this direction, or the end.
 std::vector<TriangleSide>::const_iterator find(const std::vector<TriangleSide>& sides, std::uint32_t from,
                                                std::uint32_t to) {
   const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(from, to),
@@ -49,7 +49,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
       "boundary_loops: expected at most one side from a vertex to another");
   std::uint32_t vertices = 0;
   for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
-  std::vector<std::uint32_t> next(vertices, none);  // along the boundary, the triangles to the right
+  std::vector<std::uint32_t> next(vertices, none);  // along the boundary, with the triangles to the right
   for (const TriangleSide& side : sides) {
     step(2);
     if (find(sides, side.to, side.from) != sides.end()) continue;

@@ -31,8 +31,8 @@ Measure two_balls(double distance) {
   return {pi / 12 * (4 + distance) * height * height, 2 * pi * height};
 }
 
-// The three spheres meet in two points; the tetrahedron with one of them is made of what it has of one ball, less what
-// it has of two, and of half of three.
+// The three spheres meet in two points. The tetrahedron of the centers and one of these points has shares of one ball
+// each, less shares of two balls, plus half of the intersection of three.
 Measure three_balls(const Vector& u, const Vector& v) {
   const double lu = length(u), lv = length(v);
   const Vector eu = unit(u), ev = unit(v), n = cross(eu, ev), ew = unit(v - u);

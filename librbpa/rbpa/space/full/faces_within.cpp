@@ -22,7 +22,7 @@ FacesWithin::FacesWithin(const Triangulated& delaunay, std::span<const double> r
     : delaunay_(delaunay), radii_(radii), alpha_(alpha), has_triangle_(4 * radii.size()) {
   constexpr std::size_t at_a_time = 1u << 12;
   const auto& neighbors = delaunay_.neighbors;
-  // Which corner of the tetrahedron across from corner k is across from t.
+  // Returns the corner of the tetrahedron beyond corner k's face that is across from t.
   const auto back = [&](std::uint32_t t, std::size_t k) {
     const auto& others = neighbors[neighbors[t][k]];
     return static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
@@ -35,7 +35,7 @@ FacesWithin::FacesWithin(const Triangulated& delaunay, std::span<const double> r
   const auto is_alone_within = [&](std::uint32_t t, std::size_t k) {
     return is_empty_beside(t, k) && (is_on_hull(t, k) || is_empty_beside(neighbors[t][k], back(t, k)));
   };
-  // Each by its first tetrahedron, and then read from there.
+  // Each triangle is decided at its first tetrahedron; the second copies the result.
   AskFromAnyThread ask(go_on);
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
     ask();

@@ -13,7 +13,7 @@
 namespace rbpa::space {
 namespace {
 
-/// The share that one tetrahedron has of balls, in units of alpha.
+/// The shares of a tetrahedron in balls and their intersections, in units of alpha.
 class Share {
  public:
   Share(const Triangulated& space, std::uint32_t t, double alpha) {
@@ -23,7 +23,8 @@ class Share {
   }
 
   double volume() const { return std::abs(dot(edges_[0][1], cross(edges_[0][2], edges_[0][3]))) / 6; }
-  /// The volume that balls have in common: at a corner, at an edge, on this side of a face.
+  /// Returns the volume of the intersection of balls in the tetrahedron: of one at a corner, of two at an edge, of
+  /// three on this side of a face.
   double of_ball(std::size_t k) const {
     const auto to = [&](std::size_t step) { return unit(edges_[k][(k + step) % 4]); };
     return solid_angle(to(1), to(2), to(3)) * one_ball.volume;
@@ -53,7 +54,7 @@ std::vector<double> outside_of_balls(const Triangulated& space, std::span<const 
   const auto slot = [](std::uint32_t t, std::size_t i, std::size_t j) {
     return 6 * std::size_t{t} + (std::min(i, j) == 0 ? 0 : 1) + i + j - 1;
   };
-  // All tetrahedra around an edge that is in no wall are in one void.
+  // All tetrahedra around an edge that is in no wall are in the same void.
   const auto is_in_complex = [&](std::span<const EdgeAt> ring) {
     const auto is_at_wall = [&](const EdgeAt& at) {
       const auto [k, l] = others(at);

@@ -14,7 +14,7 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // whose faces have numbers
+constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // so that their faces can be numbered with 32 bits
 
 }  // namespace
 
@@ -33,8 +33,8 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
     index_[i + 1] = order[i];
     vertex_[i + 1] = {p.x, p.y, p.z};
   }
-  // As many as points that fill a volume have, the hull and those for a time deleted included. What is not used is not
-  // touched.
+  // The number of tetrahedra of points that fill a volume, including the hull and temporarily deleted ones. Memory that
+  // is not used is not touched.
   const std::size_t expected = 7 * order.size() + 64;
   tetrahedra_.reserve(expected);
   error_.reserve(expected);
@@ -55,11 +55,11 @@ bool Insertion::begin() {
   exchange(4, fourth);
   if (orientation(point(1), point(2), point(3), point(4)) < 0) exchange(1, 2);
 
-  // The faces of (1, 2, 3, 4), as the cavity around vertex 4 has them, and those of the ghosts on the three at it.
+  // The faces of (1, 2, 3, 4), as the cavity around vertex 4 has them, and those of the three ghosts at vertex 4.
   constexpr std::array<std::array<Vertex, 4>, 5> corners = {
       {{1, 2, 3, 4}, {at_infinity, 3, 2, 4}, {at_infinity, 1, 3, 4}, {at_infinity, 2, 1, 4}, {3, 1, at_infinity, 2}}};
   const std::uint32_t first = new_tetrahedra(corners.size());
-  const auto across = [&](std::uint32_t t, std::size_t k) {  // the face that has the same corners
+  const auto across = [&](std::uint32_t t, std::size_t k) {  // the face with the same corners
     for (std::uint32_t other = 0; other < corners.size(); ++other)
       for (std::uint32_t j = 0; j < 4; ++j) {
         std::array<Vertex, 4> mine = corners[t], its = corners[other];
@@ -111,12 +111,12 @@ bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) cons
   return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
 }
 
-/// A point in the plane of the hull's face is beyond it if it is in the circle of the face: in the sphere of the
-/// tetrahedron behind.
+/// A point in the plane of a hull face is beyond it if it is in the circle of the face: in the sphere of the
+/// tetrahedron behind the face.
 bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
-  const auto& face = outer_faces[k];  // positively oriented with a point on the other side of it
+  const auto& face = outer_faces[k];  // positively oriented with a point on its other side
   const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
   if (side != 0) return side < 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
@@ -124,15 +124,16 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// The faces of two neighbors' common side is where powers with respect to their spheres are equal. So the power of the
-/// point decreases from a tetrahedron to the neighbor on the point's side of a face; the walk goes where it decreases
-/// most.
+/// Walks to a tetrahedron whose sphere contains the point. The powers with respect to the spheres of two neighbors are
+/// equal on the plane of their common face. So the power of the point decreases from a tetrahedron to the neighbor on
+/// the point's side of a face; the walk takes the step of greatest decrease.
 std::uint32_t Insertion::locate(Vertex v) const {
   const InsertedPoint& q = vertex_[v];
   std::uint32_t t = start_;
   const Estimate at_start = estimate(t, q);
   if (at_start.value > at_start.error) return t;
-  // V is minus the power times six volumes, which is what minor 3 is without the sign; of ghosts it is about 0.
+  // V is minus the power times six volumes, and minor 3 is six volumes with the opposite sign; for ghosts it is about
+  // 0.
   const auto power_of = [&](std::uint32_t s, double value) {
     return tetrahedra_[s].is_ghost() ? std::numeric_limits<double>::infinity() : value / tetrahedra_[s].minor[3];
   };
@@ -149,12 +150,12 @@ std::uint32_t Insertion::locate(Vertex v) const {
         best = other;
       }
     }
-    if (best == t) return locate_exactly(t, v);  // rounded powers, or a tie
+    if (best == t) return locate_exactly(t, v);  // because of rounded powers, or a tie
     t = best;
   }
 }
 
-/// From face to face, by exact orientations: that ends, since the exact power decreases.
+/// Walks from face to face by exact orientations; ends because the exact power decreases.
 std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
   while (true) {
     const Tetrahedron& tetrahedron = tetrahedra_[t];
@@ -171,9 +172,9 @@ std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
       if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
         next = tetrahedron.neighbor[k] / 4;
     }
-    if (next == t) return t;  // the point is in it, and no corner: inside of its sphere
+    if (next == t) return t;  // the point is in the tetrahedron and no corner of it: inside of the sphere
     t = next;
-    if (tetrahedra_[t].is_ghost()) return t;  // beyond its face
+    if (tetrahedra_[t].is_ghost()) return t;  // the point is beyond the face of the ghost
   }
 }
 
@@ -193,10 +194,10 @@ void Insertion::find_cavity(std::uint32_t first, Vertex v) {
     estimates_.make_room(count);
     next_level_.clear();
     next_level_.make_room(3 * count + 3);
-    cavity_.make_room(count + 1);  // one is written and not counted
+    cavity_.make_room(count + 1);  // one more is written but not counted
     boundary_.make_room(count + 1);
-    // First what can be computed side by side, then what depends on what came before. Half of the answers are yes, and
-    // nothing branches for them.
+    // Independent computations come first, then the dependent ones. About half of the answers are yes, so the code does
+    // not branch on them.
     for (std::size_t i = 0; i < count; ++i) estimates_.push(estimate(level_[i] / 4, q));
     for (std::size_t i = 0; i < count; ++i) {
       const Face face = level_[i];
@@ -223,7 +224,7 @@ inline void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
   spokes_.push(corner == at_infinity ? Spoke::to_infinity() : Spoke::to(p.x - from.x, p.y - from.y, p.z - from.z));
 }
 
-/// The number of a corner among those of the cavity's boundary.
+/// Returns the number of a corner among the vertices of the cavity's boundary.
 inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
   InsertedPoint& p = vertex_[corner];
   if (p.last_insertion != v) {
@@ -234,7 +235,7 @@ inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
   return p.local;
 }
 
-/// Room for as many tetrahedra as the boundary has faces: where those of the cavity were, and more.
+/// Makes room for as many tetrahedra as the boundary has faces: reuses those of the cavity, then adds more.
 void Insertion::make_room() {
   const std::size_t wanted = boundary_.size();
   if (wanted < cavity_.size()) {
@@ -253,7 +254,7 @@ void Insertion::fill_cavity(Vertex v) {
   rim_.clear();
   spokes_.clear();
   locals_.clear();
-  rim_.make_room(faces + 2);  // a sphere: faces / 2 + 2
+  rim_.make_room(faces + 2);  // the boundary is a sphere: it has faces / 2 + 2 vertices
   spokes_.make_room(faces + 2);
   locals_.make_room(faces);
   for (std::size_t i = 0; i < faces; ++i) {
@@ -281,7 +282,7 @@ void Insertion::fill_cavity(Vertex v) {
   start_ = cavity_[0];
 }
 
-/// Corners 0 to 2, minors, and their bound.
+/// Fills in corners 0 to 2, the minors, and their error bound.
 inline void Insertion::make(std::uint32_t t, const Locals& locals) {
   const Spoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
   Tetrahedron& tetrahedron = tetrahedra_[t];

@@ -12,7 +12,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A point on the curve.
+/// A point with its position on the curve.
 struct Place {
   std::uint64_t key;
   std::uint32_t index;
@@ -21,7 +21,7 @@ struct Place {
 constexpr int max_levels = 21;
 constexpr unsigned bits_of_round = 3;  // each round has eight times the points of the one before
 
-/// Sorts along the curve by recursion: cells with several points are curves of their own.
+/// Sorts points along the curve recursively: cells with several points get curves of their own.
 class Sorter {
  public:
   Sorter(std::span<const Point3> points, std::span<const Point3> scaled, const std::function<void()>& ask)
@@ -39,10 +39,11 @@ class Sorter {
     const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (!(size > 0x1p-1000) || places.size() == 2) return sort_by_coordinates(places);
 
-    // Cells that hold a point or two where points are spread evenly, and fewer levels are less work.
+    // Levels are chosen so that a cell holds one or two points where points are spread evenly: fewer levels are less
+    // work.
     const int levels = std::min(max_levels, static_cast<int>(std::bit_width(places.size())) / 3 + 2);
     const auto cells = static_cast<double>(std::uint32_t{1} << levels);
-    const double cells_in_size = cells / size;  // the last one may be rounded into the one behind
+    const double cells_in_size = cells / size;  // the last cell may be rounded into the one after it
     const auto cell = [&](double x, double from) {
       return static_cast<std::uint32_t>(std::min((x - from) * cells_in_size, cells - 1));
     };
@@ -60,7 +61,7 @@ class Sorter {
   }
 
  private:
-  /// So that equal points follow each other, the lowest index first.
+  /// Sorts by coordinates, so that equal points are adjacent, the lowest index first.
   void sort_by_coordinates(std::span<Place> places) const {
     std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
       const Point3 &p = points_[a.index], &q = points_[b.index];
@@ -72,7 +73,7 @@ class Sorter {
   const std::function<void()>& ask_;
 };
 
-/// A number that looks random. Source: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
+/// Returns a pseudo-random number. Source: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
 std::uint64_t scrambled(std::uint64_t i) {
   i += 0x9e3779b97f4a7c15U;
   i = (i ^ (i >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -80,7 +81,7 @@ std::uint64_t scrambled(std::uint64_t i) {
   return i ^ (i >> 31U);
 }
 
-/// The round of the point that comes at a place of the curve, counted from the last.
+/// Returns the round, counted from the last, of the point at a place of the curve.
 unsigned round_of(std::size_t place) {
   return static_cast<unsigned>(std::countr_zero(scrambled(place) | std::uint64_t{1} << 63U)) / bits_of_round;
 }

@@ -17,12 +17,11 @@ namespace {
 using Triangle = std::array<std::uint32_t, 3>;
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// Adds the triangles of one radius to a surface:
+/// Adds the triangles of one radius to a surface, whose triangles are sorted before and after:
 ///   1. find the surface of the radius near open points that are not interior;
 ///   2. add those of its triangles that touch no interior point or edge, the candidates;
 ///   3. glue sides that face each other at the candidates' edges;
 ///   4. sort.
-/// The triangles are sorted before and after.
 class Level {
  public:
   Level(std::span<const Point3> points, std::uint32_t number, Surface& surface)
@@ -39,7 +38,7 @@ class Level {
     const NeighborhoodSubset near = neighborhood_subset(points_, normals, surface_.duplicates, open, radius);
     present_ = rbpa::surface(near.points, near.normals, radius, options);
     for (Triangle& triangle : present_.triangles)
-      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // in the same order still
+      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // their order does not change
     add_candidates();
     glue();
     sort();
@@ -63,7 +62,7 @@ class Level {
     }
   }
 
-  /// All sides at the edges of candidates: none is glued yet.
+  /// Returns all sides at the edges of candidates that are not glued yet.
   std::vector<EdgeSide> open_sides() const {
     std::vector<std::uint8_t> at_candidate(points_.size(), 0);
     for (std::size_t t = old_count_; t < surface_.triangles.size(); ++t)
@@ -79,7 +78,8 @@ class Level {
     return sides;
   }
 
-  /// The position of a triangle of the surface among those of this radius; none where it is not there.
+  /// Returns the position of a triangle of the surface among the triangles of this radius; none where it is not among
+  /// them.
   std::size_t present(std::uint32_t t) const {
     const auto& all = present_.triangles;
     const auto found = std::lower_bound(all.begin(), all.end(), surface_.triangles[t]);
@@ -87,8 +87,8 @@ class Level {
     return static_cast<std::size_t>(found - all.begin());
   }
 
-  /// Requires: sides that face each other. They are glued if one is a candidate's and the ball rolls from one triangle
-  /// to the other, or does not rest on one of them any more.
+  /// Returns whether two sides that face each other are glued: if one is a candidate's, and the ball rolls from one
+  /// triangle to the other or no longer rests on one of them.
   bool are_glued(const EdgeSide& s, const EdgeSide& t) const {
     if (s.triangle < old_count_ && t.triangle < old_count_) return false;
     const std::size_t i = present(s.triangle), j = present(t.triangle);

@@ -6,13 +6,13 @@
 namespace rbpa::space {
 namespace {
 
-/// Marks the corners of all fans that have two ends: 3t + k for corner k of triangle t.
+/// Returns marks of the corners of all fans that have two ends: element 3t + k is for corner k of triangle t.
 std::vector<std::uint8_t> corners_of_open_fans(const TriangleArrays& of) {
   std::vector<std::uint8_t> is_open(3 * of.triangles.size(), 0);
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       if (of.neighbors[t][k] != TriangleArrays::none) continue;
-      // Around the corner after k, from the side across from k to the other end of the fan.
+      // Passes around the corner after k, from the side across from k to the other end of the fan.
       const std::uint32_t pivot = of.triangles[t][(k + 1) % 3];
       std::uint32_t at = t;
       std::size_t corner = (k + 1) % 3;

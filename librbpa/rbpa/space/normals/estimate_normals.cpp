@@ -27,15 +27,15 @@ const Point3& viewpoint_of(std::size_t i, std::span<const Point3> viewpoints) {
   return viewpoints[viewpoints.size() == 1 ? 0 : i];
 }
 
-/// Along a unit normal, how far the viewpoint is above the plane.
+/// Returns the height of the viewpoint above the plane, along a unit normal.
 Wide height(const Point3& p, const Point3& from, const Point3& n) {
   return (Wide(from.x) - p.x) * n.x + (Wide(from.y) - p.y) * n.y + (Wide(from.z) - p.z) * n.z;
 }
 
-/// Of the side of a normal that is turned toward a viewpoint: a plane that is seen at a grazing angle may be seen from
-/// either side.
+/// Returns the confidence that a normal turned toward a viewpoint is on the right side: a plane that is seen at a
+/// grazing angle may be seen from either side.
 double view_certainty(const Point3& p, const Point3& from, const Point3& n) {
-  constexpr double beyond_doubt = 0.25;  // of the cosine of the angle between normal and view: 76 degrees
+  constexpr double beyond_doubt = 0.25;  // cosine of the angle between normal and view: 76 degrees
   const Wide x = Wide(from.x) - p.x, y = Wide(from.y) - p.y, z = Wide(from.z) - p.z;
   const Wide distance = std::sqrt(x * x + y * y + z * z);
   if (!(distance > 0)) return 0;
@@ -51,17 +51,18 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
 }
 
-/// The normals of distinct points, in their order; how sure they are where that is wanted, but for viewpoints.
+/// Returns the normals of distinct points, in their order, and their confidence where wanted; viewpoints are not
+/// considered.
 template <typename Real>
 EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_certainty) {
   const std::size_t count = points.size();
   const std::function<void()> go_on = asking(options.progress, count);
-  Threads threads(count < 1000 ? 1 : options.threads);  // a few are done before another thread has woken
+  Threads threads(count < 1000 ? 1 : options.threads);  // for few points another thread starts too late
   auto [near, normals, certainty] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
     space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
     space::OuterSides sides;
-    if constexpr (std::is_same_v<Real, double>) {  // others do not fit the sums of areas either
+    if constexpr (std::is_same_v<Real, double>) {  // other points do not fit the sums of areas either
       const auto watch = [&options, count](const Progress&) {
         return !options.progress || options.progress({0, count});
       };

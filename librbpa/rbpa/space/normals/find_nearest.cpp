@@ -16,7 +16,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A long double in memory that is aligned for double, as nanoflann's is.
+/// A long double in memory aligned for double, as nanoflann's memory is.
 class Unaligned {
  public:
   Unaligned(long double value = 0) { std::memcpy(bytes_.data(), &value, sizeof value); }
@@ -46,7 +46,7 @@ struct Cloud {
   }
   template <typename Box>
   bool kdtree_get_bbox(Box&) const {
-    return false;  // it finds its own
+    return false;  // the tree computes its own box
   }
 };
 
@@ -54,8 +54,8 @@ template <typename Real>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
                                                  3, std::uint32_t>;
 
-/// The nearest points so far, without the query point. nanoflann's own set keeps whichever of equal distances came
-/// first.
+/// The nearest points so far, without the query point. Unlike nanoflann's own set, it does not prefer the first found
+/// of equal distances.
 template <typename Real>
 class Nearest {
  public:
@@ -71,8 +71,8 @@ class Nearest {
   std::size_t size() const { return size_; }
 
   bool full() const { return size_ == found_.size(); }
-  /// The tree skips what is at least this far. It must not skip equal distances, and it rounds its bounds: so slightly
-  /// more.
+  /// Returns the distance from which on the tree skips points: slightly more than the farthest, because the tree must
+  /// not skip equal distances and rounds its bounds.
   DistanceType worstDist() const {
     return full() ? found_.back().distance * (1 + Real(0x1p-40)) : std::numeric_limits<Real>::infinity();
   }
@@ -100,7 +100,7 @@ class Nearest {
   std::vector<Found> found_;
 };
 
-/// Sorts the points by leaves, so that those of a leaf are adjacent. Returns: the new position of each.
+/// Sorts the points by leaves, so that points of a leaf are adjacent. Returns the new position of each.
 template <typename Real>
 std::vector<std::uint32_t> follow_leaves(Cloud<Real>& cloud, Tree<Real>& tree) {
   std::vector<Point3> in_order(cloud.points.size());
@@ -121,8 +121,8 @@ Real square_between(const Point3& p, const Point3& q) {
 }
 
 /// Fills `chosen`. First come the two nearest, which keep neighbors on a line connected. Then come points whose
-/// distance from all chosen ones is at least the spacing of as many evenly spread points in the disc; then the same
-/// with half that spacing, and so on.
+/// distance from all chosen ones is at least the spacing of as many evenly spread points in the disc; then points at
+/// half that spacing, and so on.
 template <typename Real>
 void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
   std::vector<bool> is_chosen(nearest.size(), false);
@@ -132,7 +132,7 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
     places.push_back(k);
   };
   for (std::size_t k = 0; k < std::min<std::size_t>(2, chosen.size()); ++k) choose(k);
-  constexpr Real spread = 2.56;  // discs whose centers are so far apart leave few gaps and do not fit more often
+  constexpr Real spread = 2.56;  // discs whose centers are this far apart leave few gaps, and do not fit more often
   Real least = spread * nearest.square(nearest.size() - 1) / static_cast<Real>(chosen.size());
   for (; places.size() < chosen.size(); least /= 4)
     for (std::size_t k = 0; k < nearest.size() && places.size() < chosen.size(); ++k) {

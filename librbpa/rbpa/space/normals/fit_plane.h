@@ -13,12 +13,10 @@ namespace rbpa::space {
 
 struct Plane {
   Point3 normal;
-  /// Of the points along the plane: 1 in a disc, 0 on a line; the ratio of the two greater eigenvalues
+  /// Roundness of the points along the plane: 1 in a disc, 0 on a line; the ratio of the two greater eigenvalues
   double roundness;
-  double
-      /// How well the points determine the plane: 1 in a plane, 0 in a ball or on a line; 1 − the ratio of the two
-      /// smaller eigenvalues
-      flatness;
+  /// Confidence in the plane: 1 in a plane, 0 in a ball or on a line; 1 − the ratio of the two smaller eigenvalues
+  double flatness;
 
   /// Returns whether the points determine the plane. At the straight rim of a sheet roundness is 0.28; on scan lines
   /// that are farther from each other than eight points along them it is about 0.

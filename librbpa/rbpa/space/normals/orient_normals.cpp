@@ -25,12 +25,12 @@ using Number = std::uint32_t;
 using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                  boost::no_property, Number, std::size_t>;
 
-/// The weight in the spanning tree, which prefers edges of little doubt, and edges along the surface: across it, noise
-/// decides.
+/// Returns the weight of an edge in the spanning tree. It prefers edges of little doubt, and edges along the surface,
+/// because across the surface noise decides.
 double weight(const NormalComparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
 
-/// Where the tree begins: at the points whose sides are known; in a component of the graph without one, at a point
-/// whose normal is turned outward.
+/// The points at which the tree begins: those whose sides are known; in a component of the graph without such points, a
+/// point whose normal is turned outward.
 class Seeds {
  public:
   Seeds(const Neighborhoods& points, std::span<Point3> normals, std::span<const std::int8_t> sides)
@@ -47,7 +47,7 @@ class Seeds {
     for (Number i = 0; i < size; ++i)
       for (const Number j : points_.around(i)) sets.union_set(i, j);
 
-    std::vector<Number> component(size);  // of each root
+    std::vector<Number> component(size);  // for each root
     std::vector<Extremes> extremes;
     for (Number i = 0; i < size; ++i)
       if (sets.find_set(i) == i) {
@@ -73,7 +73,7 @@ class Seeds {
   }
 
  private:
-  using Extremes = std::array<Number, 6>;  // in directions +z, −z, +y, −y, +x, −x
+  using Extremes = std::array<Number, 6>;  // the extreme points in directions +z, −z, +y, −y, +x, −x
 
   static double along(const Point3& p, std::size_t direction) {
     const double coordinate = direction < 2 ? p.z : direction < 4 ? p.y : p.x;
@@ -105,8 +105,8 @@ class Seeds {
   std::span<const std::int8_t> sides_;
 };
 
-/// The graph: edges both ways between each point and its nearest, and from one more vertex, the root, to the first
-/// points.
+/// Returns the graph: edges in both directions between each point and its nearest, and edges from one more vertex, the
+/// root, to the points at which the tree begins.
 Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   const auto root = static_cast<Number>(points.points.size());
   const auto for_each_edge = [&](auto visit) {
@@ -121,12 +121,12 @@ Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   std::vector<std::size_t> begin(root + std::size_t{2});
   for_each_edge([&](Number from, Number) { ++begin[from + std::size_t{1}]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::pair<Number, Number>> edges(begin.back());  // by where they start
+  std::vector<std::pair<Number, Number>> edges(begin.back());  // sorted by their first ends
   for_each_edge([&](Number from, Number to) { edges[begin[from]++] = {from, to}; });
   return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
 }
 
-/// Turns the normal of each vertex that the tree reaches to the side of its parent's.
+/// Orients the normal of each vertex that the tree reaches like its parent's.
 template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
@@ -175,8 +175,8 @@ OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> no
     const Number u = boost::source(edge, graph), v = boost::target(edge, graph);
     return u == root ? 0.0 : weight(compare_normals<Real>(points.points[u], normals[u], points.points[v], normals[v]));
   };
-  // Prim's algorithm as in Boost.Graph: Dijkstra's, with the last edge's weight as distance. Turning a normal changes
-  // no weight.
+  // Prim's algorithm as in Boost.Graph: Dijkstra's algorithm with the weight of the last edge as distance. Turning a
+  // normal changes no weight.
   boost::dijkstra_shortest_paths_no_init(
       graph, root, map(from), map(least),
       boost::make_function_property_map<boost::graph_traits<Graph>::edge_descriptor, double>(weight_of), index,

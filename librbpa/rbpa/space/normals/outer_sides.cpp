@@ -18,13 +18,14 @@ namespace {
 using Number = std::uint32_t;
 
 // Chosen on some fifty sets of points with known normals, and tried on others (docs/surface_derivation.md, section 11).
-constexpr double one_sided = 0.35;          // of the area around a point: what its sum has where its side is known
+// Least ratio of a point's projected sum to its area for which its side is known
+constexpr double one_sided = 0.35;
 constexpr double least_one_sided = 0.5;     // on average over a component
 constexpr double most_contradicted = 0.05;  // of pairs of neighbors
 constexpr double nearly_all = 0.7;          // of points
 constexpr double most_opposed = 0.02;       // of the points of a component: then the normals given are kept
 
-/// Of each point the least that is connected with it through nearest ones.
+/// Returns, for each point, the least point connected with it through nearest ones.
 std::vector<Number> components_of(const Neighborhoods& near) {
   meshops::DisjointSets sets(near.points.size());
   for (Number i = 0; i < near.points.size(); ++i)
@@ -34,10 +35,10 @@ std::vector<Number> components_of(const Neighborhoods& near) {
   return component;
 }
 
-/// What a ball of one radius sees of each point from outside.
+/// The parts of the triangles at each point that a ball of one radius sees from outside.
 struct Seen {
-  std::vector<double> along;  ///< twice the sum of the areas of its triangles, projected along its normal
-  std::vector<double> area;   ///< and not projected; 0: the point is not seen
+  std::vector<double> along;  ///< twice the sum of the areas of the point's triangles, projected along its normal
+  std::vector<double> area;   ///< the same sum without projection; 0: the point is not seen
 
   int side(std::size_t i) const { return !(std::abs(along[i]) > one_sided * area[i]) ? 0 : along[i] > 0 ? 1 : -1; }
 };
@@ -62,18 +63,19 @@ Seen look(const Neighborhoods& near, std::span<const Point3> normals, double rad
   return seen;
 }
 
-/// What a ball sees of one component.
+/// The view of a ball on one component.
 struct Verdict {
-  std::size_t points = 0, seen = 0, known = 0,
-              opposed = 0;                  // that it touches; whose side is known; and is not the normal's
-  double one_sided = 0;                     // sum over those that it touches
+  // All points; those that the ball touches; of these, those whose side is known; and those whose side is not the
+  // normal's.
+  std::size_t points = 0, seen = 0, known = 0, opposed = 0;
+  double one_sided = 0;                     // sum over the points that the ball touches
   std::size_t pairs = 0, contradicted = 0;  // neighbors whose sides are known and whose planes are hardly tilted
-  double apart = 0, apart_squared = 0;      // sums over the contradicted pairs: how far one lies above the other
+  double apart = 0, apart_squared = 0;      // sums, over the contradicted pairs, of the distance between the sides
 
-  /// The two sides of a sheet as thin as the points are apart contradict each other. But of such a sheet the ball sees
-  /// nearly all points, and its sides are everywhere as far apart. On a rough sheet, where it is noise that decides
-  /// from which side a point is seen, they are not. The variation is the standard deviation of that distance, in parts
-  /// of its mean.
+  /// Returns whether the sides are trusted. The two sides of a sheet as thin as the spacing of points contradict each
+  /// other; but the ball sees nearly all points of such a sheet, and its sides are equally far apart everywhere. On a
+  /// rough sheet, where noise decides from which side a point is seen, they are not. The variation is the standard
+  /// deviation of that distance, divided by its mean.
   bool is_trusted(double most_variation) const {
     const auto share_of = [](double share, std::size_t of) { return share * static_cast<double>(of); };
     if (known == 0 || one_sided <= share_of(least_one_sided, seen)) return false;
@@ -86,7 +88,7 @@ struct Verdict {
 
 std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> normals,
                            const std::vector<Number>& component, const Seen& seen) {
-  std::vector<Verdict> verdicts(near.points.size());  // of a component at its least point
+  std::vector<Verdict> verdicts(near.points.size());  // of a component, at its least point
   for (Number i = 0; i < near.points.size(); ++i) {
     Verdict& verdict = verdicts[component[i]];
     ++verdict.points;
@@ -107,7 +109,7 @@ std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> no
       ++verdict.pairs;
       if ((c.agreement > 0) == (side == other)) continue;
       ++verdict.contradicted;
-      // Above along both outward normals: what the sheet is bent adds to one and is taken from the other.
+      // The height along both outward normals: a bend of the sheet adds to one and subtracts from the other.
       const Point3 outward = {side * m.x - other * n.x, side * m.y - other * n.y, side * m.z - other * n.z};
       const double apart = ((p.x - q.x) * outward.x + (p.y - q.y) * outward.y + (p.z - q.z) * outward.z) / 2;
       verdict.apart += apart;
@@ -119,9 +121,9 @@ std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> no
 
 constexpr double first_ball = 8;  // spacings
 
-constexpr double most_variation = 0.33;  // of a sheet's thickness: 0.17 to 0.30 on sheets, 0.38 and more on noise
+constexpr double most_variation = 0.33;  // of a sheet's thickness: 0.17 to 0.30 on sheets, at least 0.38 on noise
 
-/// Whether a ball of so many spacings that sees only some of the points contradicts their normals.
+/// Returns whether a ball of `factor` spacings that sees only the chosen points contradicts their normals.
 bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals, std::vector<Number> chosen,
                      double factor, double variation, const SurfaceOptions& options) {
   std::sort(chosen.begin(), chosen.end(), [&](Number i, Number j) { return near.points[i] < near.points[j]; });
@@ -137,10 +139,10 @@ bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals,
                      [variation](const Verdict& v) { return v.is_trusted(variation) && v.contradicts_normals(); });
 }
 
-/// Whether all points are worth looking at. A sample over the whole surface finds a side that is wrong, of solids of
-/// any thickness; but open terrain has crests and valleys, which it sees from one side each. There a smaller ball sees
-/// both sides. The sides of a thin sheet contradict each other in any sample, but are equally far apart only in pieces
-/// of all points.
+/// Returns whether it is worthwhile to compute the sides of all points. A sample over the whole surface finds a wrong
+/// side of solids of any thickness. Open terrain, however, has crests and valleys, each of which the sample sees from
+/// one side; there a smaller ball sees both sides. The sides of a thin sheet contradict each other in any sample, but
+/// they are equally far apart only in pieces that contain all points.
 bool is_worth_looking(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options) {
   constexpr std::size_t share = 8, least = 500, most = 4000, pieces = 3, piece = 1000;    // points
   constexpr double any = std::numeric_limits<double>::infinity(), none = 0, wide = 0.45;  // variation

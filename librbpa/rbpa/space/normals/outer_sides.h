@@ -24,10 +24,9 @@ namespace rbpa::space {
 
 /// The outer side of each point.
 struct OuterSides {
-  std::vector<std::int8_t>
-      /// 1: the side of its normal is outside; −1: the other side; 0: not known, or the normals of its component are
-      /// right
-      side;
+  /// 1: the side of its normal is outside; −1: the other side; 0: not known, or the normals of its component are
+  /// right
+  std::vector<std::int8_t> side;
   /// The component of the triangles' sum along the normal, divided by their area; 0 where the side is 0
   std::vector<double> vote;
 

@@ -16,8 +16,8 @@
 namespace rbpa {
 namespace {
 
-/// Moves the points. Returns: by how many spacings the median point moves otherwise than its neighbors do, which is
-/// noise; what curvature moves, moves together. 0 of a single point.
+/// Moves the points. Returns the noise: by how many spacings the median point moves differently from its neighbors, as
+/// curvature moves neighbors together. Returns 0 for a single point.
 template <typename Real>
 double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const std::function<void()>& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);
@@ -28,7 +28,7 @@ double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const
   std::vector<Point3> ways(near.points.size());
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const Point3 &p = near.points[i], &n = normals[i];
-    Real above = 0;  // the centroid, of the point and the others
+    Real above = 0;  // height of the centroid of the point and the others
     for (const std::uint32_t j : near.around(i)) {
       const Point3& q = near.points[j];
       above += (Real(q.x) - p.x) * n.x + (Real(q.y) - p.y) * n.y + (Real(q.z) - p.z) * n.z;

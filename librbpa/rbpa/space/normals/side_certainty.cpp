@@ -12,8 +12,8 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// The tree cut into paths: from each vertex to the child with the most vertices below, so that from any vertex to the
-/// root it is a few paths. Vertices are called by their ranks, in which parents come before children.
+/// The tree cut into paths: each leads from a vertex to the child with the most vertices below, so that few paths
+/// connect any vertex with the root. Vertices are named by their ranks, in which parents come before children.
 class TreePaths {
  public:
   explicit TreePaths(const OrientationTree& tree)
@@ -34,12 +34,13 @@ class TreePaths {
 
   Number rank(Number vertex) const { return rank_[vertex]; }
   Number parent(Number r) const { return parent_[r]; }
-  /// How many vertices are below, itself included; of the root 0, which stands for no child.
+  /// Returns the number of vertices below r, r included; 0 for the root, which stands for no child.
   Number below(Number r) const { return below_[r]; }
-  /// The child with the most below; 0: there is none.
+  /// Returns the child with the most vertices below; 0: there is none.
   Number heavy(Number r) const { return heavy_[r]; }
 
-  /// The lowest that is above both. The head that comes later is above the other vertex at most if the heads are one.
+  /// Returns the lowest vertex above both. If their heads differ, the head that comes later is not above the other
+  /// vertex.
   Number above(Number r, Number s) const {
     while (head_[r] != head_[s])
       if (head_[r] > head_[s])
@@ -53,7 +54,7 @@ class TreePaths {
   std::vector<Number> rank_, parent_, head_, below_, heavy_;
 };
 
-/// Votes as whole numbers, so that what is added and subtracted again leaves nothing.
+/// Votes as integers, so that a vote that is added and subtracted leaves exactly 0.
 struct Votes {
   std::int64_t sum = 0, all = 0;  ///< with signs and without
   void add(std::int64_t vote, std::int64_t times) {
@@ -74,12 +75,13 @@ std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Po
   const auto size = static_cast<Number>(near.points.size());
   const TreePaths paths(tree);
   std::vector<Votes> below(
-      size + std::size_t{1});  // by rank: on edges with an end in the subtree, both ends in it once subtracted
+      // By rank: votes of edges with an end in the subtree, less twice those with both ends in it
+      size + std::size_t{1});
   for (Number i = 0; i < size; ++i) {
     if (go_on && i % points_at_a_time == 0) go_on();
     for (const Number j : near.around(i)) {
       const auto back = near.around(j);
-      if (j < i && std::find(back.begin(), back.end(), i) != back.end()) continue;  // once for both
+      if (j < i && std::find(back.begin(), back.end(), i) != back.end()) continue;  // each edge once
       const NormalComparison c = compare_normals<Real>(near.points[i], normals[i], near.points[j], normals[j]);
       const double weight = std::max(0.0, std::abs(c.agreement) - c.tilt);
       const auto vote = static_cast<std::int64_t>(std::lround(one * std::copysign(weight, c.agreement)));
@@ -94,8 +96,8 @@ std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Po
     up.sum += below[r].sum;
     up.all += below[r].all;
   }
-  // Of each vertex how sure it is from the middle of its part of the tree: that from which no cut leaves more than half
-  // of it away.
+  // The confidence of each vertex, starting from the middle of its part of the tree: the vertex at which no cut
+  // separates more than half of the part.
   std::vector<double> by_rank(size + std::size_t{1}, -1), certainty(size);
   for (Number r = 1; r <= size; ++r)
     if (paths.parent(r) == 0) {

@@ -12,7 +12,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Points ascending, and of the second and the third the boxes from the first.
+/// A face: its points, ascending, and the offsets in boxes of the second and the third point from the first.
 struct Face {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;
@@ -26,7 +26,7 @@ struct Face {
 
 Face face_at(const PeriodicSolid& solid, std::uint32_t at) {
   Triangle ascending = outer_face(solid.simplices[at / 4], at % 4);
-  std::sort(ascending.begin(), ascending.end());  // as their points
+  std::sort(ascending.begin(), ascending.end());  // by their points
   Face face{.points = {}, .apart = {}, .at = at};
   const PeriodicVertex& first = solid.vertices[ascending[0]];
   face.points[0] = first.point;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Those that come an odd number of times, ascending.
+/// Returns the edges that occur an odd number of times, ascending.
 std::vector<std::uint32_t> sum(std::vector<std::uint32_t> edges) {
   std::sort(edges.begin(), edges.end());
   std::vector<std::uint32_t> odd;
@@ -42,7 +42,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
       arcs_(2 * filtration.edges.size()),
       parent_edge_(points.size(), none),
       depth_(points.size(), 0) {
-  // begin_[p + 1] is where those of p begin, until each that is put there has moved it to where they end.
+  // begin_[p + 1] is the beginning of p's arcs at first; each arc stored moves it on, in the end to their end.
   for (const auto& [a, b] : filtration.edges) {
     ++begin_[a + std::size_t{2}];
     ++begin_[b + std::size_t{2}];
@@ -55,7 +55,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
     arcs_[begin_[b + std::size_t{1}]++] = {a, edge};
   }
   if (filtration.edges.empty()) return;
-  // The tree has all points.
+  // The tree contains all points.
   std::vector<std::uint32_t> reached = {filtration.edges.front()[0]};
   for (std::size_t i = 0; i < reached.size(); ++i) {
     step(4);
@@ -87,7 +87,7 @@ Cycle Cycles::of(std::uint32_t edge) {
       return {std::move(shortest), least, true};
     }
   }
-  // Parts that replaced others may meet, or go to and fro.
+  // Parts that replaced others may meet, or use an edge twice.
   Edges edges = shortened(found.first, triangle);
   for (const Edges& other : found.others) append(edges, other);
   found = loops(sum(std::move(edges)), edge);
@@ -114,8 +114,8 @@ std::uint32_t Cycles::across(std::uint32_t edge, std::uint32_t point) const {
   return a == point ? b : a;
 }
 
-/// A cycle that has these of the edges that end no component: points at an odd number of them are joined along the
-/// tree, the deepest first.
+/// Returns the cycle that contains these edges and no others of those that end no component. Points at an odd number of
+/// these edges are joined along the tree, the deepest first.
 Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
   Edges edges = others;
   std::unordered_set<std::uint32_t> odd;
@@ -138,7 +138,7 @@ Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
 }
 
 Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
-  std::unordered_map<std::uint32_t, Edges> at;  // of each point, those that are left
+  std::unordered_map<std::uint32_t, Edges> at;  // for each point: the edges that are left
   for (const std::uint32_t edge : edges)
     for (const std::uint32_t point : filtration_.edges[edge]) at[point].push_back(edge);
   std::unordered_set<std::uint32_t> used;
@@ -160,7 +160,7 @@ Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
         points.push_back(point);
         continue;
       }
-      // What is between is a loop.
+      // The edges in between are a loop.
       const auto from = static_cast<std::ptrdiff_t>(seen->second);
       Edges loop(path.begin() + from, path.end());
       path.resize(seen->second);
@@ -180,7 +180,7 @@ Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
   return result;
 }
 
-/// Loops that are boundaries before the triangle, or together are, say nothing about the tunnel.
+/// Drops loops that do not belong to the tunnel: those that are boundaries before the triangle, alone or together.
 void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   std::erase_if(loops.others, [&](const Edges& loop) { return pairing_.tunnels.is_boundary(loop, triangle); });
   Edges all;
@@ -188,7 +188,7 @@ void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   if (loops.others.size() > 1 && pairing_.tunnels.is_boundary(all, triangle)) loops.others.clear();
 }
 
-/// The shortest path along edges before one; nothing where none is shorter than the bound.
+/// Returns the shortest path along edges before `before`; nothing where none is shorter than the bound.
 std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint32_t to, std::uint32_t before,
                                                   double bound) {
   constexpr double roundings = 1e-12;
@@ -198,7 +198,7 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
     std::uint32_t edge;
     bool is_done = false;
   };
-  using Open = std::tuple<double, double, std::uint32_t>;  // length with what is left at least, length, point
+  using Open = std::tuple<double, double, std::uint32_t>;  // lower bound of the total length, length so far, point
   std::unordered_map<std::uint32_t, Reached> reached = {{from, {0, none}}};
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   open.emplace(distance(points_[from], points_[to]), 0, from);
@@ -227,12 +227,12 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
   return std::nullopt;
 }
 
-/// The loop from its first edge on, with parts replaced.
+/// Returns the loop from its first edge on, with parts replaced by shorter paths.
 Cycles::Edges Cycles::shortened(const Edges& loop, std::uint32_t triangle) {
   const std::uint32_t first = loop.front();
   Edges path(loop.begin() + 1, loop.end());
   const auto points_on = [&] {
-    // The second edge of the loop leaves that end of the first where they meet.
+    // The second edge of the loop starts at the end of the first edge where the two meet.
     const auto& [a, b] = filtration_.edges[first];
     const auto& ends = filtration_.edges[path.front()];
     std::vector<std::uint32_t> points = {ends[0] == b || ends[1] == b ? b : a};

@@ -12,7 +12,7 @@ constexpr std::uint32_t none = Solid::none;
 
 class EdgeTable {
  public:
-  /// For the edges of these triangles.
+  /// Makes an empty table for the edges of these triangles.
   EdgeTable(std::size_t points, std::span<const Triangle> triangles) : begin_(points + 1, 0) {
     for (const Triangle& triangle : triangles) {
       begin_[triangle[0]] += 2;
@@ -28,7 +28,7 @@ class EdgeTable {
     slots_.assign(sum, none);
   }
 
-  /// Of the edge from a up to b; where it is new, it is appended to `edges`.
+  /// Returns the number of the edge from a up to b. A new edge is appended to `edges`.
   std::uint32_t number(std::uint32_t a, std::uint32_t b, std::vector<std::array<std::uint32_t, 2>>& edges) {
     std::uint32_t* const slots = &slots_[begin_[a]];
     const std::size_t mask = begin_[a + std::size_t{1}] - begin_[a] - 1;
@@ -45,7 +45,7 @@ class EdgeTable {
   }
 
  private:
-  std::vector<std::size_t> begin_;  // by lesser corner
+  std::vector<std::size_t> begin_;  // by lesser corner of the edge
   std::vector<std::uint32_t> slots_;
 };
 

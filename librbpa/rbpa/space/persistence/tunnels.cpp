@@ -15,7 +15,7 @@ constexpr std::uint32_t none = Solid::none;
 }  // namespace
 
 struct Tunnels::Boundary {
-  std::array<ColumnEntry, 3> entries;  ///< ascending; zeros are none
+  std::array<ColumnEntry, 3> entries;  ///< ascending; a zero is no entry
   std::span<const ColumnEntry> span() const {
     return std::span(entries).subspan(
         static_cast<std::size_t>(std::count(entries.begin(), entries.end(), ColumnEntry{0})));
@@ -92,7 +92,7 @@ void Tunnels::reduce(std::uint32_t triangle) {
     const std::uint32_t edge = edge_of(pivot), owner = owner_[edge];
     if (owner == none) return keep(edge, triangle, is_sum ? column_.ascending() : std::vector<ColumnEntry>());
     if (is_triangle_before(triangle, owner)) {
-      // What was reduced goes there; what was there goes on.
+      // The reduced column is stored there; the reduction continues with the column that was stored.
       const std::vector<ColumnEntry> others = released(edge);
       std::vector<ColumnEntry> mine = column_.ascending();
       if (others.empty())
@@ -116,7 +116,7 @@ void Tunnels::add_column_of(std::uint32_t edge) {
     column_.add(columns_[kept_[edge]]);
 }
 
-/// An empty column is the triangle's boundary.
+/// Stores the column of a triangle. An empty column stands for the triangle's boundary.
 void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<ColumnEntry> column) {
   owner_[edge] = triangle;
   if (column.empty()) return;
@@ -129,7 +129,7 @@ void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<Colum
   columns_[kept_[edge]] = std::move(column);
 }
 
-/// The sum that is kept there, if any; then none is.
+/// Returns the column stored at an edge, and removes it; empty where none is stored.
 std::vector<ColumnEntry> Tunnels::released(std::uint32_t edge) {
   const std::uint32_t at = std::exchange(kept_[edge], none);
   if (at == none) return {};

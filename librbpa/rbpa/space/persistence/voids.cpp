@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Sets of tetrahedra, and of the outside, which is the greatest number; each with the last of them in the filtration.
+/// Sets of tetrahedra and of the outside, which has the greatest number; each with its last element in the filtration.
 class Basins {
  public:
   explicit Basins(std::span<const double> alpha) : alpha_(alpha), sets_(alpha.size() + 1), last_(alpha.size() + 1) {
@@ -20,12 +20,12 @@ class Basins {
 
   std::uint32_t outside() const { return static_cast<std::uint32_t>(alpha_.size()); }
   std::uint32_t find(std::uint32_t t) { return sets_.find(t); }
-  /// The last of a set, or none: the outside.
+  /// Returns the last tetrahedron of a set, or none: the outside.
   std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? none : last_[set]; }
   struct Joined {
-    std::uint32_t ended, stays;  ///< the last tetrahedra of both
+    std::uint32_t ended, stays;  ///< the last tetrahedra of both sets
   };
-  /// Of two sets.
+  /// Joins two sets.
   Joined join(std::uint32_t a, std::uint32_t b) {
     const bool is_a_first = is_before(last_[a], last_[b]);
     const Joined joined = {last(is_a_first ? a : b), last(is_a_first ? b : a)};
@@ -45,7 +45,7 @@ class Basins {
   std::vector<std::uint32_t> last_;
 };
 
-/// Joins each tetrahedron by the last of its triangles, where that has the same radius.
+/// Joins each tetrahedron to the one across its last triangle, where that triangle has the same radius.
 void flow(const Solid& delaunay, std::span<const double> radii,
           std::span<const std::array<std::uint32_t, 4>> triangles_of, std::span<const double> triangle_radii,
           Steps& step, Basins& basins, std::vector<bool>& makes_one) {
@@ -61,7 +61,7 @@ void flow(const Solid& delaunay, std::span<const double> radii,
     }
     if (last == none) continue;
     const std::uint32_t a = basins.find(t), b = basins.find(across);
-    if (a == b) continue;  // by the same triangle, from across
+    if (a == b) continue;  // joined already by the same triangle, from its other side
     basins.join(a, b);
     makes_one[last] = true;
   }

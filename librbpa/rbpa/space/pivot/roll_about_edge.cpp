@@ -9,8 +9,9 @@ std::size_t EdgeRoll<Real>::holder(const Ball<Real>& ball, std::size_t p) const 
   return none;
 }
 
-// A stretch of the circle on which the ball is held begins where it leaves `start`, and ends where it leaves `end`. It
-// grows to where the ball leaves the next point that holds it, until none does, or the stretch is the whole circle.
+// An interval of the circle on which the ball contains a point begins where the ball leaves `start`, and ends where it
+// leaves `end`. It grows to where the ball leaves the next point that it contains, until there is none, or the interval
+// is the whole circle.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_left_free() const {
   std::size_t start = 0;
@@ -24,16 +25,17 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 
   std::size_t end = start;
   Ball<Real> ball = beginning;
-  std::size_t reach = none;  // the point so far that holds the ball at the beginning and farthest on
+  std::size_t reach = none;  // among the points so far in the ball at the beginning: the one left last
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;
-    if (q == start || q == reach) return none;  // q held the ball up to the beginning or beyond: it is held all around
+    // Q is in the ball up to the beginning or beyond: it is in the ball all around
+    if (q == start || q == reach) return none;
     const Ball<Real> next = leaving(q);
-    if (!next.rests()) return none;  // q holds the ball all around
+    if (!next.rests()) return none;  // q is in the ball all around
     if (beginning.contains(points_[q])) {
-      // Either q holds the ball from the beginning past the end, farther than `reach`; or from the end past the
-      // beginning, alone or together with `reach` all around.
+      // Either q is in the ball from the beginning past the end, farther than `reach`; or from the end past the
+      // beginning, so that the ball contains q, or q and `reach` together, all around.
       if (reach != none && next.contains(points_[reach])) return none;
       reach = q;
     }
@@ -51,7 +53,7 @@ std::size_t EdgeRoll<Real>::next_left_free(std::size_t from) const {
   }
 }
 
-// The point `left` itself is touched last, when the ball has come around.
+// The point `left` itself is touched last, after a full turn of the ball.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
   const Point3& c = points_[left];
@@ -65,7 +67,7 @@ std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
     if (at_best.contains(points_[p])) {
       at_p = coming_to(p);
     } else {
-      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is
+      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is in
       // between.
       if (best != left) {
         const int turns =

@@ -3,9 +3,9 @@
 namespace rbpa::space {
 namespace {
 
-/// Whether the perturbation moves q, on the circle of (a, b, c), inside. The lexicographically largest of the four is
-/// lifted most (docs/predicates.md, section 2): if it is q, q leaves the circle; if it is a corner, points on the side
-/// of that corner move inside.
+/// Returns whether the perturbation moves q, on the circle of (a, b, c), inside. The lexicographically largest of the
+/// four is lifted most (docs/predicates.md, section 2). If it is q, q leaves the circle; if it is a corner, points on
+/// the side of that corner move inside.
 bool pulled_in(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
   if (a < q && b < q && c < q) return false;
   if (b < a && c < a) return exact::compare_normals(q, b, c, a, b, c) > 0;
@@ -16,8 +16,8 @@ bool pulled_in(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q) {
   if (const int side = exact::side_of_ball(a, b, c, radius, q); side != 0) return side > 0;
-  // q touches the ball. As the ball grows while it rests on the three, points above their plane come inside, and points
-  // below leave.
+  // q touches the ball. As the ball grows while it rests on the three points, points above their plane come inside, and
+  // points below leave.
   if (const int above = exact::orientation(a, b, c, q); above != 0) return above > 0;
   return pulled_in(a, b, c, q);
 }

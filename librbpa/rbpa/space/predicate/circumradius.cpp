@@ -8,7 +8,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/predicate/circumradius.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Must follow foreach_target.h: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/base/lanes/double_double-inl.h"
@@ -32,7 +32,8 @@ class Circumradii {
     Number x, y, z;
   };
 
-  /// Of the corners' coordinates: 12 rows of lanes. 0 where double-double does not decide.
+  /// Returns the radii. `coordinates` has 12 rows of lanes, the corners' coordinates. A radius is 0 where double-double
+  /// does not decide.
   static HWY_INLINE V rounded_up(const double* coordinates) {
     const D d;
     const auto edge = [&](std::size_t corner) HWY_ATTR {
@@ -44,8 +45,8 @@ class Circumradii {
     };
     Vector u = edge(1), v = edge(2), w = edge(3);
     const V greatest = hn::Max(hn::Max(greatest_of(u), greatest_of(v)), greatest_of(w));
-    // Neither the power of two that makes the greatest one between 1 and 2 nor the differences are near the ends of the
-    // range.
+    // The power of two that scales the greatest difference to between 1 and 2, and the differences, are far from the
+    // limits of double.
     const auto are_fit = hn::And(hn::Gt(greatest, hn::Set(d, 0x1p-800)), hn::Lt(greatest, hn::Set(d, 0x1p+900)));
     const hn::RebindToUnsigned<D> du;
     const auto exponent = hn::And(hn::BitCast(du, greatest), hn::Set(du, 0x7ff0000000000000U));
@@ -78,7 +79,7 @@ class Circumradii {
         quotient, hn::Div(difference(quotient).high, hn::Mul(hn::Mul(hn::Set(d, 2), quotient), denominator.high)));
     const V of_r = difference(r).high, error_of_r = error(r);
     const auto is_above = hn::Gt(of_r, error_of_r), is_below = hn::Lt(of_r, hn::Neg(error_of_r));
-    // Positive doubles are in the order of their bits.
+    // Positive doubles are ordered like their bits.
     const auto bits = hn::BitCast(du, r), one = hn::Set(du, 1);
     const V next = hn::BitCast(d, hn::IfThenElse(hn::RebindMask(du, is_above), hn::Sub(bits, one), hn::Add(bits, one)));
     const V of_next = difference(next).high, error_of_next = error(next);
@@ -144,7 +145,7 @@ void circumradii_rounded_up(std::span<const Point3> points, std::span<const std:
 }
 
 double circumradius_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  // Near enough for doubles to be tried one after the other, where nothing overflows or cancels.
+  // Precise enough to try doubles one after the other, where nothing overflows or cancels.
   using Vector = Vector3<long double>;
   const Vector u = from<long double>(a, b), v = from<long double>(a, c), w = from<long double>(a, d);
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);

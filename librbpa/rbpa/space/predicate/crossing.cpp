@@ -12,10 +12,11 @@ int side_of(const Corners& t, const Point3& p) { return orientation(t[0], t[1], 
 
 bool has(const Corners& t, const Point3& p) { return p == t[0] || p == t[1] || p == t[2]; }
 
-/// All of what is said below is about points of one plane, seen along an axis that is not parallel to it.
+/// Tests in the plane of a triangle, seen along an axis that is not parallel to the plane. All points are in that
+/// plane.
 class InPlane {
  public:
-  /// Of a triangle with an area.
+  /// Requires: a triangle with an area.
   explicit InPlane(const Corners& t) : t_(t) {
     while (axis_ < 2 && turn(t[0], t[1], t[2]) == 0) ++axis_;
   }
@@ -40,7 +41,8 @@ class InPlane {
   int axis_ = 0;
 };
 
-/// The segment meets the triangle anywhere. Requires: the sides of the triangle's plane that its ends are on.
+/// Returns whether the segment meets the triangle anywhere. Requires: `side_p` and `side_q`, the sides of the
+/// triangle's plane on which p and q are.
 bool meets(const Point3& p, int side_p, const Point3& q, int side_q, const Corners& t) {
   if (side_p * side_q > 0) return false;
   if (side_p == 0 && side_q == 0) return InPlane(t).meets(p, q);
@@ -57,7 +59,8 @@ bool cross_at_side(const Point3& a, const Point3& b, const Point3& c, const Poin
   return plane.turn(a, b, c) == plane.turn(a, b, d);
 }
 
-/// Of triangles v a b and v c d. From v on what they have in common reaches the side across from v of one of them.
+/// Returns whether triangles v a b and v c d cross. If they do, their intersection reaches from v to the side across
+/// from v of one of them.
 bool cross_at_corner(const Corners& s, const Corners& t) {
   const int side_c = side_of(s, t[1]), side_d = side_of(s, t[2]);
   if (side_c * side_d > 0) return false;
@@ -66,7 +69,7 @@ bool cross_at_corner(const Corners& s, const Corners& t) {
   return meets(s[1], side_a, s[2], side_b, t) || meets(t[1], side_c, t[2], side_d, s);
 }
 
-/// The sides of t on which the corners of s are; false when all are on the same.
+/// Finds the sides of t on which the corners of s are. Returns false when all are on the same side.
 bool straddles(const Corners& s, const Corners& t, std::array<int, 3>& sides) {
   for (std::size_t k = 0; k < 3; ++k) sides[k] = side_of(t, s[k]);
   return sides[0] * sides[1] <= 0 || sides[1] * sides[2] <= 0;

@@ -37,7 +37,7 @@ struct Corners {
       : origin(scale(a)), u(scale(b) - origin), v(scale(c) - origin), n(cross(u, v)) {}
 
   Vector origin, u, v;
-  Vector n;  ///< normal, of the length of twice the area
+  Vector n;  ///< normal; its length is twice the area
 };
 
 /// 4 radius² n² − u² v² (u − v)²: not negative when the circumradius is at most the radius.
@@ -71,7 +71,7 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
   const Corners t(scale, a, b, c);
   const Vector w = scale(d) - t.origin, vw = cross(t.v, w), wu = cross(w, t.u);
   const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v), ww = dot(w, w);
-  // The center is at (uu v × w + vv w × u + ww u × v) / 2 volume, from a.
+  // Relative to a, the center is (uu v × w + vv w × u + ww u × v) / 2 volume.
   const Vector centre = {uu * vw.x + vv * wu.x + ww * t.n.x, uu * vw.y + vv * wu.y + ww * t.n.y,
                          uu * vw.z + vv * wu.z + ww * t.n.z};
   const Integer diameter = 2 * scale(radius) * dot(t.n, w), squares = dot(centre, centre) - diameter * diameter;
@@ -82,7 +82,7 @@ int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Poin
   const Scale scale{a, b, c, d, q};
   const Corners t(scale, a, b, c);
   const Vector w = scale(d) - t.origin, p = scale(q) - t.origin;
-  // The volume times the power of q, twice the product with the center being as above.
+  // The volume times the power of q. Twice its product with the center is as above.
   const Integer power = dot(p, p) * dot(t.n, w) - dot(t.u, t.u) * dot(cross(t.v, w), p) -
                         dot(t.v, t.v) * dot(cross(w, t.u), p) - dot(w, w) * dot(t.n, p);
   return -power.sign();
@@ -98,7 +98,7 @@ int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, cons
   const Scale scale{a, b, c, q};
   const Corners t(scale, a, b, c);
   const Vector d = scale(q) - t.origin;
-  // n² times the power of q; the center is at (uu v × n + vv n × u) / 2 n², from a.
+  // n² times the power of q. Relative to a, the center is (uu v × n + vv n × u) / 2 n².
   const Integer power =
       dot(t.n, t.n) * dot(d, d) - dot(t.u, t.u) * dot(cross(t.v, t.n), d) - dot(t.v, t.v) * dot(cross(t.n, t.u), d);
   return -power.sign();
@@ -108,7 +108,7 @@ int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radiu
   const Scale scale({a, b, c, q}, radius);
   const Corners t(scale, a, b, c);
   const Vector d = scale(q) - t.origin;
-  // The power of q is (A − B √D) / n², docs/surface_derivation.md.
+  // The power of q is (A − B √D) / n²: docs/surface_derivation.md.
   const Vector vn = cross(t.v, t.n), nu = cross(t.n, t.u);
   const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v);
   const Integer A = dot(t.n, t.n) * dot(d, d) - uu * dot(vn, d) - vv * dot(nu, d), B = dot(t.n, d);
@@ -122,7 +122,7 @@ int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radiu
 }
 
 int normal_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& normal) {
-  const Scale scale{a, b, c}, own{normal};  // the sign does not change with the length of the normal
+  const Scale scale{a, b, c}, own{normal};  // the length of the normal does not change the sign
   return dot(Corners(scale, a, b, c).n, own(normal)).sign();
 }
 

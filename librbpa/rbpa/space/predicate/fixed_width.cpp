@@ -9,7 +9,7 @@ using Word = std::uint64_t;
 
 Integer128 product(std::int64_t a, std::int64_t b) { return Integer128{a} * b; }
 
-/// Below 2^124: the components are below 2^61.
+/// Returns u × v, below 2^124 because the components are below 2^61.
 Vector3<Integer128> wide_cross(const FixedVector& u, const FixedVector& v) {
   return {product(u.y, v.z) - product(u.z, v.y), product(u.z, v.x) - product(u.x, v.z),
           product(u.x, v.y) - product(u.y, v.x)};
@@ -18,12 +18,12 @@ Unsigned128 square(const FixedVector& u) {
   return static_cast<Unsigned128>(product(u.x, u.x) + product(u.y, u.y) + product(u.z, u.z));
 }
 
-/// high 2^64 + low.
+/// A volume: high 2^64 + low.
 struct Volume {
   Integer128 high = 0;
   Word low = 0;
 
-  /// Requires: a below 2^124, b below 2^61; three at most.
+  /// Adds a b. Requires: a below 2^124, b below 2^61; at most three terms.
   void add_product(Integer128 a, std::int64_t b) {
     const auto word = static_cast<Word>(a);
     const Unsigned128 all = Unsigned128{word} * static_cast<Word>(b);
@@ -35,7 +35,7 @@ struct Volume {
   }
 };
 
-/// u · v, which is a volume when v is a cross product.
+/// Returns u · v, a volume if v is a cross product.
 Volume wide_dot(const Vector3<Integer128>& v, const FixedVector& u) {
   Volume volume;
   volume.add_product(v.x, u.x);
@@ -44,10 +44,10 @@ Volume wide_dot(const Vector3<Integer128>& v, const FixedVector& u) {
   return volume;
 }
 
-/// A sum of few products of 187 by 124 bits, its words with what they carry.
+/// A sum of a few products of 187 by 124 bits, as words with their carries.
 class Sum {
  public:
-  /// Adds, or with the sign −1 subtracts, volume · square.
+  /// Adds volume · square, or subtracts it if the sign is −1.
   void add_product(const Volume& volume, Unsigned128 square, int sign) {
     const auto s0 = static_cast<Word>(square), s1 = static_cast<Word>(square >> 64U);
     const auto v0 = volume.low, v1 = static_cast<Word>(volume.high);
@@ -56,7 +56,7 @@ class Sum {
     add(1, Unsigned128{v0} * s1, sign);
     add(1, Unsigned128{v1} * s0, sign);
     add(2, Unsigned128{v1} * s1, sign);
-    // |v2| < 2^60, and words of the square have no sign.
+    // |v2| < 2^60, and words of the square are unsigned.
     const auto size = static_cast<Word>(v2 < 0 ? -v2 : v2);
     const int sign_of_last = v2 < 0 ? -sign : sign;
     add(2, Unsigned128{size} * s0, sign_of_last);
@@ -71,7 +71,7 @@ class Sum {
       is_zero &= static_cast<Word>(carry) == 0;
       carry >>= 64;
     }
-    return carry < 0 ? -1 : is_zero ? 0 : 1;  // five words hold it: the carry beyond is the sign
+    return carry < 0 ? -1 : is_zero ? 0 : 1;  // five words hold the sum: the carry beyond them is the sign
   }
 
  private:

@@ -15,14 +15,14 @@ using Real = long double;
 using Vector = Vector3<Real>;
 constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-/// The sign of a value that is off by at most `error`, or that which exact() computes. What overflowed is compared in
-/// vain.
+/// Returns the sign of a value with an error of at most `error`, or else of exact(). An overflow yields no sign, so
+/// that exact() decides.
 template <typename Exact>
 int sign(Real value, Real error, Exact exact) {
   return value > error ? 1 : value < -error ? -1 : exact();
 }
 
-/// Negative inside, where it is beyond the error.
+/// A power of a point; negative inside, if beyond the error.
 template <typename Number>
 struct Power {
   Number value, error;
@@ -33,8 +33,8 @@ int sign(const Power<Number>& power, Exact exact) {
   return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
 }
 
-/// What may underflow is left to the next number: squares of edges have to be far above the least normal one, and the
-/// error with its square above it.
+/// Returns the power, with an infinite error where a part of it may underflow, so that the next type of number decides.
+/// Squares of edges must be far above the least normal number, and so must the error's square.
 template <typename Number>
 Power<Number> within_range(Number value, Number error, Number least_square) {
   constexpr Number least = std::numeric_limits<Number>::min();
@@ -65,7 +65,8 @@ double rounded_up(Real value) {
   return nearest < value ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
 }
 
-/// A radius that is off by at most `error`, rounded up: where both ends have one double above them, that is it.
+/// Rounds up a radius with an error of at most `error`. If both ends of the interval round up to the same double, it is
+/// the result.
 template <typename Reaches>
 double rounded_up(Real radius, Real error, const Reaches& reaches) {
   const double low = rounded_up(radius - error), high = rounded_up(radius + error);
@@ -113,7 +114,7 @@ double LeastSphere::radius_rounded_up() const {
   const Vector u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);
   const Real uu = dot(u, u), vv = dot(v, v), nn = dot(n, n), spread = uu * vv / nn;
   const Real radius = std::sqrt(uu * vv * (dot(w, w) / nn)) / 2;
-  // As in is_within(), where n² is off by at most 80 unit roundoffs of u² v²: that is halved by the root.
+  // The error is as in is_within(), where n² is off by at most 80 unit roundoffs of u² v²; the root halves it.
   const Real error =
       spread < 0x1p40L ? unit_roundoff * radius * (32 + 96 * spread) : std::numeric_limits<Real>::infinity();
   return rounded_up(radius, error, [&](double r) { return is_within(r); });

@@ -17,7 +17,7 @@ struct Differences {
   Differences(const Point3& a, const Point3& b)
       : x(difference(b.x, a.x)), y(difference(b.y, a.y)), z(difference(b.z, a.z)) {}
 
-  /// Products of three of them, and the last bits of those, are within the range of double.
+  /// Returns whether products of three differences, and their last bits, are within the range of double.
   bool fit() const { return fits(x) && fits(y) && fits(z); }
 
  private:
@@ -30,7 +30,7 @@ struct Differences {
   }
 };
 
-/// The component of u × v along an axis.
+/// Returns the component of u × v along an axis.
 auto product_along(const Differences& u, const Differences& v, int axis) {
   if (axis == 0) return u.y * v.z - u.z * v.y;
   if (axis == 1) return u.z * v.x - u.x * v.z;

@@ -13,13 +13,13 @@
 namespace rbpa::space {
 namespace {
 
-/// The order of Point3, for numbers that all compare.
+/// Compares as Point3 does, but without NaN.
 bool is_less(const Point3& p, const Point3& q) {
   if (p.x != q.x) return p.x < q.x;
   return p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-/// a.x b.y − a.y b.x, and the same with the absolute values of both products.
+/// The minor a.x b.y − a.y b.x, and the sum of the absolute values of both products.
 struct Minor {
   Minor(const Vector3<double>& a, const Vector3<double>& b)
       : value(a.x * b.y - a.y * b.x), size(std::abs(a.x * b.y) + std::abs(a.y * b.x)) {}
@@ -29,10 +29,10 @@ struct Minor {
 }  // namespace
 
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner): the largest ε that
-  // does not vanish decides, and λ has the sign of the tetrahedron with q in the place of the corner.
+  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner). The largest ε that
+  // does not vanish decides, and λ has the sign of the tetrahedron with q in place of the corner.
   std::array<const Point3*, 4> corners = {&a, &b, &c, &d};
-  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // mostly the first decides, so that all are not sorted
+  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // usually the first one decides, so that a full sort would be waste
   for (std::size_t count = 4; count > 0; --count) {
     std::size_t largest = 0;
     for (std::size_t i = 1; i < count; ++i)
@@ -93,7 +93,7 @@ bool in_sphere(const Point3& pa, const Point3& pb, const Point3& pc, const Point
   const double value = (aa * bcd[0] - bb * cda[0]) + (cc * dab[0] - dd * abc[0]);
   const double size = (dd * abc[1] + cc * dab[1]) + (bb * cda[1] + aa * bcd[1]);
   const double bound = 0x1p-48 * size;
-  if (bound > least_filtered) {  // false for what is no number, too
+  if (bound > least_filtered) {  // also false for NaN
     if (value > bound) return true;
     if (value < -bound) return false;
   }
@@ -105,7 +105,7 @@ bool BeyondFilter::is_inside(const Point3& a, const Point3& b, const Point3& c, 
   if (error < exact_below_) return value != 0 ? value > 0 : pulled_into_sphere(a, b, c, d, q);
   if (const auto in = in_sphere_on_grid(a, b, c, d, q)) return *in;
   if (is_exact_) {
-    // The same terms, the error of each of which is 68 u² instead of 20 u.
+    // The terms are the same; the error of each is 68 u² instead of 20 u.
     const double finer = in_sphere_by_double_double(a, b, c, d, q);
     if (std::abs(finer) > 0x1p-51 * error) return finer > 0;
   }

@@ -11,7 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Of the triangle's plane; 0 where it has no area.
+/// Returns the unit normal of the triangle's plane; 0 where the triangle has no area.
 Vector unit_normal(const Vector& a, const Vector& b, const Vector& c) {
   const Vector n = cross(minus(b, a), minus(c, a));
   const double size = length(n);
@@ -52,7 +52,7 @@ void FillingPatch::refine(std::size_t most, meshops::Steps& step) {
   while (between_.size() < most && split_large(step)) flip_all(step);
 }
 
-/// Of the triangles that there are now.
+/// Splits the large ones among the current triangles. Returns whether there were any.
 bool FillingPatch::split_large(meshops::Steps& step) {
   bool has_split = false;
   const std::size_t count = mesh_.n_faces();
@@ -79,7 +79,8 @@ bool FillingPatch::split_large(meshops::Steps& step) {
   return has_split;
 }
 
-/// Whether the distance of its centroid to each corner is large for the edges there, and for those in the middle.
+/// Returns whether the distance of the triangle's centroid to each corner is large relative to the edges there, and to
+/// the edges wanted in the middle.
 bool FillingPatch::is_large(Mesh::FaceHandle f) const {
   std::array<Vector, 3> corners{};
   std::array<double, 3> scales{};
@@ -99,7 +100,7 @@ bool FillingPatch::is_large(Mesh::FaceHandle f) const {
 }
 
 void FillingPatch::flip_all(meshops::Steps& step) {
-  // In space flips need not end; in a patch of no great turns they do long before.
+  // In space, flips need not terminate; in a patch without great turns they end long before this limit.
   std::size_t left = 20 * mesh_.n_edges();
   std::vector<Edge> waiting;
   for (std::size_t e = mesh_.n_edges(); e-- > 0;) waiting.emplace_back(static_cast<int>(e));
@@ -121,8 +122,8 @@ void FillingPatch::flip_all(meshops::Steps& step) {
   }
 }
 
-/// Whether the angles across from the edge are more than 180 degrees together, and the flipped edge is free and folds
-/// nothing.
+/// Returns whether the angles across from the edge sum to more than 180 degrees, and the flipped edge does not exist
+/// yet and folds nothing.
 bool FillingPatch::is_better_flipped(Edge e) const {
   if (mesh_.is_boundary(e)) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0);
@@ -141,13 +142,14 @@ bool FillingPatch::is_better_flipped(Edge e) const {
   return dot(new_from, mean) > 0 && dot(new_to, mean) > 0 && dot(new_from, new_to) > 0;
 }
 
-/// Twice the mean curvature wanted at each name: known along the rim where it is, harmonic elsewhere.
+/// Returns twice the mean curvature wanted at each name: the given one along the rim where it is known, harmonic
+/// elsewhere.
 std::optional<std::vector<double>> FillingPatch::bends() const {
   std::vector<double> bends(rim_.places.size() + between_.size(), 0);
   const std::optional<double> most = most_bend();
   if (!most || std::none_of(rim_.bend.begin(), rim_.bend.end(), [](const auto& bend) { return bend.has_value(); }))
     return bends;
-  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // of those that are sought
+  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // of the unknowns
   std::uint32_t count = 0;
   for (std::size_t name = 0; name < bends.size(); ++name) {
     if (name < rim_.bend.size() && rim_.bend[name])
@@ -180,7 +182,7 @@ std::optional<std::vector<double>> FillingPatch::bends() const {
   return bends;
 }
 
-/// No surface with this rim bends more everywhere: that of half a ball over it.
+/// Returns the greatest bend that a surface with this rim can have everywhere: that of half a ball over the rim.
 std::optional<double> FillingPatch::most_bend() const {
   double area = 0, around = 0;
   for (const auto f : mesh_.faces()) {
@@ -194,11 +196,11 @@ std::optional<double> FillingPatch::most_bend() const {
     if (mesh_.is_boundary(e)) around += length(minus(at(mesh_.to_vertex_handle(h)), at(mesh_.from_vertex_handle(h))));
   }
   if (!(area > 0) || !(around > 0)) return std::nullopt;
-  return around / area;  // two radii of the circle, as of any: 2 / r
+  return around / area;  // for a circle it is 2 / r
 }
 
 bool FillingPatch::make_smooth(meshops::Steps& step) {
-  constexpr int rounds = 20;  // weights and normals of each are those of the one before
+  constexpr int rounds = 20;  // each uses the weights and normals of the one before
   constexpr double still = 0x1p-10;
   const auto wanted = bends();
   if (!wanted) return false;
@@ -216,7 +218,7 @@ bool FillingPatch::make_smooth(meshops::Steps& step) {
   return has_moved;
 }
 
-/// One round: the added vertices are moved to where the curvature is as wanted, by weights and normals as they are now.
+/// Does one round: moves the added vertices to where the curvature is as wanted, by the current weights and normals.
 bool FillingPatch::bend_like(const std::vector<double>& bends, meshops::Steps& step, double& farthest) {
   const std::size_t rim = rim_.places.size();
   std::vector<FanCurvature> fans(bends.size());

@@ -68,10 +68,9 @@ class FillingPatch {
 
   const FillingRim& rim_;
   Mesh mesh_;
-  std::vector<std::uint32_t>
-      // By mesh vertex: its number in the rim, where several vertices share one number if fans meet; or that of an
-      // added vertex
-      names_;
+  // By mesh vertex: its number in the rim, where several vertices share one number if fans meet; or that of an
+  // added vertex
+  std::vector<std::uint32_t> names_;
   std::vector<double> scales_;  // by number
   std::vector<std::array<std::uint32_t, 3>> between_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between numbers: all edges that exist, also outside

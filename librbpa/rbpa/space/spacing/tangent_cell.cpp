@@ -17,7 +17,7 @@ struct Corner {
   double x, y;
 };
 
-/// What of a convex polygon has ax + by ≤ c.
+/// Keeps the part of a convex polygon in which ax + by ≤ c.
 void clip(std::vector<Corner>& polygon, double a, double b, double c, std::vector<Corner>& kept) {
   kept.clear();
   const auto beyond = [&](const Corner& p) { return a * p.x + b * p.y - c; };
@@ -55,7 +55,7 @@ std::optional<double> gap_around(std::span<const Point3> neighbors, const Point3
 }
 
 std::optional<double> nearest_circumradius(std::span<const Point3> neighbors) {
-  constexpr double straight = 0x1p-40;  // the sine of an angle that may be rounding
+  constexpr double straight = 0x1p-40;  // the sine of an angle that may be due to rounding
   for (std::size_t i = 1; i < neighbors.size(); ++i) {
     const Point3 &p = neighbors.front(), &q = neighbors[i], d = {q.x - p.x, q.y - p.y, q.z - p.z}, n = cross(p, q);
     const double sides = std::sqrt(dot(p, p)) * std::sqrt(dot(q, q)), area = std::sqrt(dot(n, n));

@@ -98,7 +98,7 @@ class BallPair {
 struct Crossing {
   Vector3<double> left{}, right{};  // centers of the balls on (v, p, q) and (v, q, p)
   double error = 0;
-  // Not bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
+  // An integer instead of bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
   std::uint32_t is_certain = 0, is_impossible = 0;
 };
 inline Crossing crossing_of(const Neighbor& p, const Neighbor& q, double radius) {

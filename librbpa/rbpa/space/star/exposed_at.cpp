@@ -17,7 +17,7 @@ namespace {
 
 constexpr Site at_a_time = 64;
 
-/// Sites that are wanted, from the first to before the last.
+/// Returns the wanted sites as half-open ranges.
 std::vector<std::pair<Site, Site>> wanted_runs(const Cells& cells, const std::vector<std::uint8_t>& wanted) {
   std::vector<std::pair<Site, Site>> runs;
   for (Site v = 0; v < cells.sites().size(); ++v) {
@@ -56,7 +56,7 @@ std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
           const auto end = rings.points.begin() + rings.first[place + 1];
           for (auto first = rings.points.begin() + rings.first[place]; first != end;) {
             const auto last = std::find(first, end, Rings::end_of_cycle);
-            // … w, x, z …: about x from (v, x, w) to (v, z, x), and back.
+            // … w, x, z …: the ball rolls about x from (v, x, w) to (v, z, x), and back.
             for (auto z = first, x = last - 1, w = last - 2; z != last; w = x, x = z++)
               found.push_back({index[v], index[*z], index[*x], index[*w]});
             first = last + 1;

@@ -13,7 +13,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/star/find_rings.cpp"
 #include <hwy/foreach_target.h>
-// What follows is compiled once for each kind of vector unit.
+// The code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/space/star/bounding_cones-inl.h"
@@ -27,7 +27,7 @@ namespace rbpa::space {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The rings of one site after the other, by caps.
+/// Finds the rings of sites, one after the other, by caps.
 class RegionSearch {
  public:
   explicit RegionSearch(const Cells& cells) : cells_(cells) {}
@@ -35,11 +35,11 @@ class RegionSearch {
   /// Appends the rings of v:
   ///   1. gather the nearest points, about as many as bound a region;
   ///   2. subtract the caps of up to eight of them at once, and of the others one by one, nearest first;
-  ///   3. bound what is left by cones, and subtract the caps of farther points that meet a cone, with new cones as it
+  ///   3. bound the region by cones, and subtract the caps of farther points that meet a cone, with new cones as it
   ///      shrinks;
   ///   4. retry the caps whose circles were free as a whole;
   ///   5. read the rings off the corners.
-  /// Returns: false where the region is lost. Requires: the surroundings of v's cell.
+  /// Returns false where the region is lost. Requires: the surroundings of v's cell.
   bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
@@ -56,9 +56,9 @@ class RegionSearch {
   }
 
  private:
-  /// Step 1: fills near_. Returns: the square of the distance, in radii, up to which all points are in it.
+  /// Step 1: fills near_. Returns the squared distance, in squared radii, up to which near_ has all points.
   float find_near(Surroundings& around, Site v) {
-    constexpr double wanted = 8;  // of which about six bound a region
+    constexpr double wanted = 8;  // about six of these bound a region
     constexpr std::size_t least = 4;
     const std::span<const Point3> sites = cells_.sites();
     while (true) {
@@ -76,7 +76,7 @@ class RegionSearch {
     }
   }
 
-  /// Step 2. Returns: false where the region is lost.
+  /// Step 2. Returns false where the region is lost.
   template <typename IsInBall>
   bool subtract_near(IsInBall is_in_ball) {
     const std::size_t few = std::min<std::size_t>(near_.size(), InitialRegion::most);
@@ -92,7 +92,7 @@ class RegionSearch {
   }
 
   /// Step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise
-  /// shell by shell, each of twice the squared distance. Returns: false where the region is lost.
+  /// shell by shell, each of twice the squared distance. Returns false where the region is lost.
   template <typename IsInBall>
   bool subtract_far(Surroundings& around, Site v, float from, IsInBall is_in_ball) {
     const std::span<const Point3> sites = cells_.sites();
@@ -104,7 +104,7 @@ class RegionSearch {
         const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
         if (region_.is_empty() || !bound_.may_meet_cap_of(neighbor)) return true;
         if (!region_.subtract(neighbor, is_in_ball)) return false;
-        // Where there was no bound there may be none again: then not after each cap, to save time.
+        // If there was no bound, there may be none again: then it is not updated after each cap, to save time.
         if (region_.caps() - caps_in_bound >= (bound_.is_bounded() ? 1 : 4)) {
           region_.update_bound(bound_);
           caps_in_bound = region_.caps();
@@ -121,13 +121,14 @@ class RegionSearch {
   }
 
   const Cells& cells_;
-  double share_ = 0.25;  // of the square of two radii: where to look for near points first
+  double share_ = 0.25;  // fraction of the square of two radii in which near points are searched first
   std::vector<Neighbor> near_;
   FreeRegion region_;
   BoundingCones bound_;
 };
 
-/// Appends the rings of one site by rolling about each edge. Requires: all sites within two radii, by distance.
+/// Appends the rings of one site by rolling about each edge. Requires: `others` are all sites within two radii, by
+/// distance.
 template <typename Real>
 void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();
@@ -145,8 +146,8 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
       arcs.push_back({b, left, touched});
     });
   }
-  // Sorted by (about, left), so that the next arc can be searched for: about what is touched, leaving what this one is
-  // about.
+  // Sorted by (about, left), so that the next arc can be searched: its `about` is this arc's `touched`, and its `left`
+  // is this arc's `about`.
   std::sort(arcs.begin(), arcs.end(),
             [](const Arc& p, const Arc& q) { return p.about != q.about ? p.about < q.about : p.left < q.left; });
   std::vector<std::uint8_t> is_done(arcs.size(), 0);
@@ -167,11 +168,11 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
   }
 }
 
-/// Appends the rings of v by rolling about each edge. Requires: the sites around v's cell.
+/// Appends the rings of v by rolling about each edge. Requires: `around` are the sites around v's cell.
 template <typename Real>
 void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();
-  // Rounded outward, by more than the roundings of a distance.
+  // Rounded outward, by more than the rounding error of a distance.
   const Real radius = cells.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
   std::vector<std::pair<Real, Site> > order;
   for (const Site p : around) {

@@ -133,7 +133,7 @@ class RegionBoundary {
       if (sine > 2 * limits::slack * q.length * square && cosine > -square / 2) return true;
       const double angle = pseudo_angle(sine / q.length, cosine);
       if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
-      // Not in the middle, where the circles of symmetric points would meet the corner.
+      // The corner is off the middle, where the circles of symmetric points would meet it.
       Vector m;
       if (cosine < -0.9 * square) {
         m = scaled(cross(q.at, u), 1 / q.length);

@@ -83,7 +83,7 @@ HWY_INLINE std::uint64_t lane_bits(const std::uint8_t* bits, std::size_t first) 
 /// The unfinished points in the cells around a cell.
 class Block {
  public:
-  /// How many cells on each side of a cell.
+  /// The number of cells on each side of a cell.
   static constexpr int cells = 2;
 
   /// Gathers the open points in the cells around a cell and around `more` cells after it in its row. `open` has one bit

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// What the tiles found, one after the other.
+/// The results of the tiles, one after the other.
 class Collected {
  public:
   Collected(const Leaves& leaves, bool has_radii) : leaves_(leaves), has_radii_(has_radii) {
@@ -50,7 +50,7 @@ class Collected {
     shared_is_within_.insert(shared_is_within_.end(), stars.shared_is_within.begin(), stars.shared_is_within.end());
   }
 
-  /// Those of the shared ones that their leaf has to give, now that it is known which points are settled.
+  /// Appends those of the shared tetrahedra that their leaf contributes, now that the settled points are known.
   void append_shared() {
     std::vector<std::uint8_t> is_unsettled(leaves_.places(), 0);
     for (const Place i : unsettled) is_unsettled[i] = 1;
@@ -81,10 +81,10 @@ class Collected {
   bool has_radii_;
   meshops::FreshVector<Row> shared_;
   std::vector<std::uint8_t> shared_is_within_;
-  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // of each leaf
+  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // for each leaf
 };
 
-/// Leaves out those beyond alpha.
+/// Removes the tetrahedra beyond alpha.
 void leave_out(FoundRows& found) {
   auto& [corners, neighbors] = found.rows;
   meshops::FreshVector<std::uint32_t> number(corners.size());

@@ -66,10 +66,10 @@ struct Planes {
   }
 };
 
-/// The box of most points: without the few that are far from the others, along some axis.
+/// Returns a box of most of the points: without the few that are far from the others along some axis.
 Box3 box_of_most(std::span<const Point3> points, const Box3& all) {
   constexpr std::size_t most_sampled = 256, left_out = 2;
-  constexpr double more = 0.04;  // so that nothing is left out of points that are spread evenly
+  constexpr double more = 0.04;  // so that no points of an even spread are left out
   const std::size_t step = points.size() / most_sampled + 1;
   std::vector<double> sample;
   const auto range = [&](int axis) {
@@ -88,12 +88,12 @@ Box3 box_of_most(std::span<const Point3> points, const Box3& all) {
   return {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
 }
 
-/// The side of cubic cells of a box that have so many points each, where those fill it.
+/// Returns the side of cubic cells that hold `points_in_cell` points each, where `points` points fill the box.
 double cell_size(const Box3& box, std::size_t points) {
   std::array<double, 3> side = {box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z};
   std::sort(side.begin(), side.end());
   const double cells = std::max(1.0, static_cast<double>(points) / points_in_cell);
-  // In three dimensions, in two where the shortest side is less than a cell, in one.
+  // The points may fill three dimensions; two, if the shortest side is less than a cell; or one.
   double size = std::cbrt(side[0]) * std::cbrt(side[1]) * std::cbrt(side[2]) / std::cbrt(cells);
   if (size >= side[0]) size = std::sqrt(side[1]) * std::sqrt(side[2]) / std::sqrt(cells);
   if (size >= side[1]) size = side[2] / cells;
@@ -177,7 +177,7 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
   std::vector<Indexed> sorted(size);
   for (std::size_t k = size; k-- > 0;) sorted[--start[cell[k]]] = {points_[first + k], index_[first + k]};
   start[cells] = static_cast<Place>(size);
-  // Repetitions are left out, so that the sites of the leaf are fewer than its points.
+  // Repeated points are left out, so that the leaf has fewer sites than points.
   const auto same = [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
   Place to = first;
   for (std::size_t c = 0; c < cells; ++c) {
@@ -200,7 +200,7 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
         points_[to] = p.point;
         index_[to++] = p.index;
       } else {
-        repeated_[i].push_back({p.index, equal});  // equal points come by index
+        repeated_[i].push_back({p.index, equal});  // equal points are sorted by index
       }
     }
   }

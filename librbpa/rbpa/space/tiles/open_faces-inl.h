@@ -133,7 +133,7 @@ class OpenFaces {
 
     HWY_INLINE bool empty() const { return used_ == 0; }
 
-    /// As OpenFaces::close_or_add().
+    /// Does the same as OpenFaces::close_or_add(), at this corner.
     HWY_INLINE std::uint32_t close_or_add(const OpenFace& face, std::uint32_t nobody) {
       const Entry entry(face);
       const std::uint32_t found = keys_.find(entry.key) & used_;

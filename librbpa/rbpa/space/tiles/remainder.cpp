@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Faces that have a tetrahedron on one side only, with numbers of unsettled points as corners, in buckets by the
-/// first.
+/// Faces with a tetrahedron on one side only, in buckets by their first corner. Corners are numbers of unsettled
+/// points.
 class OpenSides {
  public:
-  /// Those of the border all of whose corners are unsettled. Others are at the hull.
+  /// Takes the border faces whose corners are all unsettled. Other border faces are at the hull.
   OpenSides(const std::vector<Place>& unsettled, std::size_t places, const FoundRows& found)
       : end_(unsettled.size() + 1, 0) {
     std::vector<std::uint32_t> number(places, none);
@@ -34,12 +34,12 @@ class OpenSides {
     for (std::size_t i = 1; i < end_.size(); ++i) end_[i] += end_[i - 1];
     sides_.resize(sides.size());
     for (std::size_t i = 0; i < sides.size(); ++i)
-      sides_[end_[first[i]]++] = sides[i];  // from where a begins to its end
+      sides_[end_[first[i]]++] = sides[i];  // end_ moves from the beginning of the bucket to its end
   }
 
   bool empty() const { return sides_.empty(); }
 
-  /// The face on whose open side is a tetrahedron across from its corner k, or none.
+  /// Returns the face that has its open side toward a tetrahedron, across from the tetrahedron's corner k; or none.
   std::uint32_t face_of(const Row& corners, std::size_t k) const {
     const BorderFace face = border_face(corners, 0, k);
     const std::uint32_t first = face.corners[0];
@@ -58,7 +58,7 @@ class OpenSides {
     bool is_ascending;  ///< as its tetrahedron sees it
   };
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> end_;  // of the sides of each first corner
+  std::vector<std::uint32_t> end_;  // end of the sides of each first corner
 };
 
 }  // namespace
@@ -82,7 +82,7 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
     for (std::size_t k = 0; k < 4; ++k) row[k] = triangulation.index()[tetrahedra[t].corner[k]];
     return row;
   };
-  // 1. Those at open sides, whose faces there are not crossed.
+  // 1. Add the tetrahedra at open sides; the faces there are not crossed.
   const Row nothing = {none, none, none, none};
   std::vector<Row> open_sides(tetrahedra.size(), nothing);
   std::vector<std::uint32_t> number(tetrahedra.size(), none), added;
@@ -99,11 +99,11 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
     for (std::size_t k = 0; k < 4; ++k)
       if ((open_sides[t][k] = open.face_of(corners, k)) != none) add(t);
   }
-  // 2. From there on.
+  // 2. Continue from these to their neighbors.
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
       if (open_sides[added[i]][k] == none) add(tetrahedra[added[i]].neighbor[k] / 4);
-  // 3. With their neighbors.
+  // 3. Append them with their neighbors.
   for (const std::uint32_t t : added) {
     Row row = corners_of(t), neighbors = nothing;
     for (std::size_t k = 0; k < 4; ++k) {

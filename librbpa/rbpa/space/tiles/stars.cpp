@@ -9,7 +9,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/tiles/stars.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Must follow foreach_target.h: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/space/tiles/apex_search-inl.h"
@@ -52,9 +52,10 @@ class StarSearch : public StarFinder, private ApexSearch {
  private:
   using Corners = std::array<std::uint16_t, 4>;
   static constexpr std::uint32_t none = Stars::none;
-  /// The first is none: neighbor of faces that have no other.
+  /// The neighbor across a face without one. Tetrahedron 0 is not used.
   static constexpr std::uint32_t nobody = 0;
-  /// Of a point that is not the leaf's, or that was given up. Others have their number among the leaf's.
+  /// The rank of a point outside of the leaf, or of one that was given up. The rank of other points is their number in
+  /// the leaf.
   static constexpr std::uint32_t waits_for_nothing = 1U << 16U;
 
   void start(const Leaf& leaf) {
@@ -76,17 +77,18 @@ class StarSearch : public StarFinder, private ApexSearch {
     make_room();
   }
 
-  /// Most points would stay unsettled, or need exact decisions: each of them takes long.
+  /// Returns whether the tile is abandoned: most points would stay unsettled or need exact decisions, each of which
+  /// takes long.
   bool is_abandoned() const {
     constexpr std::size_t fewest = 64, most_exact = 12;
     return completed_ >= std::max(fewest, of_leaf_ / 8) &&
            (failures_ > completed_ / 4 * 3 || exact_ > most_exact * completed_);
   }
 
-  /// Cells of a row that have a block together.
+  /// Number of consecutive cells of a row that share a block.
   static constexpr int at_once = 2;
 
-  /// The cells of a range but for so many at each end.
+  /// Returns the cells of a range without the outer `left_out` at each end.
   static std::array<Tile::Range, 3> inner(std::array<Tile::Range, 3> cells, int left_out) {
     for (Tile::Range& range : cells) range = {range.low + left_out, range.high - left_out};
     return cells;
@@ -114,7 +116,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Finds all tetrahedra at v. Returns: false if it cannot.
+  /// Finds all tetrahedra at v. Returns false if it cannot.
   bool complete(Local v) {
     start_at(v);
     const std::uint32_t before = count_;
@@ -170,7 +172,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_within_.resize(2 * count_ + 1024);
   }
 
-  /// The tetrahedron (second, first, apex, v), but for the neighbor across the apex.
+  /// Adds the tetrahedron (second, first, apex, v), without the neighbor across from the apex.
   HWY_INLINE std::uint32_t add(OpenFaces::AtCorner& open, Local first, Local second) {
     const std::uint32_t t = count_++;
     const Local apex = apex_;
@@ -181,7 +183,8 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_reached_[apex] = 1;
     close_or_add(open, {first, apex, 4 * t});
     close_or_add(open, {apex, second, 4 * t + 1});
-    // The face (second, apex, first), from the first of them on. Which that is cannot be predicted.
+    // The face (second, apex, first), starting at its corner of least rank. The corner cannot be predicted, so the code
+    // does not branch.
     const std::uint32_t r0 = rank_[second], r1 = rank_[apex], r2 = rank_[first], rank = std::min({r0, r1, r2});
     const bool is_second = rank == r0, is_apex = rank == r1;
     if (rank == waits_for_nothing) return t;
@@ -204,7 +207,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     across_[face] = other;
   }
 
-  /// Its faces wait for their other corners.
+  /// Gives up a point: its faces wait for their other corners.
   void give_up(Local v) {
     const std::uint32_t at = rank_[v];
     rank_[v] = waits_for_nothing;
@@ -217,7 +220,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// A tetrahedron at a point that no other has reached. Returns: false if it is not found.
+  /// Adds a tetrahedron at a point that no other tetrahedron has reached. Returns false if none is found.
   bool add_first(OpenFaces::AtCorner& open);
 
   void link();
@@ -228,23 +231,23 @@ class StarSearch : public StarFinder, private ApexSearch {
   OpenFaces open_;
   std::vector<std::uint32_t> rank_;
   std::vector<std::uint8_t> is_reached_, is_finished_;
-  std::vector<std::uint8_t> is_settled_;  // of the leaf's points in their order
-  // Of the tetrahedra found, from 1 on.
+  std::vector<std::uint8_t> is_settled_;  // for each point of the leaf, in order
+  // For the tetrahedra found, from 1 on:
   std::vector<Corners> corners_;
-  std::vector<std::uint32_t> across_;  // of each face, the same one as its neighbor has it, or nobody
+  std::vector<std::uint32_t> across_;  // for each face: the same face as its neighbor has it, or nobody
   std::uint32_t count_ = 1;
-  std::vector<std::uint32_t> number_;  // of those that are the leaf's, or none
+  std::vector<std::uint32_t> number_;  // number among the leaf's tetrahedra, or none
   std::vector<std::uint8_t> is_within_;
   std::vector<Local> around_;
 
   std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0;
 };
 
-/// From the nearest point, the smallest triangle with it: its least ball is empty, so that it has tetrahedra on both
-/// sides.
+/// Starts with the nearest point and the smallest triangle with it: the least ball of that triangle is empty, so that
+/// it has tetrahedra on both sides.
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
-  // All points around, whether finished or not.
+  // All points around are used, finished or not.
   for_each_row(inner(block_.ranges(), 1), [&](Local from, Local end) {
     for (Local i = from; i < end; ++i)
       if (i != at_) around_.push_back(i);
@@ -257,7 +260,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
                                                 [](const Spoke& a, const Spoke& b) { return a.square < b.square; }) -
                                spokes.begin());
   const Spoke p = spokes[nearest];
-  // By the square of the circumradius of (v, p, q), up to a factor.
+  // Sorted by the squared circumradius of (v, p, q), up to a factor.
   std::vector<std::pair<double, std::size_t>> triangles;
   for (std::size_t k = 0; k < spokes.size(); ++k) {
     if (k == nearest) continue;
@@ -273,7 +276,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
       Local first = around_[nearest], second = around_[triangles[k].second];
       if (is_turned) std::swap(first, second);
       if (!find_apex(first, second)) continue;
-      // The face may not be one of the triangulation's: the sphere is looked at once more, for points on any side,
+      // The face may not belong to the triangulation: the sphere is tested once more, against points on any side,
       // finished or not.
       std::array<Tile::Range, 3> ranges;
       if (!tile_.ranges(box_of(sphere_), ranges)) continue;
@@ -298,7 +301,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   return false;
 }
 
-/// Numbers of neighbors, once all have one.
+/// Links the tetrahedra, once all have a number.
 void StarSearch::link() {
   found_->neighbors.resize(found_->tetrahedra.size());
   number_[nobody / 4] = none;

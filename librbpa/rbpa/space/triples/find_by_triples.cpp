@@ -10,7 +10,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/triples/find_by_triples.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Must follow foreach_target.h: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/space/triples/apex-inl.h"
@@ -33,7 +33,7 @@ class TripleSearch {
         apex_(alpha),
         found_(found) {}
 
-  /// More points around a cell are too many: pairs would be numbers beyond their bits.
+  /// Greatest number of points around a cell: more would not fit the bits of a pair.
   static constexpr std::size_t most_around = 1u << 12;
 
   bool run(std::size_t first_cell, std::size_t end_cell) {
@@ -123,7 +123,7 @@ class TripleSearch {
   ApexSearch apex_;
   Site v_ = 0;
   bool is_listed_ = false;
-  std::vector<Site> around_;  // what is near, for exact_apex()
+  std::vector<Site> around_;  // the near points, for exact_apex()
   Triples& found_;
 };
 
@@ -152,8 +152,8 @@ bool find_by_triples(const Cells& cells, double alpha, std::size_t first_cell, s
 
 namespace {
 
-/// Of the points in the cells around some points, the share within the radius of the cells, which depends on whether
-/// points fill a volume or lie on a surface.
+/// Returns the fraction of the points in neighboring cells that are within the radius of the cells. It depends on
+/// whether points fill a volume or lie on a surface.
 double share_of_near(const Cells& cells) {
   constexpr std::size_t samples = 512;
   const std::size_t stride = cells.size() / samples + 1;

@@ -18,7 +18,7 @@ Face face(std::uint32_t p, std::uint32_t q, std::size_t row, std::uint32_t acros
   return {std::uint64_t{std::min(p, q)} << 32U | std::max(p, q), static_cast<std::uint32_t>(4 * row + across)};
 }
 
-/// Makes neighbors of those that are the same, of all faces with one least corner.
+/// Links the faces that are equal, among all faces with one least corner.
 void link(std::vector<Face>& faces, meshops::FreshVector<std::array<std::uint32_t, 4>>& neighbors) {
   const auto join = [&](const Face& one, const Face& other) {
     neighbors[one.at / 4][one.at % 4] = other.at / 4;
@@ -42,7 +42,7 @@ meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const st
                                                               std::size_t bound, Threads& threads) {
   constexpr std::size_t at_a_time = 1u << 14;
   meshops::FreshVector<std::array<std::uint32_t, 4>> neighbors(rows.size(), {none, none, none, none});
-  // Rows by their second corner: those come in the order of rows.
+  // Sorts rows by their second corner; rows are sorted by their first corner already.
   std::vector<std::uint32_t> first(bound + 1, 0), by_second(rows.size());
   for (const auto& row : rows) ++first[row[1]];
   std::uint32_t sum = 0;
@@ -52,7 +52,7 @@ meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const st
     sum += here;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) by_second[first[rows[i][1]]++] = static_cast<std::uint32_t>(i);
-  // first[v] is now the end of v's.
+  // first[v] is now the end of v's rows.
 
   for_each_part(threads, bound, at_a_time, [&](std::size_t begin, std::size_t end) {
     std::vector<Face> faces;
