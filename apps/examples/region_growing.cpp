@@ -142,8 +142,8 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
   }
   const std::map<std::uint32_t, std::size_t> expected = flood(mesh, is_crease);
   const meshops::TopologyReport found = meshops::report(regions);
-  std::printf("%s: %zu triangles in %zu regions; %zu expected, %zu edges otherwise than they should be\n", name,
-              found.faces, found.components, expected.size(), wrong_edges);
+  std::printf("%s: %zu triangles in %zu regions; %zu expected, %zu wrong edges\n", name, found.faces, found.components,
+              expected.size(), wrong_edges);
   for (const meshops::ComponentReport& region : found.per_component) std::printf(" %zu", region.faces);
   std::printf("\n");
 }

@@ -1,4 +1,4 @@
-// What: the ball of radius alpha as the plane cuts it, while it turns over an edge.
+// What: the disc in which the plane cuts a ball of radius alpha that turns over an edge.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace figures {
 
-/// Where the plane cuts a ball.
+/// Section of a ball by the plane.
 struct Disc {
   Place centre;
   double radius;
@@ -26,19 +26,20 @@ class BallInPlane {
 
   BallInPlane(std::vector<Place> places, double alpha) : places_(std::move(places)), alpha_(alpha) {}
 
-  /// How many half-chords left of the edge ab the center is when the ball touches c as well.
+  /// Returns the distance of the center from the edge ab, in half-chords to the left, when the ball also touches c.
   double half_chords(Site a, Site b, Site c) const {
     const Place e = at(c) - at(a), f = at(c) - at(b), d = at(b) - at(a);
     return dot(e, f) / cross(d, e);
   }
-  /// On a and b, with the center so many half-chords left of the edge.
+  /// Returns the disc of a ball on a and b whose center is this many half-chords left of the edge.
   Disc on_edge(Site a, Site b, double half_chords) const {
     const Place d = at(b) - at(a);
     return {middle(a, b) + (half_chords / 2) * left_of(d), length(d) / 2 * std::sqrt(1 + half_chords * half_chords)};
   }
-  /// At rest on three points.
+  /// Returns the disc of a ball at rest on three points.
   Disc on(Site a, Site b, Site c) const { return on_edge(a, b, half_chords(a, b, c)); }
-  /// At its equator on two, having turned to the left of the edge without touching a third.
+  /// Returns the disc of a ball that touches two points at its equator, after it turned to the left of the edge without
+  /// touching a third point.
   Disc largest_left_of(Site a, Site b) const {
     const Place d = at(b) - at(a);
     return {middle(a, b) + std::sqrt(alpha_ * alpha_ - dot(d, d) / 4) * direction(left_of(d)), alpha_};

@@ -15,13 +15,13 @@ namespace {
 
 using meshops::Site;
 
-/// A point left of the edge, and the angle in degrees under which it sees it.
+/// Point left of the edge, and the angle in degrees under which it sees the edge.
 struct Candidate {
   Site site;
   double angle;
 };
 
-/// The edge, the third point of the triangle that it has, and those around it.
+/// Ends of the edge and third point of the triangle behind it, as indices into `places`, which also has the points around.
 constexpr Site a = 0, b = 1, behind = 2;
 const std::vector<Place> places = {{0, 0},       {2, 0},    {0.9, -1.9}, {1.3, 1.7},   {0.15, 2.15}, {2.6, 1.65},
                                    {1.05, 2.95}, {-1.0, 1}, {3.25, 0.8}, {-0.9, -1.3}, {2.9, -1.4}};
@@ -39,7 +39,7 @@ std::vector<Candidate> candidates() {
   return found;
 }
 
-/// What the paper's pivot answers, if it is the first of them; or no figure.
+/// Returns the answer of the paper's pivot. Throws unless it is the first candidate, so that no wrong figure is drawn.
 Site apex_of(const std::vector<Candidate>& candidates) {
   Points points;
   std::vector<Site> sites;

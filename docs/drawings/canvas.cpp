@@ -8,7 +8,7 @@
 namespace figures {
 namespace {
 
-/// Tenths of a pixel, as the shortest decimal.
+/// Returns a number, rounded to tenths of a pixel, as the shortest decimal.
 std::string decimal(double value) {
   const long tenths = std::lround(value * 10), size = std::abs(tenths);
   std::string text = tenths < 0 ? "-" : "";
@@ -25,7 +25,7 @@ std::string joined(std::initializer_list<std::string_view> parts) {
 
 std::string pair(Place p) { return joined({decimal(p.x), " ", decimal(p.y)}); }
 
-/// From where the pen is, which is at the start of the segment.
+/// Returns the path from the position of the pen, which is at the start of the segment, to its end.
 std::string draw_to_end(const Segment& s) {
   return s.bend ? joined({"Q", pair(*s.bend), " ", pair(s.to)}) : joined({"L", pair(s.to)});
 }

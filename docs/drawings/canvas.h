@@ -17,12 +17,12 @@ struct Place {
   friend bool operator==(Place, Place) = default;
 };
 double length(Place p);
-/// Of length 1; the zero vector stays.
+/// Returns the vector scaled to length 1; the zero vector stays.
 Place direction(Place p);
-/// The point at an angle in degrees on a circle about the origin, and about another center.
+/// Returns the point at an angle in degrees on a circle about the origin or another center.
 Place polar(double degrees, double radius, Place centre = {});
 
-/// A line from place to place; with `bend` a parabola that leaves and arrives in the direction of it.
+/// Line from place to place. With `bend` it is a parabola that leaves and arrives in the direction of `bend`.
 struct Segment {
   Place from, to;
   std::optional<Place> bend;
@@ -30,7 +30,7 @@ struct Segment {
   Place middle() const { return bend ? 0.25 * (from + to) + 0.5 * *bend : 0.5 * (from + to); }
 };
 
-/// Blue against orange and dark against light stay apart for every kind of color vision, and in gray.
+/// Colors that are distinct for every kind of color vision, and in gray: blue against orange, dark against light.
 namespace colour {
 constexpr std::string_view paper = "#ffffff";
 constexpr std::string_view text = "#1b2733";
@@ -42,7 +42,7 @@ constexpr std::string_view face = "#dcebf8";
 constexpr std::string_view curve = "#1f6fb2";
 constexpr std::string_view touched = "#d9730d";
 constexpr std::string_view touched_face = "#fadcb9";
-}  // namespace color
+}  // namespace colour
 
 enum class Lettering { plain, italic, code, small };
 enum class Align { start, middle, end };
@@ -56,26 +56,26 @@ struct Stroke {
 class Canvas {
  public:
   void outline(const std::vector<Segment>& sides, std::string_view fill);
-  /// What lies inside an odd number of the closed polylines.
+  /// Fills the region inside an odd number of the closed polylines.
   void region(const std::vector<std::vector<Place>>& rings, std::string_view fill);
   void closed_lines(const std::vector<std::vector<Place>>& rings, const Stroke& stroke);
   void segment(const Segment& s, const Stroke& stroke);
-  /// Many straight segments as one element.
+  /// Draws straight segments as one element.
   void segments(const std::vector<Segment>& all, const Stroke& stroke);
-  /// A triangle of `size` pixels whose middle is at a place.
+  /// Draws an arrow head: a triangle of `size` pixels whose middle is at a place.
   void head(Place at, Place along, std::string_view colour, double size);
-  /// A line that ends in a head.
+  /// Draws a line that ends in a head.
   void arrow(const Segment& s, const Stroke& stroke, double head_size);
   void dot(Place at, double radius, std::string_view fill);
-  /// Many dots as one element.
+  /// Draws dots as one element.
   void dots(const std::vector<Place>& at, double radius, std::string_view fill);
   void ring(Place at, double radius, std::string_view colour);
-  /// A line around what lies inside, which stays to be seen.
+  /// Draws a circle and leaves its inside as it is.
   void circle(Place centre, double radius, const Stroke& stroke);
-  /// The base line begins, has its middle, or ends at a place.
+  /// Writes text whose base line begins, has its middle, or ends at a place.
   void text(Place at, std::string_view words, Lettering lettering, Align align = Align::start);
 
-  /// A whole file of the given size.
+  /// Returns the whole file for an image of the given size.
   std::string svg(std::string_view title, int width, int height) const;
 
  private:

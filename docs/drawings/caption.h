@@ -1,4 +1,4 @@
-// What: numbers as captions have them.
+// What: formats numbers for captions.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ inline std::string rounded(double value, const char* format = "%.3g") {
   return text.data();
 }
 
-/// "points 68".
+/// Returns a text such as "points 68".
 inline std::string of(const char* name, std::size_t value) { return std::string(name) + " " + std::to_string(value); }
 
 }  // namespace figures

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::uint32_t columns = 11, rows = 7;
 
-/// The sheet of the cookbook, seen from above: squares cut in two, with waves, and a hump that only lengths and areas show.
+/// Returns the sheet of the cookbook, seen from above: squares cut in two, with waves, and a hump that only lengths and
+/// areas show.
 DrawnMesh waved_sheet() {
   std::vector<Place> places;
   std::vector<Corners> faces;

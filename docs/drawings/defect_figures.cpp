@@ -12,13 +12,13 @@ namespace {
 using meshops::SoupDefect;
 using meshops::SoupDefectKind;
 
-/// Faces over places, of which several may be one point.
+/// Faces over places; several places may be one point.
 struct Specimen {
   SoupDefectKind kind;
   std::vector<Place> places;
   std::vector<Corners> faces;
-  std::vector<std::uint32_t> point_of = {};  ///< of each place; empty: its number
-  std::size_t missing = 0;                   ///< so many of the last places are no points
+  std::vector<std::uint32_t> point_of = {};  ///< the point of each place; empty: a place is its own point
+  std::size_t missing = 0;                   ///< number of places at the end that are no points
   std::uint32_t point(std::uint32_t place) const { return point_of.empty() ? place : point_of[place]; }
 };
 
@@ -39,7 +39,7 @@ const std::vector<Specimen>& specimens() {
   return all;
 }
 
-/// The first defect of the kind that the specimen is for.
+/// Returns the first defect of the kind that the specimen shows.
 SoupDefect defect_of(const Specimen& specimen) {
   meshops::PolygonSoup soup;
   for (std::uint32_t p = 0; p < specimen.places.size() - specimen.missing; ++p)
@@ -54,13 +54,13 @@ SoupDefect defect_of(const Specimen& specimen) {
   throw std::logic_error("no such defect: " + std::string(meshops::name(specimen.kind)));
 }
 
-/// The defect is one of an edge, rather than of a face or a point.
+/// Returns whether the defect is one of an edge, not of a face or a point.
 bool is_of_edge(const SoupDefect& defect) {
   return defect.kind == SoupDefectKind::non_manifold_edge || defect.kind == SoupDefectKind::inconsistent_orientation ||
          defect.kind == SoupDefectKind::not_orientable;
 }
 
-/// Drawn a little inside its corners, with its direction; the second of two equal faces further inside.
+/// Draws a face a little inside its corners, with its direction; the second of two equal faces lies further inside.
 void draw_face(Canvas& canvas, const Frame& frame, const Specimen& specimen, std::size_t f, bool bad, double inset) {
   const Corners& face = specimen.faces[f];
   Place centre;

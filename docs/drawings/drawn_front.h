@@ -1,4 +1,4 @@
-// What: the mesh of a front as it is drawn.
+// What: draws the mesh of a front.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace figures {
 
-/// The mesh of a front as it is now. Fans on one site lie slightly apart, each on its side; vertices that merged into
-/// others are left out.
+/// Returns the present mesh of a front. Fans on one site lie slightly apart, each on its side. Vertices that were
+/// merged into others are left out.
 DrawnMesh drawn_front(const meshops::Front& front, const Mesh& mesh, const std::vector<Place>& places);
 
 }  // namespace figures

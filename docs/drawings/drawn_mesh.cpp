@@ -19,7 +19,7 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
   });
 }
 
-/// Once, or once on each side where the sides lie apart: then arrow heads show how they fit.
+/// Draws an inner edge once, or once on each side if the sides lie apart; arrow heads then show how they fit.
 void draw_inner_edge(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, Edge e, bool touched) {
   const Halfedge h = drawn.mesh.halfedge_handle(e, 0);
   const Segment one = frame.of(drawn.segment(h)), other = frame.of(drawn.segment(Halfedge(h.idx() ^ 1)).reversed());
@@ -111,7 +111,7 @@ std::vector<Place> DrawnMesh::all_places() const {
 
 DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
                      const std::vector<std::uint32_t>& vertex_of) {
-  // The vertices are the places that stand for themselves, in their order.
+  // Vertices are the places that are their own vertex, in their order.
   std::vector<std::uint32_t> number(places.size());
   std::vector<Place> own;
   for (std::uint32_t p = 0; p < places.size(); ++p) {
@@ -157,7 +157,7 @@ Ring ring(std::uint32_t quads, double from, double to, double inner_radius, doub
 
 void draw(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
   draw_faces(canvas, frame, drawn, marks);
-  // What is touched lies above what is not.
+  // Draw touched elements above the others.
   for (const bool touched : {false, true})
     meshops::for_each_edge(drawn.mesh, [&](Edge e) {
       if (!drawn.mesh.is_boundary(e) && marks.edges.contains(e) == touched)

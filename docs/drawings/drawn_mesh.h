@@ -1,5 +1,5 @@
-// What: a mesh with places in the plane, and how it is drawn.
-// Law:  what is drawn is read off the mesh: its live faces, edges, vertices and boundary curves, and nothing else.
+// What: draws a mesh whose vertices have places in the plane.
+// Law:  only what the mesh holds is drawn: its live faces, edges, vertices and boundary curves.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -31,12 +31,12 @@ struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<PlaneTraits> {
   }
 };
 
-/// A mesh whose points are places. Where it does not fit into the plane, a corner of a face may lie elsewhere than its
+/// Mesh whose points are places. If it does not fit into the plane, a corner of a face may lie elsewhere than its
 /// vertex: then an edge has a place on each side, and a vertex several.
 struct DrawnMesh {
   Mesh mesh;
   std::map<Halfedge, Place> apart;  ///< the end of a halfedge as a corner of its face
-  std::map<Edge, Place> bend;       ///< of edges that are not straight
+  std::map<Edge, Place> bend;       ///< for edges that are not straight
 
   Place place(Vertex v) const { return {mesh.point(v)[0], mesh.point(v)[1]}; }
   void move(Vertex v, Place to) { mesh.set_point(v, {to.x, to.y, 0}); }
@@ -44,37 +44,37 @@ struct DrawnMesh {
     move(v, to);
     move(w, to);
   }
-  /// As a side of its face; of a boundary halfedge that of its opposite, reversed.
+  /// Returns the segment of a halfedge as a side of its face; for a boundary halfedge, that of its opposite, reversed.
   Segment segment(Halfedge h) const;
   Place centroid(Face f) const;
-  /// The halfedge from vertex to vertex. Throws when there is none.
+  /// Returns the halfedge from vertex to vertex. Throws when there is none.
   Halfedge between(int from, int to) const;
-  /// The halfedge of the edge between two vertices that is on the boundary. Throws when there is none.
+  /// Returns the boundary halfedge of the edge between two vertices. Throws when there is none.
   Halfedge boundary_between(int a, int b) const;
   std::vector<Place> all_places() const;
 };
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Faces over places. `vertex_of` gives the vertex of each place, as the least place of that vertex; left out: each place
-/// is its own.
+/// Returns a mesh of faces over places. `vertex_of` gives the vertex of each place, as the least place of that vertex;
+/// by default each place is its own vertex.
 DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
                      const std::vector<std::uint32_t>& vertex_of = {});
 
-/// A ring of quadrangles, each cut in two, between two circles about the origin; from 0 to 360 degrees it closes.
-/// Places 0, 1, … are those on the outer circle, and as many on the inner one follow.
+/// Ring of quadrangles, each cut in two, between two circles about the origin. From 0 to 360 degrees it closes. Places
+/// 0, 1, … lie on the outer circle, followed by as many on the inner one.
 struct Ring {
   std::vector<Place> places;
   std::vector<Corners> faces;
 };
 Ring ring(std::uint32_t quads, double from, double to, double inner_radius, double outer_radius);
 
-/// What a panel shows apart from the mesh.
+/// Elements that a panel marks on the mesh.
 struct Marks {
-  std::set<Vertex> vertices;  ///< elements that are touched
+  std::set<Vertex> vertices;  ///< elements that the operator touches
   std::set<Edge> edges;
   std::set<Face> faces;
-  std::set<Vertex> pale_vertices;  ///< elements that are of no more interest
+  std::set<Vertex> pale_vertices;  ///< elements drawn in pale ink
   std::set<Face> pale_faces;
   struct Label {
     Place at;
@@ -86,7 +86,7 @@ struct Marks {
   void add(Face f) { faces.insert(f); }
 };
 
-/// The plane of a mesh, y upwards, on the canvas.
+/// Map from the plane of a mesh, y upwards, to the canvas.
 struct Frame {
   Place origin;  ///< in pixels
   double scale;  ///< pixels per unit

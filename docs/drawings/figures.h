@@ -1,4 +1,4 @@
-// What: the figures of the pages, each drawn from a mesh on which the operator, or from points on which the method, was run.
+// What: the figures of the pages, each drawn after running the operator on a mesh or the method on points.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 namespace figures {
 
 struct Figure {
-  const char* name;  ///< of the file, without ending
+  const char* name;  ///< name of the file, without its ending
   std::string (*svg)();
 };
 

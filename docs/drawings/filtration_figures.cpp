@@ -16,7 +16,7 @@
 namespace figures {
 namespace {
 
-/// Points around an empty disc, none nearer to another than `apart`.
+/// Ring of points around an empty disc, no two nearer than `apart`.
 struct Ring {
   Place middle;
   double inside, outside, apart;
@@ -36,7 +36,7 @@ Points sampled(const Ring& ring, Random& random) {
   return points;
 }
 
-/// What `rbpa alpha -o` draws of three rings, the larger the sparser.
+/// Returns the plot that `rbpa alpha -o` draws for three rings; the larger a ring, the sparser.
 std::string filtration_plot() {
   Random random(5);
   Points points;
@@ -55,7 +55,7 @@ std::string filtration_plot() {
   return rbpa::app::svg_of(plot);
 }
 
-/// 96 times 24 points of a torus.
+/// Returns the persistence diagram of 96 by 24 points of a torus.
 std::string persistence_of_torus() {
   constexpr int around_hole = 96, around_tube = 24;
   constexpr double turn = 6.283185307179586;

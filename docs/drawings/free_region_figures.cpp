@@ -26,7 +26,8 @@ using rbpa::space::scaled;
 using Vector = rbpa::space::Vector3<double>;
 using rbpa::space::HWY_NAMESPACE::FreeRegion;
 
-/// A point that v, at the origin, sees in a direction, and whose cap reaches so many degrees from it; for a ball of radius 1.
+/// Returns a point in a direction from v, which is at the origin, whose cap reaches `degrees` from that direction, for
+/// a ball of radius 1.
 Point3 point_with_cap(Vector direction, double degrees) {
   const double length = 2 * std::cos(degrees * std::numbers::pi / 180) / std::sqrt(dot(direction, direction));
   return {direction.x * length, direction.y * length, direction.z * length};
@@ -34,7 +35,7 @@ Point3 point_with_cap(Vector direction, double degrees) {
 
 Vector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// The center of the ball on (v, x, y).
+/// Returns the center of the ball on (v, x, y).
 Vector centre_on(const Vector& x, const Vector& y) {
   const Vector n = cross(x, y), w = minus(x, y);
   const double nn = dot(n, n), xx = dot(x, x), yy = dot(y, y), rise = std::sqrt(4 * nn - xx * yy * dot(w, w));
@@ -42,7 +43,8 @@ Vector centre_on(const Vector& x, const Vector& y) {
   return scaled(sum, 0.5 / nn);
 }
 
-/// Places on the circle of x, counter-clockwise from one to another, which may be the same for all of it.
+/// Returns places on the circle of x, counter-clockwise from one point to another; equal points stand for the whole
+/// circle.
 std::vector<Vector> circle_of(const Vector& x, const Vector& from, const Vector& to) {
   const Vector middle = scaled(x, 0.5), u = minus(from, middle), end = minus(to, middle),
                v = scaled(cross(x, u), 1 / std::sqrt(dot(x, x)));
@@ -63,7 +65,7 @@ std::vector<Vector> circle_of(const Vector& x) {
   return circle_of(x, from, from);
 }
 
-/// What is left of the sphere without the caps of points, as FreeRegion has it.
+/// The part of the sphere outside the caps of all points, as FreeRegion computes it.
 struct Region {
   std::vector<Vector> corners;
   std::vector<std::vector<Vector>> arcs;
@@ -97,7 +99,7 @@ Region region_without(std::span<const Point3> points) {
   return drawn;
 }
 
-/// One view of the sphere of centers, from above.
+/// View of the sphere of centers, from above.
 class View {
  public:
   View(Canvas& canvas, Place middle) : canvas_(canvas), middle_(middle) {

@@ -19,7 +19,7 @@ using meshops::Front;
 using meshops::Site;
 using Triangle = std::array<Site, 3>;
 
-/// The policy that attaches the triangles of a list, counter-clockwise each, and freezes where none of them fits.
+/// Policy that attaches the triangles of a list, each counter-clockwise, and freezes an edge at which none fits.
 class GivenTriangles {
  public:
   explicit GivenTriangles(std::vector<Triangle> triangles) : left_(std::move(triangles)) {}
@@ -59,7 +59,7 @@ std::vector<Triangle> as_triangles(const std::vector<Corners>& faces) {
   return triangles;
 }
 
-/// A front before and after some triangles, with the last event that they were.
+/// Draws a front before and after some triangles, with the last event that they caused.
 void event_row(Sheet& sheet, const std::vector<Place>& places, const std::vector<Corners>& faces,
                const std::vector<Corners>& more) {
   Mesh mesh;
@@ -96,7 +96,7 @@ std::string front_events() {
   return sheet.svg();
 }
 
-/// What goes on is marked, what is left behind is pale.
+/// Returns a panel on which carried sites are marked, and those left behind are pale.
 Panel transfer_panel(const DrawnMesh& drawn, const Front& front, const meshops::LevelTransfer& transfer) {
   Marks marks;
   const auto carried = [&](Vertex v) {
@@ -117,7 +117,7 @@ Panel transfer_panel(const DrawnMesh& drawn, const Front& front, const meshops::
 }
 
 std::string level_transfer() {
-  // Seeds of a sunflower, ever further apart.
+  // Seeds of a sunflower, at growing distances.
   std::vector<Place> places;
   std::vector<rbpa::Point> points;
   for (int i = 1; i <= 64; ++i) {
@@ -147,7 +147,7 @@ std::string level_transfer() {
   return sheet.svg();
 }
 
-/// A mesh, a triangle that a policy proposes, and the front's response.
+/// Returns a panel with a mesh, a triangle that a policy proposes, and the answer of the front.
 Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& faces, const Triangle& triangle) {
   Mesh mesh;
   Front front(mesh, places.size());

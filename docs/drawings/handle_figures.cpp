@@ -20,7 +20,7 @@ std::string sheet_of(const char* title, const Panel& before, const Arrow& arrow,
   return Sheet(title).row(before, arrow, after).svg();
 }
 
-/// Edges with their ends.
+/// Returns marks on edges and their ends.
 Marks marked_edges(const DrawnMesh& drawn, std::initializer_list<Halfedge> halfedges) {
   Marks marks;
   for (const Halfedge h : halfedges) {
@@ -31,7 +31,7 @@ Marks marked_edges(const DrawnMesh& drawn, std::initializer_list<Halfedge> halfe
   return marks;
 }
 
-/// What all figures of glue() share: `arrange` gives the merged vertices their places, and may label them.
+/// Draws a figure of glue(): `arrange` gives the merged vertices their places, and may label them.
 template <typename Arrange>
 std::string glue_figure(const char* title, const DrawnMesh& before, Halfedge first, Halfedge second, Arrange arrange) {
   DrawnMesh after = before;
@@ -92,7 +92,7 @@ std::string glue_handle() {
   const Halfedge outer = before.boundary_between(0, 1), inner = before.boundary_between(9, 10);
   return glue_figure("Glue makes a handle: edges on two curves of one component", before, outer, inner,
                      [&](DrawnMesh& after, Marks& glued) {
-                       // The faces stay where they were: the edge is drawn twice, and so are its ends.
+                       // The faces stay at their places: the edge is drawn twice, and so are its ends.
                        meshops::for_each_face(before.mesh, [&](Face f) {
                          for (const Halfedge h : before.mesh.fh_range(f)) {
                            const Halfedge now = h == before.mesh.opposite_halfedge_handle(inner) ? outer : h;
@@ -175,7 +175,7 @@ std::string zip_curves() {
                   counted(after, seam));
 }
 
-/// Inserts a triangle along the three boundary edges that it had.
+/// Inserts a triangle along its three former boundary edges.
 DrawnMesh filled_again(DrawnMesh drawn) {
   const Halfedge top = drawn.boundary_between(4, 3);
   meshops::TriangleSides sides;
@@ -196,7 +196,7 @@ std::string remove_triangle() {
   Marks triangle, corners;
   triangle.add(Face(0));
   triangle.add(Vertex(1));
-  // The fans that met below lie slightly apart, each on its side.
+  // Fans that met at one vertex lie slightly apart, each on its side.
   meshops::for_each_vertex(after.mesh, [&](Vertex v) {
     if (!(after.place(v) == before.place(Vertex(1)))) return;
     corners.add(v);

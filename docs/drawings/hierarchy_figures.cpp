@@ -20,7 +20,7 @@ namespace {
 
 using rbpa::Hierarchy;
 
-/// A leaf of a quadtree.
+/// Leaf of a quadtree.
 struct Leaf {
   Place low;
   double side;
@@ -45,19 +45,19 @@ double smallest_side(const std::vector<Leaf>& leaves) {
       ->side;
 }
 
-/// By the paper's own method.
+/// Computes the hierarchy by the paper's own method.
 Hierarchy hierarchy_of(const Points& points, double alpha, std::size_t leaf_capacity) {
   return rbpa::paper::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
 }
 
-/// The default search counts points in squares in another way.
+/// Throws unless the default search, which counts points in squares in another way, finds the same least radius.
 void require_least_radius(const Points& points, std::size_t leaf_capacity, const std::vector<Leaf>& leaves) {
   const double side = smallest_side(leaves);
   if (rbpa::hrbpa(points, side, {.leaf_capacity = leaf_capacity, .progress = {}}).least_radius != side / 2)
     throw std::logic_error("the leaves that are drawn are not those of the library");
 }
 
-/// Leaves of the given side are filled.
+/// Draws the leaves and fills those of the given side.
 void draw_leaves(Canvas& canvas, const Frame& frame, const std::vector<Leaf>& leaves, double marked) {
   std::vector<std::vector<Place>> all, filled;
   for (const Leaf& leaf : leaves) {
@@ -71,7 +71,7 @@ void draw_leaves(Canvas& canvas, const Frame& frame, const std::vector<Leaf>& le
   canvas.closed_lines(filled, {colour::touched, 1.2});
 }
 
-/// What there is after a level, and what goes on from it.
+/// State after a level, and the points that are carried to the next one.
 struct AfterLevel {
   std::vector<std::vector<Place>> earlier, fresh;  ///< triangles
   std::vector<Segment> inner, boundary;
@@ -123,7 +123,7 @@ std::vector<Segment> in_frame(const Frame& frame, std::vector<Segment> segments)
   return segments;
 }
 
-/// What was there before is gray; the boundary and the points that go on are marked, unless nothing goes on.
+/// Draws a level: earlier triangles are gray; the boundary and the carried points are marked, if any point is carried.
 void draw_level(Canvas& canvas, const Frame& frame, const AfterLevel& after, double dot) {
   canvas.region(in_frame(frame, after.earlier), colour::pale);
   canvas.region(in_frame(frame, after.fresh), colour::face);
@@ -133,7 +133,8 @@ void draw_level(Canvas& canvas, const Frame& frame, const AfterLevel& after, dou
   if (!after.is_last) draw_points(canvas, frame, after.carried, dot, colour::touched);
 }
 
-/// Denser and denser towards a place: candidates at random, kept where no other is near for how far out it is.
+/// Returns points that get denser toward a place: random candidates, kept if no other is nearer than their distance
+/// allows.
 Points thinning_out(Place middle, Place size, std::size_t tries, double nearest, double growth, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -148,7 +149,7 @@ Points thinning_out(Place middle, Place size, std::size_t tries, double nearest,
   return points;
 }
 
-/// Part of the plane, enlarged.
+/// Window that shows a part of the plane, enlarged.
 struct Window {
   Place low;
   double side;
@@ -159,7 +160,7 @@ struct Window {
   std::vector<Place> corners() const { return Leaf{low, side, 0}.corners(); }
 };
 
-/// The smallest leaf with the circle inscribed in it, whose radius it gives.
+/// Draws the smallest leaf with its inscribed circle, whose radius it gives.
 void draw_enlarged(Canvas& canvas, const Frame& frame, const Window& window, const std::vector<Leaf>& leaves,
                    const Points& points, const Leaf& smallest) {
   std::vector<std::vector<Place>> rings, marked;
@@ -245,8 +246,8 @@ std::string paper_5_level_transfer() {
   return sheet.row(panels).svg();
 }
 
-/// 700 points in a square of 16 × 16 blocks of side 2: in 148 blocks, those along a wave, four points in quarters of
-/// their own, and in each of the others one.
+/// Returns 700 points in a square of 16 × 16 blocks of side 2. In 148 blocks along a wave there are four points, each
+/// in a quarter of its own; in each of the others there is one.
 Points two_densities() {
   constexpr int blocks = 16;
   constexpr std::size_t dense_blocks = 148;
@@ -319,10 +320,10 @@ std::string paper_9_two_levels() {
       .svg();
 }
 
-/// From the first level to the last.
+/// Colors from the first level to the last.
 constexpr std::array level_colours = {"#0b3d6b", "#1f6fb2", "#5b9bcf", "#9cc4e4", "#cfe2f2", "#f1f4f7"};
 
-/// A bar for each level, as long as it has triangles, up to a width; and in words.
+/// Draws a bar for each level, whose length is its number of triangles, up to a width; and the number in words.
 void draw_levels(Canvas& canvas, const Frame& frame, const std::vector<rbpa::Level>& levels, Place top, double width) {
   std::vector<std::size_t> fresh;
   for (std::size_t i = 0; i < levels.size(); ++i)

@@ -10,19 +10,19 @@
 namespace figures {
 namespace {
 
-/// Values from low to high, both of them ticks, on pixels.
+/// Axis from low to high, both of them ticks, on pixels.
 struct LogAxis {
   double low, high;
   double from, to;
   double at(double value) const { return from + (to - from) * std::log(value / low) / std::log(high / low); }
 };
 
-/// 1, 2 and 5 times powers of ten from the last one that is not above `low` to the first not below `high`.
+/// Returns 1, 2 and 5 times powers of ten, from the last one not above `low` to the first one not below `high`.
 std::vector<double> ticks_around(double low, double high) {
   std::vector<double> ticks;
   for (int power = static_cast<int>(std::floor(std::log10(low)));; ++power)
     for (const int times : {1, 2, 5}) {
-      // Divided, where the power is negative: 0.002 is then the double that is written so.
+      // A negative power divides, so that 0.002 is the double of that literal.
       const double scale = std::pow(10, std::abs(power)), tick = power < 0 ? times / scale : times * scale;
       if (tick <= low) ticks.clear();
       ticks.push_back(tick);
@@ -68,7 +68,7 @@ std::string with_unit(double value, std::string_view unit) {
 }
 
 void draw(Canvas& canvas, const LogChart& chart, Place upper_left, Place size) {
-  const Place corner = upper_left + Place{0, size.y};  // where the axes meet
+  const Place corner = upper_left + Place{0, size.y};  // the point at which the axes meet
   const Scale x = scale_over(
       chart.curves, [](Place p) { return p.x; }, corner.x, corner.x + size.x);
   const Scale y = scale_over(
@@ -99,7 +99,7 @@ void draw(Canvas& canvas, const LogChart& chart, Place upper_left, Place size) {
 }
 
 void draw_legend(Canvas& canvas, const std::vector<Curve>& curves, Place at) {
-  constexpr double letter = 8;  // about as wide as it is
+  constexpr double letter = 8;  // approximate width of a letter
   for (const Curve& curve : curves) {
     canvas.segment({at, at + Place{26, 0}, {}}, {curve.colour, 2, curve.dashed});
     canvas.dot(at + Place{13, 0}, 3, curve.colour);

@@ -1,5 +1,5 @@
-// What: curves over logarithmic axes.
-// Law:  ticks are 1, 2 and 5 times powers of ten, or powers of ten alone where these are enough.
+// What: draws curves over logarithmic axes.
+// Law:  ticks are 1, 2 and 5 times powers of ten, or powers of ten alone if these are enough.
 #pragma once
 
 #include <functional>
@@ -24,14 +24,14 @@ struct LogChart {
   std::vector<Curve> curves;
 };
 
-/// The axes meet at the lower left of a box of this size, whose upper left corner is given; headings and labels stand
-/// around it.
+/// Draws a chart. The axes meet at the lower left of a box of this size, whose upper left corner is given; headings and
+/// labels stand around it.
 void draw(Canvas& canvas, const LogChart& chart, Place upper_left, Place size);
 
-/// The names of curves in a row.
+/// Draws the names of curves in a row.
 void draw_legend(Canvas& canvas, const std::vector<Curve>& curves, Place at);
 
-/// Three digits at most and a unit of thousands: "200 µs", "1.5 s".
+/// Returns a value with at most three digits and a unit of thousands: "200 µs", "1.5 s".
 std::string with_unit(double value, std::string_view unit);
 
 }  // namespace figures

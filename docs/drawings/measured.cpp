@@ -18,7 +18,7 @@ std::vector<std::string> split(const std::string& line) {
   return words;
 }
 
-/// Absent when one of the words is not a number above 0.
+/// Parses numbers. Returns: nothing when one of the words is not a number above 0.
 std::optional<std::vector<double>> numbers(const std::vector<std::string>& words) {
   std::vector<double> values;
   for (const std::string& word : words) {

@@ -20,19 +20,19 @@ namespace {
 using meshops::Front;
 using meshops::Site;
 
-/// What a run looked like after one of its events.
+/// State of a run after one of its events.
 struct Moment {
   enum class Event { seeded, attached, frozen } event;
   DrawnMesh drawn;
   std::set<Edge> active;
   std::optional<Face> fresh;  ///< the new triangle
-  bool to_front = false;      ///< its apex was on the front already
+  bool to_front = false;      ///< the apex of the triangle was on the front already
   bool splits = false;        ///< a curve of the front has become two
   std::vector<Disc> balls;    ///< before, then after
   std::size_t triangles, frozen;
 };
 
-/// Keeps every moment of a run.
+/// Visitor that records every moment of a run.
 class Recorder : public meshops::FrontVisitor {
  public:
   Recorder(const Mesh& mesh, const std::vector<Place>& places, double alpha)
@@ -56,7 +56,7 @@ class Recorder : public meshops::FrontVisitor {
   const std::vector<Moment>& moments() const { return moments_; }
 
  private:
-  /// On the triangle left of a halfedge.
+  /// Returns the ball at rest on the triangle left of a halfedge.
   Disc at_rest_left_of(const Front& front, Halfedge h) const {
     return ball_.on(front.from_site(h), front.to_site(h), front.to_site(mesh_.next_halfedge_handle(h)));
   }
@@ -111,7 +111,7 @@ Panel panel_of(const Moment& moment, const std::string& heading) {
   return panel;
 }
 
-/// The same triangles as the library's, or no figure.
+/// Throws unless the triangles equal those of the library, so that no wrong figure is drawn.
 void require_complex(const Front& front, const Points& points, double alpha) {
   std::vector<std::array<std::uint32_t, 3>> drawn;
   meshops::for_each_face(front.mesh(), [&](Face f) {

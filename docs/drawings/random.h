@@ -1,4 +1,4 @@
-// What: numbers in [0, 1) for samplings, the same everywhere.
+// What: random numbers in [0, 1) for samplings, equal on every platform.
 #pragma once
 
 #include <cstdint>

@@ -35,8 +35,8 @@ double least_alpha(const rbpa::Filtration& filtration, std::optional<std::size_t
   return *alpha;
 }
 
-/// Dense on a ring, sparse around it, none inside. Coordinates are small multiples of 1/16, so that the tests below are
-/// exact.
+/// Returns points that are dense on a ring, sparse around it, and absent inside. Coordinates are small multiples of
+/// 1/16, so that the tests below are exact.
 Points scattered(std::size_t count, std::uint64_t seed) {
   constexpr Place middle{2.5, 2.75};
   Random random(seed);
@@ -53,8 +53,8 @@ Points scattered(std::size_t count, std::uint64_t seed) {
   return points;
 }
 
-/// Edges of the alpha complex that are in no triangle of it: those between two points no farther apart than 2α whose
-/// diametral disc has no third point.
+/// Returns the dangling edges, those of the alpha complex that are in no triangle of it: between two points no farther
+/// apart than 2α whose diametral disc has no third point.
 std::vector<Segment> dangling_edges(const Points& points, const rbpa::SolidAlphaComplex& complex, double alpha) {
   std::vector<std::array<std::uint32_t, 2>> solid;
   for (const auto& [a, b, c] : rbpa::triangles(complex))
@@ -144,10 +144,10 @@ std::string paper_1_complexes() {
       .svg();
 }
 
-/// The letter alpha: a curve that crosses itself, with two tails. `t` goes from −1.4 to 1.4.
+/// Returns a point of the letter alpha, a curve that crosses itself, with two tails. `t` goes from −1.4 to 1.4.
 Place alpha_curve(double t) { return {2.4 * t * t, 2.6 * t * (t * t - 1)}; }
 
-/// Points all over a stroke along the curve: one at random in each cell of a grid, kept where it is near the curve.
+/// Returns points on a stroke along the curve: one random point in each cell of a grid, kept if it is near the curve.
 Points sampled_alpha() {
   constexpr double half_stroke = 0.42, cell = 0.15;
   std::vector<Place> curve;
@@ -194,7 +194,8 @@ std::string paper_7_alpha_symbol() {
       .svg();
 }
 
-/// Dark discs on a light ground: two rings of atoms with one side in common, and an atom outside at every free corner.
+/// Returns an image of dark discs on a light ground: two rings of atoms with a common side, and an atom outside at
+/// every free corner.
 Shades molecule_image() {
   constexpr std::size_t width = 96, height = 72;
   Shades image{width, height, std::vector<Shade>(width * height, Shade::light)};
@@ -228,7 +229,7 @@ std::string paper_8_molecule() {
                             {std::to_string(image.width) + " × " + std::to_string(image.height) + " pixels",
                              of("foreground", points.size())});
   pixels.more = [=](Canvas& canvas, const Frame& frame) {
-    std::vector<std::vector<Place>> runs;  // of pixels beside each other, so that no seams are seen
+    std::vector<std::vector<Place>> runs;  // runs of adjacent pixels, so that no seams are visible
     for (std::size_t first = 0, last = 0; first < points.size(); first = last + 1) {
       last = first;
       while (last + 1 < points.size() && points[last + 1] == rbpa::Point{points[last].x + 1, points[last].y}) ++last;
@@ -261,7 +262,8 @@ std::string paper_8_molecule() {
       .svg();
 }
 
-/// Corners and middles of the unit squares marked #, as a set: at alpha 1/2 the marked squares are the solid.
+/// Returns the corners and middles of the unit squares marked #, as a set: at alpha 1/2, the marked squares are the
+/// solid.
 Points points_of(std::span<const std::string_view> rows) {
   Points points;
   for (std::size_t row = 0; row < rows.size(); ++row)
@@ -277,7 +279,7 @@ Points points_of(std::span<const std::string_view> rows) {
   return points;
 }
 
-/// The points that lie on several rings, or on one of several polygons.
+/// Returns the points that lie on several rings, or on more than one polygon.
 Points touching_points(const Points& points, std::span<const rbpa::Polygon> solid) {
   std::vector<std::size_t> rings(points.size(), 0);
   const auto count = [&](const rbpa::Ring& ring) {

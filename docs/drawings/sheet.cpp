@@ -7,9 +7,9 @@
 namespace figures {
 namespace {
 
-constexpr double margin = 16;          // around everything
+constexpr double margin = 16;          // around the whole figure
 constexpr double gap = 36;             // between panels without an arrow
-constexpr double heading_height = 26;  // of rows with headings
+constexpr double heading_height = 26;  // for rows with headings
 constexpr double line_height = 17;
 
 struct Box {
@@ -20,7 +20,7 @@ struct Box {
   }
 };
 
-/// All panels of a row have the same frame, so that what stays can be seen to stay.
+/// Returns the common frame of all panels of a row, so that unchanged parts are seen at the same place.
 Box box_of(const std::vector<Panel>& panels) {
   Box box;
   for (const Panel& panel : panels) {

@@ -1,4 +1,4 @@
-// What: a figure of panels in rows, with arrows between them: before, operator, after.
+// What: draws a figure of panels in rows, with arrows between them: before, operator, after.
 #pragma once
 
 #include <functional>
@@ -13,30 +13,30 @@ namespace figures {
 struct Panel {
   DrawnMesh drawn;
   Marks marks;
-  std::vector<std::string> caption = {};  ///< lines under it
+  std::vector<std::string> caption = {};  ///< lines under the panel
   std::string heading = {};
-  /// Draws more on top.
+  /// Draws additional elements on top.
   std::function<void(Canvas&, const Frame&)> more = {};
-  std::vector<Place> extent = {};  ///< places that are to be inside, apart from those of the mesh
+  std::vector<Place> extent = {};  ///< places that the panel must show besides those of the mesh
 };
 
-/// A panel with the counts of its mesh as caption.
+/// Returns a panel with the counts of its mesh as caption.
 Panel counted(const DrawnMesh& drawn, const Marks& marks = {});
 
-/// What leads from a panel to the next one, and back.
+/// Names of the operator from a panel to the next one, and of its inverse.
 struct Arrow {
   std::string there, back;  ///< `back` may be empty
-  std::string note = {};    ///< in small letters above
+  std::string note = {};    ///< in small letters above the arrow
 };
 
 class Sheet {
  public:
-  /// Panels are at least `least_width` pixels wide, so that their captions fit.
+  /// Starts a sheet. Panels are at least `least_width` pixels wide, so that their captions fit.
   explicit Sheet(std::string title, double pixels_per_unit = 50, double least_width = 220)
       : title_(std::move(title)), scale_(pixels_per_unit), least_width_(least_width) {}
 
   Sheet& row(const Panel& before, const Arrow& arrow, const Panel& after);
-  /// Panels side by side.
+  /// Adds a row of panels.
   Sheet& row(const std::vector<Panel>& panels);
 
   std::string svg() const;
@@ -52,7 +52,7 @@ class Sheet {
   std::vector<Row> rows_;
 };
 
-/// Throws when the counts differ: the inverse of an operator did not give back what was there.
+/// Throws when the counts differ: the inverse of an operator did not restore them.
 void require_same_counts(const DrawnMesh& before, const DrawnMesh& there_and_back);
 
 }  // namespace figures

@@ -18,7 +18,7 @@ namespace {
 
 using meshops::StarElements;
 
-/// The elements that a split added.
+/// Returns marks on the elements that a split added.
 Marks marked(const StarElements& added) {
   Marks marks;
   marks.add(added.vertex);
@@ -79,7 +79,7 @@ std::string flip() {
       .svg();
 }
 
-/// Two inner vertices, 0 and 1, with an edge between them, inside an octagon.
+/// Returns two inner vertices, 0 and 1, with an edge between them, inside an octagon.
 DrawnMesh two_wheels() {
   return drawn_mesh(
       {{1.4, 1.3},
@@ -95,7 +95,7 @@ DrawnMesh two_wheels() {
       {{0, 1, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {1, 0, 8}, {1, 8, 9}, {1, 9, 2}, {1, 2, 3}, {1, 3, 4}});
 }
 
-/// The edges that were two each, and the vertex that took over.
+/// Returns marks on the merged edges and the vertex that took over.
 Marks marked(const DrawnMesh& after, const meshops::WeldEffect& effect) {
   Marks marks;
   marks.add(effect.survivor);

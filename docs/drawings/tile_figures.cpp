@@ -26,7 +26,7 @@ namespace {
 
 using Corners3 = std::array<std::uint32_t, 3>;
 
-/// Uniform points in a square of side 12 but for an empty disc, and many in one place.
+/// Returns uniform points in a square of side 12 except for an empty disc, and many points near one place.
 Points with_a_dense_place_and_a_gap() {
   Points points;
   Random random(11);
@@ -43,14 +43,14 @@ Points with_a_dense_place_and_a_gap() {
   return points;
 }
 
-/// What is found on one tile.
+/// Result of one tile.
 struct OfTile {
   rbpa::Tile tile;
   std::vector<Corners3> triangles;
   std::set<std::uint32_t> settled;
 };
 
-/// All tiles of a set of points, and what they leave over; numbers are of sites.
+/// All tiles of a set of points, and the remainder; numbers are sites.
 struct Tiling {
   std::vector<Place> places;
   std::vector<OfTile> tiles;
@@ -68,7 +68,7 @@ std::vector<Corners3> triangles_of(const meshops::Patch& patch) {
   return triangles;
 }
 
-/// The triangles of all patches are the complex, or there is no figure.
+/// Throws unless the triangles of all patches are the complex, so that no wrong figure is drawn.
 void require_complex(const Tiling& tiling, const rbpa::Sites& sites, const Points& points, double alpha) {
   std::vector<Corners3> found;
   const auto add = [&](const std::vector<Corners3>& triangles) {
@@ -115,7 +115,7 @@ Tiling tiling_of(const Points& points, double alpha, std::uint32_t max_points) {
   return tiling;
 }
 
-/// The tile with the most unknown cells.
+/// Returns the tile with the most unknown cells.
 const OfTile& most_telling(const std::vector<OfTile>& tiles) {
   const auto unknown = [](const OfTile& of) { return of.tile.unknown.empty() ? 0 : of.tile.unknown.back(); };
   return *std::max_element(tiles.begin(), tiles.end(),

@@ -10,7 +10,7 @@
 namespace figures {
 namespace {
 
-/// A column of what was measured, and how its curve looks.
+/// Measured column, and the style of its curve.
 struct Look {
   std::string_view column, name, colour;
   bool dashed = false;
@@ -18,8 +18,8 @@ struct Look {
 
 constexpr double nanosecond = 1e-9;
 
-/// The curves of those columns that are there, against the first one; a value is `unit` seconds.
-/// Divided by the column `by`, if it is given.
+/// Returns the curves of those columns that exist, against the first column. A value is in `unit` seconds, divided by
+/// the column `by` if that is given.
 std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks, double unit, std::string_view by = {}) {
   std::vector<Curve> curves;
   const auto divisor = all.column(by);
@@ -41,7 +41,7 @@ std::string plain(double value) { return rounded(value, "%g"); }
 
 constexpr Place one_size{560, 300}, pair_size{400, 300};
 
-/// What was measured, and where, below the charts.
+/// Writes the subject and the machine of the measurement below the charts.
 void draw_head(Canvas& canvas, const Measured& all, double middle) {
   canvas.text({middle, 452}, all.head[1], Lettering::small, Align::middle);
   canvas.text({middle, 472}, all.head[0], Lettering::small, Align::middle);
@@ -92,7 +92,7 @@ std::string performance_alpha() {
                                     Look{"cgal_points_filter", "CGAL points + filter", colour::touched}};
   const Measured all = read_measured("performance_alpha.csv");
   std::vector<Curve> of_triangles = curves_of(all, looks, nanosecond, "triangles");
-  // The time a point, times points a triangle.
+  // The time per point, times points per triangle.
   const auto points = all.column("points");
   if (!points) throw std::runtime_error("found no column of points in '" + all.head[1] + "'");
   for (Curve& curve : of_triangles)
@@ -113,7 +113,7 @@ std::string performance_density() {
 
 std::string bytes(double value) { return with_unit(value, "B"); }
 
-/// Curves whose values are no times.
+/// Returns curves whose values are no times.
 std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks) { return curves_of(all, looks, 1); }
 
 std::string scale_merge() {
@@ -125,7 +125,7 @@ std::string scale_merge() {
                     {"(b) of 10,000 tiles", "tiles", thousands, bytes, curves_of(many, looks)});
 }
 
-/// Memory and disk of a run, from its first tenth of a second on.
+/// Returns a chart of memory and disk use of a run, from its first tenth of a second on.
 std::string scale_run() {
   static constexpr std::array looks{Look{"resident", "resident memory", colour::curve},
                                     Look{"memory", "--memory", colour::touched, true},

@@ -15,7 +15,7 @@
 namespace figures {
 namespace {
 
-/// Rows of triangles, without one in the middle.
+/// Returns rows of triangles with one missing in the middle.
 DrawnMesh patch() {
   constexpr std::uint32_t columns = 5, rows = 4;
   std::vector<Place> places;
@@ -36,7 +36,7 @@ DrawnMesh patch() {
   return drawn_mesh(places, faces);
 }
 
-/// The mesh in pale ink, and over it the nodes and edges of a view.
+/// Draws the mesh in pale ink, and the nodes and edges of a view over it.
 template <typename View, typename PlaceOf>
 Panel view_panel(const DrawnMesh& drawn, const char* name, PlaceOf place_of) {
   Panel panel;
@@ -81,7 +81,7 @@ std::string graph_views() {
 constexpr std::uint32_t torus_columns = 7, torus_rows = 6;
 constexpr double torus_step = 0.62;
 
-/// A torus as a rectangle of which opposite sides are one; vertex 0 lies in the middle.
+/// Returns a torus as a rectangle whose opposite sides are one; vertex 0 lies in the middle.
 DrawnMesh torus() {
   constexpr std::uint32_t columns = torus_columns, rows = torus_rows;
   std::vector<Place> places;
@@ -106,14 +106,14 @@ DrawnMesh torus() {
   return drawn_mesh(places, faces, vertex_of);
 }
 
-/// The sides of the rectangle: those with as many heads are one.
+/// Draws the sides of the rectangle: sides with equally many heads are one.
 void draw_sides(Canvas& canvas, const Frame& frame) {
   const double right = torus_step * torus_columns, top = torus_step * torus_rows;
   const auto side = [&](Place from, Place to, bool twice) {
     const Segment s = frame.of({from, to, {}});
     canvas.segment(s, {colour::text, 1.6});
     const Place along = direction(s.to - s.from);
-    // Off the middle, where a loop may cross.
+    // Off the middle, because a loop may cross there.
     const Place at = s.from + 0.3 * (s.to - s.from);
     canvas.head(at, along, colour::text, 11);
     if (twice) canvas.head(at + 9 * along, along, colour::text, 11);
@@ -122,7 +122,7 @@ void draw_sides(Canvas& canvas, const Frame& frame) {
   for (const double x : {0.0, right}) side({x, 0}, {x, top}, true);
 }
 
-/// On both sides, where they lie apart.
+/// Draws an edge on both sides, if they lie apart.
 void draw_edge(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, Halfedge h, std::string_view ink,
                bool head) {
   const Segment left = frame.of(drawn.segment(h));

@@ -1,4 +1,4 @@
-// What a user of both libraries does first. Returns 0 only when all of it is right.
+// First steps of a user of both libraries. Returns 0 only when all results are right.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdio>
 #include <limits>

@@ -1,5 +1,5 @@
-// Fronts: for any calls and any results of a policy, from the bytes of a fuzzer (tests/meshops/walk), they do what
-// their model does, refuse what it refuses, and stay sound.
+// Fronts: for any calls and any answers of a policy, chosen by the bytes of a fuzzer (tests/meshops/walk), a front does
+//         what its model does, refuses what the model refuses, and stays sound.
 #include <stdexcept>
 
 #include "fuzz/target.h"

@@ -1,4 +1,4 @@
-// Readers of meshes: any bytes are a mesh whose corners are points, or refused in a sentence of one line.
+// Readers of meshes: any bytes are either a mesh whose corners are points, or refused in a sentence of one line.
 // The first byte is the format; the rest is the file.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Operators: a walk over all of them, right and wrong (tests/meshops/walk), with the bytes of a fuzzer for its choices.
+// Operators: a walk over all of them, with right and wrong calls (tests/meshops/walk), chosen by the bytes of a fuzzer.
 #include "fuzz/target.h"
 #include "walk/walk.h"
 

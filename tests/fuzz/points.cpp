@@ -1,4 +1,4 @@
-// Readers of points: any bytes are points, all finite, or refused in a sentence of one line.
+// Readers of points: any bytes are either points, all finite, or refused in a sentence of one line.
 // The first byte is the format and how it is read; the rest is the file.
 #include <zlib.h>
 
@@ -20,9 +20,9 @@ using namespace rbpa::app;
 constexpr Format formats[] = {Format::text, Format::npy, Format::off, Format::ply,
                               Format::raw,  Format::png, Format::pgm};
 
-constexpr std::size_t ways = 4;  // in which each is read
+constexpr std::size_t ways = 4;  // ways in which each format is read
 
-/// Formats that were added later, each with its options; selectors below have kept their meaning.
+/// Returns the source for formats that were added later, each with its options; the selectors below keep their meaning.
 PointSource later_source_of(std::size_t selector) {
   PointSource source{.path = ""};
   source.vertices = selector % 2 == 1;
@@ -77,7 +77,7 @@ std::size_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-/// With the check sum of every chunk made right: else nearly all that is tried ends there.
+/// Returns the bytes with the check sum of every chunk corrected; otherwise nearly all inputs would be refused there.
 std::string with_check_sums(std::string_view bytes) {
   std::string png(bytes);
   constexpr std::size_t signature = 8, frame = 12;  // length, type, check sum
@@ -92,7 +92,7 @@ std::string with_check_sums(std::string_view bytes) {
   return png;
 }
 
-/// What reads before there are points: what was compressed, and the condition of a command line.
+/// Runs the readers that come before points: decompression, and the condition of a command line.
 void read_before(bool compressed, const std::string& bytes) {
   if (!compressed) {
     for (const FieldNames& names : {names_of_columns(), names_of_las_fields()}) {

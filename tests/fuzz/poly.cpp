@@ -1,5 +1,5 @@
-// The reader of polygons in .poly files: any bytes are polygons whose rings, of three vertices or more, share none, and that
-// cover something; or refused in a sentence of one line. The bytes are the file.
+// The reader of polygons in .poly files: any bytes are either polygons that cover an area and whose rings have three
+// vertices or more and share none, or they are refused in a sentence of one line. The bytes are the file.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -32,12 +32,12 @@ void is_sound(const PolygonFile& file) {
   }
 }
 
-/// Where rings meet the library names both, which is what was found.
+/// Checks a refusal. Where rings meet, the message names both rings instead of saying what was found.
 void is_a_refusal(const std::string& message) {
   if (message.find("; expected rings that meet in single points at most") == std::string::npos)
     return fuzz::is_a_sentence(message);
   fuzz::require(message.starts_with("FILE: ") && rbpa::app::printable(message) == message,
-                "a message is one line of visible characters, and says where");
+                "a message is one line of visible characters, and names the place");
 }
 
 }  // namespace

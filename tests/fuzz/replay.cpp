@@ -1,4 +1,4 @@
-// Feeds a fuzz target with every file of its corpus, where there is no libFuzzer.
+// Feeds a fuzz target with every file of its corpus, for builds without libFuzzer.
 //   fuzz_NAME FOLDER
 #include <algorithm>
 #include <exception>
@@ -30,5 +30,5 @@ int main(int argc, char** argv) {
     }
   }
   std::cout << files.size() << " inputs\n";
-  return files.empty() ? 1 : 0;  // else the wrong folder would pass
+  return files.empty() ? 1 : 0;  // otherwise a wrong folder would pass
 }

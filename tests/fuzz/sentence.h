@@ -1,4 +1,4 @@
-// What: how a refusal has to look, whatever the bytes.
+// What: checks the form of a refusal, whatever the bytes.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace fuzz {
 
-/// The file is called FILE; a refusal may be of an option as well.
+/// Checks a message. The file is called FILE; a refusal may also concern an option.
 inline void is_a_sentence(const std::string& message) {
-  require(message.starts_with("FILE") || message.starts_with("--"), "a message says where");
-  require(message.find(": found ") != std::string::npos, "a message says what was found");
-  require(message.find(", expected ") != std::string::npos, "a message says what was expected");
+  require(message.starts_with("FILE") || message.starts_with("--"), "a message names the place");
+  require(message.find(": found ") != std::string::npos, "a message states the finding");
+  require(message.find(", expected ") != std::string::npos, "a message states the expectation");
   require(rbpa::app::printable(message) == message, "a message is one line of visible characters");
 }
 

@@ -1,5 +1,5 @@
-// Readers of points of space: any bytes are points, all finite, with a normal and a color of each or of none, or refused in
-// a sentence of one line. The first byte is the format and the options; the rest is the file.
+// Readers of points of space: any bytes are either points, all finite, with a normal and a color for each or for none,
+// or refused in a sentence of one line. The first byte is the format and the options; the rest is the file.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ using namespace rbpa::app;
 
 bool is_molecule(Format format) { return format == Format::pdb || format == Format::cif; }
 
-/// Those that the programs list.
+/// Returns the formats that the programs list.
 std::vector<Format> all_formats() {
   std::vector<Format> formats;
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";

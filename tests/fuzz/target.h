@@ -1,4 +1,4 @@
-// What: a fuzz target, and how it reports a broken law.
+// What: the interface of a fuzz target, and how it reports a broken law.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Does something with the bytes. Ends the process when it goes wrong; returns 0.
+/// Runs the target on the bytes. Ends the process when a law is broken; returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fuzz {
 
-/// Ends the process unless the law holds: in every build.
+/// Ends the process unless the law holds, in every build.
 inline void require(bool holds, const char* law) {
   if (holds) return;
   std::fprintf(stderr, "broken: %s\n", law);

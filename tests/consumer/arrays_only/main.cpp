@@ -1,4 +1,4 @@
-// The code of a user of arrays, in the plane and in space, without a mesh. All headers that need no mesh are included.
+// A program that uses arrays, in the plane and in space, without a mesh. It includes all headers that need no mesh.
 #include <cmath>
 #include <cstdio>
 #include <limits>

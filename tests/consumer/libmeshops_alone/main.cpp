@@ -1,4 +1,4 @@
-// What a user of the mesh operators alone does first.
+// First steps of a user of the mesh operators alone.
 #include "meshops/meshops.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -1,5 +1,5 @@
-// A user's own mesh type, with float points and properties of both kinds, under every operator. Returns 0 only when the
-// properties of what survives are as they were.
+// A user's own mesh type, with float points and properties of both kinds, under every operator. Returns 0 only when
+// surviving elements keep their properties.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdio>
 #include <map>
@@ -41,7 +41,7 @@ void mark(MyMesh& mesh) {
   for (const auto f : mesh.faces()) mesh.data(f).material = 1000 + f.idx();
 }
 
-/// Every element that was marked and lives still has its values.
+/// Checks that every element that was marked and is live still has its values.
 void expect_marks(const MyMesh& mesh, int vertices, int edges, int faces, const char* what) {
   bool kept = true;
   meshops::for_each_vertex(mesh, [&](meshops::Vertex v) {

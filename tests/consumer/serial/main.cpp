@@ -1,4 +1,5 @@
-// What a user writes who has one thread: all that the library shares among threads elsewhere, and the same triangles.
+// A program for one thread: it calls every function that shares work among threads in other builds, and checks for the
+// same triangles.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -43,7 +44,7 @@ int main() {
   rbpa::TriangulationOptions options;
   options.threads = 8;
   const auto triangles = rbpa::triangulate(points, 500, options).triangles;
-  // Of a build with oneTBB.
+  // Hash from a build with oneTBB.
   constexpr std::uint64_t with_threads = 0xd3ae08a6fd0d85d4U;
   const bool is_same = fingerprint(triangles) == with_threads &&
                        rbpa::triangles(rbpa::rbpa(points, 500, {.threads = 8})).size() == triangles.size();
