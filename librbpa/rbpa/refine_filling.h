@@ -30,7 +30,7 @@ struct RefinedSurface {
   /// attributes besides coordinates.
   std::vector<std::array<std::uint32_t, 3>> between;
   Surface surface;           ///< without levels
-  std::vector<bool> is_new;  ///< of each triangle, whether it fills a hole
+  std::vector<bool> is_new;  ///< for each triangle, whether it fills a hole
   std::size_t smooth = 0;    ///< number of fillings with new points that were moved
   std::size_t flat = 0;      ///< number of fillings with new points that were not moved
   std::size_t coarse = 0;    ///< number of fillings without new points

@@ -345,9 +345,9 @@ class Constrained {
   std::span<const Point> places_;
   Steps step_;
   std::vector<Directed> edges_;             // of rings, ascending
-  std::vector<std::ptrdiff_t> first_edge_;  // of each place among them; and their end
+  std::vector<std::ptrdiff_t> first_edge_;  // for each place among them; and their end
   std::vector<Triangle> corners_, across_;
-  std::vector<std::uint32_t> star_;  // of each place a triangle at it
+  std::vector<std::uint32_t> star_;  // for each place a triangle at it
   // Of the edge that is being inserted:
   std::vector<Rim> left_, right_;
   std::vector<std::uint32_t> slots_, taken_;  // triangles that were removed, as they came and ascending

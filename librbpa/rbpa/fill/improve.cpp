@@ -12,7 +12,7 @@ namespace rbpa {
 namespace {
 
 constexpr int rounds = 6;            // of flips, with moves between them
-constexpr int moves_in_a_round = 2;  // of each point
+constexpr int moves_in_a_round = 2;  // for each point
 
 Point at(const Mesh& mesh, meshops::Vertex v) {
   const auto& p = mesh.point(v);

@@ -17,7 +17,7 @@ namespace rbpa {
 
 struct NodedRings {
   std::vector<Ring> rings;                        ///< of the first points at their places
-  std::vector<std::vector<std::size_t>> edge_of;  ///< of each ring, of each of its edges: the edge of the input's ring
+  std::vector<std::vector<std::size_t>> edge_of;  ///< for each ring, of each of its edges: the edge of the input's ring
 };
 
 /// Of vertices that follow each other at one place one is kept.

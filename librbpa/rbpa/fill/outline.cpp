@@ -98,15 +98,15 @@ class CutEdges {
 
   std::vector<Use> uses_;
   std::vector<Ends> ends_;                           // ascending
-  std::vector<std::vector<Point>> points_;           // of each edge
-  std::vector<std::vector<std::size_t>> of_ring_{};  // of each ring, of each of its edges
+  std::vector<std::vector<Point>> points_;           // for each edge
+  std::vector<std::vector<std::size_t>> of_ring_{};  // for each ring, of each of its edges
 };
 
 /// Rings with the points on their edges.
 struct CutRings {
   std::vector<Point> places = {};
   std::vector<Ring> rings = {};
-  std::vector<std::vector<std::size_t>> edge_of = {};  // of each ring, of each of its edges: which of CutEdges it is of
+  std::vector<std::vector<std::size_t>> edge_of = {};  // for each ring, of each of its edges: which of CutEdges it is of
 };
 
 /// Puts rings together.
@@ -167,7 +167,7 @@ class Assembly {
     Site site = no_index;
     bool runs_up = true;
   };
-  std::vector<Site> number_;  // of each site of the outline
+  std::vector<Site> number_;  // for each site of the outline
   std::vector<First> first_;  // of the points on each edge, and which way they follow
 };
 

@@ -23,8 +23,8 @@ struct OutlineRing {
 };
 
 struct Outline {
-  std::vector<Point> places;         ///< of each site: corners in lexicographic order, then what was put on edges
-  std::vector<std::uint32_t> input;  ///< of each corner the input point
+  std::vector<Point> places;         ///< for each site: corners in lexicographic order, then what was put on edges
+  std::vector<std::uint32_t> input;  ///< for each corner the input point
   std::vector<OutlineRing> rings;    ///< by their first sites
 };
 
@@ -42,7 +42,7 @@ void cut(Outline& outline, const SizeField& field, const std::function<bool()>& 
 /// One group of an outline.
 struct OutlinePart {
   Outline outline;
-  std::vector<meshops::Site> site;  ///< of each of its sites: that of the whole; ascending
+  std::vector<meshops::Site> site;  ///< for each of its sites: that of the whole; ascending
   std::size_t group;
 };
 

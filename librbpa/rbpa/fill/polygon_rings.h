@@ -25,7 +25,7 @@ struct RingRole {
 struct PolygonRings {
   std::vector<Ring> input = {};
   std::vector<RingRole> roles = {};
-  std::vector<std::size_t> groups = {};  ///< of each ring, ascending
+  std::vector<std::size_t> groups = {};  ///< for each ring, ascending
   NodedRings noded = {};
   std::vector<RingPlace> places = {};
 };

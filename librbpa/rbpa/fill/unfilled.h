@@ -143,7 +143,7 @@ class Unfilled {
   mutable std::vector<Site> found_, seen_;    // in the last box; and free ones outside of it
   mutable std::vector<Gate> gates_, closed_;  // to be looked through; and those outside of the box
   mutable std::vector<Side> stack_;
-  mutable std::vector<std::size_t> stamp_;  // of each triangle the look that came by last
+  mutable std::vector<std::size_t> stamp_;  // for each triangle the look that came by last
   mutable std::size_t most_ = 0, of_look_ = 0, looks_ = 0, passed_ = 0;
 };
 

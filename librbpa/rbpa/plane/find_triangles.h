@@ -1,4 +1,4 @@
-// What: all triangles of a radius, put into a list that is a sink of patches.
+// What: finds all triangles of a radius, and puts them into a list that is a sink of patches.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// `List` is TriangleList, or another of that kind.
+/// A sink of patches that fills a list. `List` is TriangleList, or another one with its interface.
 template <typename List>
 struct ListSink {
   using Share = typename List::Place;
@@ -29,7 +29,7 @@ struct ListSink {
   const std::function<bool(const Progress&)>& progress;
 };
 
-/// Requires sites that are not all on one line.
+/// Finds the triangles. Requires: sites that are not all on one line.
 template <typename List>
 void find_triangles(const Sites& sites, const Radius& alpha, const std::function<bool(const Progress&)>& progress,
                     Threads& threads, List& list) {

@@ -238,7 +238,7 @@ class Locator::Impl {
   std::span<const Point> points_;
   TriangleArrays of_;
   Sites sites_;
-  std::vector<std::uint32_t> at_site_;  // of each site, a triangle that it is a corner of
+  std::vector<std::uint32_t> at_site_;  // for each site, a triangle that it is a corner of
 };
 
 Locator::Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options) {

@@ -1,11 +1,13 @@
-// What:   Sibson's coordinates of a point in a Delaunay triangulation: if the point became a site, its Voronoi cell would be cut out of
-//         the cells of its natural neighbors, and the share of each is its area in the new cell.
-// Law:    which points are neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors by their
-//         shares is the point (Sibson's identity).
-// How:    the triangles whose circles contain the point are a polygon without points inside. A walk around it passes, between one
-//         side and the next, the triangles at the corner between them: their circumcenters, and those of the point with the two
-//         sides, are the corners of that corner's part of the new cell. Areas are doubles where these satisfy Sibson's
-//         identity to 1e-9, else numbers of twice the precision likewise, and else rational.
+// What:   Sibson's coordinates of a point in a Delaunay triangulation: if the point became a site, its Voronoi cell
+//         would be cut out of the cells of its natural neighbors; the share of a neighbor is the area that it loses,
+//         divided by that of the new cell.
+// Law:    the set of neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors
+//         weighted by their shares is the point (Sibson's identity).
+// How:    the triangles whose circles contain the point form a polygon without points inside. A walk around it passes,
+//         between one side and the next, the triangles at the corner between them. The circumcenters of these
+//         triangles, and those of the point with the two sides, are the corners of that corner's part of the new cell.
+//         Areas are computed in double if the result satisfies Sibson's identity to 1e-9, otherwise in twice the
+//         precision on the same condition, and otherwise in rational numbers.
 // Cost:   linear in the triangles whose circles contain the point: four on average.
 // Source: R. Sibson, A vector identity for the Dirichlet tessellation (1980).
 #pragma once
@@ -30,7 +32,7 @@ class NaturalNeighbors {
   /// Keeps the span and the arrays.
   NaturalNeighbors(std::span<const Point> points, const TriangleArrays& delaunay) : points_(points), of_(delaunay) {}
 
-  /// The neighbors and their shares; valid until the next call.
+  /// Returns the neighbors and their shares; valid until the next call.
   /// Requires: triangle t contains the query, which is not one of its corners and not on the convex hull.
   std::span<const PointShare> find(const Point& query, std::uint32_t t);
 
@@ -43,7 +45,7 @@ class NaturalNeighbors {
   };
   std::uint32_t begin(const Side& s) const { return of_.triangles[s.triangle][(s.across + 1) % 3]; }
   std::uint32_t end(const Side& s) const { return of_.triangles[s.triangle][(s.across + 2) % 3]; }
-  /// The side from the end of this one on, in the same triangle.
+  /// Returns the side that begins at the end of this one, in the same triangle.
   static Side next(const Side& s) { return {s.triangle, (s.across + 1) % 3}; }
   bool goes_on_beyond(const Side& s, const Point& query) const;
   Side beyond(const Side& s) const;

@@ -29,7 +29,7 @@ class Threads {
 #else
 class Threads {
  public:
-  /// Uses `count` threads, at most as many as there are processors; 0 = all processors.
+  /// Uses `count` threads, but at most the number of processors; 0 = all processors.
   explicit Threads(unsigned count = 1) {
     const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
     count_ = count == 0 ? processors : std::min(count, processors);

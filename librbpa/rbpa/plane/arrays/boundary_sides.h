@@ -1,4 +1,4 @@
-// What: the sides of triangles at which no other lies, by neighbors.
+// What: the boundary sides of triangles, at which no other triangle lies, from their neighbors.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace rbpa {
 
-/// As they run around their triangles, in lexicographic order. Calls tick() at each triangle; it may throw.
+/// Returns the boundary sides, directed as in their triangles, in lexicographic order. Calls tick() at each triangle;
+/// it may throw.
 template <typename Tick>
 std::vector<std::array<std::uint32_t, 2>> boundary_sides(const TriangleArrays& of, Tick tick) {
   std::vector<std::array<std::uint32_t, 2>> boundary;

@@ -148,7 +148,7 @@ class BoundarySides {
 
   std::span<const Point> points_;
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> along_fan_, across_gap_;  // of each side, the next one of its walk
+  std::vector<std::uint32_t> along_fan_, across_gap_;  // for each side, the next one of its walk
 };
 
 /// With edges in no triangle, there and back.

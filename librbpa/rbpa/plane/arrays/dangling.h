@@ -1,5 +1,5 @@
 // What:   the edges of the alpha complex that are in no triangle, from the Delaunay triangulation.
-// Source: Edelsbrunner, Kirkpatrick, Seidel (1983); design: an edge is in the complex when a triangle at it is, or when its
+// Source: Edelsbrunner, Kirkpatrick, Seidel (1983); an edge is in the complex when a triangle at it is, or when its
 //         diametral circle is empty and of a radius ≤ alpha.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace rbpa {
 
-/// The edges of the alpha complex in no triangle of it, in lexicographic order.
-/// Requires: the Delaunay triangulation with neighbors; of points on one line, without a triangle. Cost: linear; of points
-///           on one line, that of a sort.
+/// Returns the edges of the alpha complex that are in no triangle of it, in lexicographic order.
+/// Requires: the Delaunay triangulation with neighbors; for points on one line, without a triangle.
+/// Cost:     linear; for points on one line, that of a sort.
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
                                                          const Triangulation& delaunay);
 

@@ -1,4 +1,4 @@
-// What: a part of a triangulation in arrays, and the points that it leaves alone.
+// What: removes triangles from a triangulation in arrays, and lists the points that are then isolated.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace rbpa {
 
-/// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order. Requires: neighbors.
+/// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order.
+/// Requires: neighbors.
 template <typename IsKept>
 void keep_triangles(Triangulation& of, const IsKept& is_kept) {
   std::vector<std::uint32_t> number(of.triangles.size(), Triangulation::none);
@@ -28,7 +29,7 @@ void keep_triangles(Triangulation& of, const IsKept& is_kept) {
       if (neighbor != Triangulation::none) neighbor = number[neighbor];
 }
 
-/// Of so many points the distinct ones that are not marked, ascending.
+/// Returns the distinct points that are not marked, ascending.
 inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& marked,
                                            const std::vector<Duplicate>& duplicates) {
   std::vector<std::uint32_t> found;
@@ -38,7 +39,7 @@ inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& mark
   return found;
 }
 
-/// Triangulation::isolated of so many points.
+/// Returns Triangulation::isolated for this number of points.
 inline std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
   std::vector<std::uint8_t> covered(points, 0);
   for (const Triangle& triangle : of.triangles)

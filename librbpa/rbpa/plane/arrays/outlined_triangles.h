@@ -1,5 +1,5 @@
-// What: patches on their way into a list, and the sides at which nothing lies.
-// Why:  a fifth of what all neighbors cost: most sides lie inside a patch, and are only looked at.
+// What: collects the boundary sides of patches while they are put into a list.
+// Why:  this takes a fifth of the time that all neighbors take: most sides lie inside a patch, and are only read.
 #pragma once
 
 #include <algorithm>
@@ -15,38 +15,38 @@
 
 namespace rbpa {
 
-/// `List` is TriangleList, or another that puts patches in order as it does.
+/// A list of patches with its boundary. `List` is TriangleList, or another one with its interface.
 template <typename List>
 class OutlinedTriangles {
  public:
-  /// From one point to another, by name.
+  /// A directed side, by the names of its points.
   using Side = std::array<std::uint32_t, 2>;
 
-  /// Keeps a reference to an empty list, of triangles on so many sites; `names` are those of corners.
+  /// Keeps a reference to an empty list of triangles on `sites` sites; `names` are those of corners.
   OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, List& list) : names_(names), list_(list) {
     seams_.begin(sites);
   }
 
-  /// What one patch has to remember between the steps.
+  /// The state of one patch between the steps.
   struct Place {
     typename List::Place of_list;
     std::vector<std::array<meshops::Site, 2>> open;  // sides beyond which another patch may have a triangle
     std::vector<Side> outer;
   };
-  /// In any thread, before place().
+  /// Prepares a patch; called in any thread, before place().
   void prepare(const meshops::Patch& patch, Place& place) const;
-  /// One patch after another.
+  /// Places a patch; called for one patch after another.
   void place(const meshops::Patch& patch, Place& place);
-  /// In any thread, after place().
+  /// Fills in a patch; called in any thread, after place().
   void fill(const meshops::Patch& patch, const Place& place) { list_.fill(patch, place.of_list); }
 
-  /// How many were placed.
+  /// Returns the number of triangles placed.
   std::size_t size() const { return list_.size(); }
-  /// After all patches: the sides at which no triangle lies, in lexicographic order.
+  /// Returns the boundary sides, in lexicographic order; called after all patches.
   std::vector<Side> boundary() const;
 
  private:
-  /// An open side that waits for the one beyond.
+  /// An open side that waits for the side beyond.
   struct Open {
     meshops::Site to;
     std::size_t number;  // in rim_
@@ -56,7 +56,7 @@ class OutlinedTriangles {
   std::span<const std::uint32_t> names_;
   List& list_;
   meshops::Seams<Open> seams_;
-  std::vector<Side> outer_, rim_;  // of those in rim_ some are closed
+  std::vector<Side> outer_, rim_;  // some sides in rim_ are closed
 };
 
 template <typename List>

@@ -1,6 +1,6 @@
-// What: the triangles of patches in canonical order.
-// Why:  as with a mesh (meshops/patch/assembler.h), patches are placed by one thread at a time, and filled in by any. But
-//       nothing here depends on other patches, so that placing one only counts.
+// What: collects the triangles of patches in canonical order.
+// Why:  as with a mesh (meshops/patch/assembler.h), one thread at a time places patches, and any thread fills them in.
+//       Here nothing depends on other patches, so placing a patch only counts its triangles.
 #pragma once
 
 #include <cstddef>
@@ -17,26 +17,27 @@ namespace rbpa {
 
 class TriangleList {
  public:
-  /// For triangles on so many sites; `names`, less than `bound`, are the names of corners.
+  /// Prepares for triangles on `sites` sites; `names`, less than `bound`, are the names of corners.
   TriangleList(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
       : names_(names), order_(bound, 2 * sites, threads.count()) {}
 
-  /// What one patch has to remember between the steps.
+  /// The state of one patch between the steps.
   struct Place {};
-  /// In any thread, before place().
+  /// Prepares a patch; called in any thread, before place().
   void prepare(const meshops::Patch&, Place&) const {}
-  /// One patch after another.
+  /// Places a patch; called for one patch after another.
   void place(const meshops::Patch& patch, Place&) { size_ += patch.triangles.size(); }
-  /// In any thread, after place().
+  /// Fills in a patch; called in any thread, after place().
   void fill(const meshops::Patch& patch, const Place&) {
     order_.with_writer([&](CanonicalOrder<Triangle>::Writer& writer) {
       for_each_triangle(patch, names_, [&](const Triangle& triple) { writer.add(triple); });
     });
   }
 
-  /// How many were placed.
+  /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// After all patches. Once. Calls `ask`, if any, now and then, one call at a time; it may throw.
+  /// Returns the triangles in order; called once, after all patches. Calls `ask`, if any, now and then, one call at a
+  /// time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, const std::function<void()>& ask = {}) {
     return order_.sorted(threads, nullptr, ask);
   }

@@ -1,10 +1,9 @@
-// What:   the edges of the Delaunay triangulation, by dividing points in two and merging the halves.
-// Law:    cocircular points are decided by the symbolic perturbation (docs/predicates.md): the edges are a function of the set of
-//         points alone.
-// How:    1. cut the points in two, across the longer side of their box, until few are left: triangulate();
-//         2. sort these few and triangulate them from left to right: triangulate_sorted();
-//         3. merge halves, from the edge below both hulls up to the one above: merge().
-//         Halves of many points are given to two threads.
+// What:   the edges of the Delaunay triangulation, by dividing the points into halves and merging their triangulations.
+// Law:    cocircular points are decided by the symbolic perturbation (docs/predicates.md): the edges are a function of
+//         the set of points alone.
+// How:    1. cut the points in two, across the longer side of their box, until few are left: triangulate(); 2. sort
+//         these few and triangulate them from left to right: triangulate_sorted(); 3. merge halves, from the edge below
+//         both hulls up to the one above: merge(). Halves of many points are given to two threads.
 // Cost:   as divide_and_conquer.h; 76 bytes a point.
 // Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/remainder.md.
 #pragma once
@@ -24,7 +23,7 @@
 
 namespace rbpa {
 
-/// Calls working() once in many steps, in one thread at a time; none is called after one that has thrown.
+/// Calls working() at long intervals of steps, in one thread at a time; it is not called again after it has thrown.
 class DivisionSteps {
  public:
   explicit DivisionSteps(const std::function<void()>& working) : working_(working) {}
@@ -57,24 +56,25 @@ class DelaunayEdges {
   using Corner = QuadEdges::Corner;
 
  public:
-  /// Puts the places in another order; corners of edges are positions in it. Without threads all is done by the calling one.
-  /// Calls working(), if any, now and then, in any thread and one at a time; it may throw.
-  /// Requires: two distinct points or more, as divide_and_conquer() does.
+  /// Puts the places into another order; corners of edges are positions in it. Without threads the calling one does all
+  /// the work. Calls working(), if any, now and then, in any thread and one at a time; it may throw.
+  /// Requires: at least two distinct points, as divide_and_conquer() does.
   DelaunayEdges(std::span<SitePoint> places, Threads* threads, const std::function<void()>& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {
     open_hull(triangulate(0, places_.size()).first_x);
   }
 
-  /// Edges in use have a triangle on their left, whose next edge is lnext(), or are numbered `no_triangle` and lead nowhere.
+  /// Returns the edges. Those in use have a triangle on their left, whose next edge is lnext(), or are numbered
+  /// `no_triangle` and lead nowhere.
   QuadEdges& edges() { return edges_; }
   static constexpr int no_triangle = -2;
 
  private:
-  /// Corners of a hull: the first and the last in either order.
+  /// The extreme corners of a hull: the first and the last in either order.
   struct Extremes {
     Corner first_x, last_x, first_y, last_y;
   };
-  /// What a part of the points has for itself, so that another thread can work on another part.
+  /// The memory of a part of the points, so that another thread can work on another part.
   struct Own {
     QuadEdges::Unused unused;
     std::size_t steps;  // since the last time that `working` was called
@@ -126,7 +126,7 @@ class DelaunayEdges {
     return Order()(places_[p], places_[q]) ? q : p;
   }
 
-  /// Two or three points.
+  /// Triangulates two or three points.
   Extremes triangulate_three(std::size_t first, std::size_t last, QuadEdges::Unused& unused) {
     const auto a = static_cast<Corner>(first), c = static_cast<Corner>(last - 1);
     Extremes extremes = {a, c, first_of<AlongY>(a, c), last_of<AlongY>(a, c)};
@@ -155,15 +155,16 @@ class DelaunayEdges {
     return extremes;
   }
 
-  /// Joins two triangulations with a line between them, which pass it at the given corners of their hulls. Seen along
-  /// the line, with the first to the left, new edges come from below to above. Points from `middle` on are right.
+  /// Joins two triangulations, separated by a line, which touch it at the given corners of their hulls. Seen along the
+  /// line, with the first triangulation to the left, new edges are added from below to above. Points from `middle` on
+  /// are on the right.
   void merge(Corner left_corner, Corner right_corner, Corner middle, Own& own) {
     Edge edge = lower_tangent(left_corner, right_corner, own.unused);
     hull_[edges_.dest(edge)] = sym(edge);
     for (;;) {
       steps_.step(own.steps);
       const Chord<Real> base(at(edges_.dest(edge)), at(edges_.org(edge)));
-      // The first edge above at either end, and whatever it cuts off.
+      // The first edge above at either end, and the edges that it cuts off.
       const Edge back = sym(edge);
       Edge left = edges_.onext(back), right = edges_.oprev(edge);
       auto of_left = base.candidate(at(edges_.dest(left))), of_right = base.candidate(at(edges_.dest(right)));
@@ -194,7 +195,7 @@ class DelaunayEdges {
     hull_[edges_.org(edge)] = edge;
   }
 
-  /// The edge below both hulls, from right to left.
+  /// Adds the edge below both hulls, from right to left.
   Edge lower_tangent(Corner left_corner, Corner right_corner, QuadEdges::Unused& unused) {
     Edge left = edges_.oprev(hull_[left_corner]), right = hull_[right_corner];
     for (;;) {
@@ -208,7 +209,7 @@ class DelaunayEdges {
     }
   }
 
-  /// What lies beyond the hull is no triangle: from now on its edges lead nowhere.
+  /// Marks the outside of the hull as no triangle: from now on its edges lead nowhere.
   void open_hull(Corner on_hull) {
     const Edge first = sym(hull_[on_hull]);
     Edge outer = first;
@@ -226,7 +227,7 @@ class DelaunayEdges {
   static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
   std::span<SitePoint> places_;
   QuadEdges edges_;
-  std::vector<Edge> hull_;  // of a corner that is extreme, the edge of the hull that leaves it counter-clockwise
+  std::vector<Edge> hull_;  // for an extreme corner, the edge of the hull that leaves it counter-clockwise
   Threads* threads_;
   DivisionSteps steps_;
 };

@@ -98,7 +98,7 @@ class Extraction {
             meshops::Outline& outline) const {
     outline.clear();
     constexpr int no_side = -1;
-    std::vector<int> last(places_.size() + 1, no_side);  // of each corner, at 1 + its number
+    std::vector<int> last(places_.size() + 1, no_side);  // for each corner, at 1 + its number
     std::vector<int> outer;
     int side = 0;
     for (std::size_t t = 0; t < corners.size(); ++t)

@@ -1,5 +1,5 @@
-// What:   points in two orders, and how they are cut in two.
-// Law:    two sets of which one comes before the other, in either order, have a line between them.
+// What:   two orders of points, and the division of points into halves.
+// Law:    if one set comes before another in either order, a line separates them.
 // Cost:   linear, and neither part is less than an eighth of the whole.
 // Source: docs/remainder.md, section 3.
 #pragma once
@@ -20,7 +20,8 @@ struct SitePoint {
   std::uint32_t site;
 };
 
-/// The order along x is lexicographic; the one along y is the same after a quarter turn. with_rare_ties() compares by branches, the others without.
+/// The order along x is lexicographic; the order along y is the same after a quarter turn. with_rare_ties() compares by
+/// branches, the other comparisons do without.
 struct AlongX {
   bool operator()(const SitePoint& p, const SitePoint& q) const {
     return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));
@@ -44,7 +45,7 @@ struct AlongY {
 
 inline constexpr std::size_t few = 16;
 
-/// Sorts up to `few` points: by counting for each how many come before it, as no branch can be mispredicted then.
+/// Sorts up to `few` points: it counts for each how many come before it, so no branch can be mispredicted.
 template <typename Order>
 void sort_few(std::span<SitePoint> places, Order before) {
   std::array<std::size_t, few> rank;
@@ -75,7 +76,7 @@ class Sample {
     is_wide_ = high.x - low.x >= high.y - low.y;
   }
 
-  /// No higher than wide.
+  /// Returns whether the sample is at least as wide as high.
   bool is_wide() const { return is_wide_; }
 
   template <typename Order>
@@ -92,8 +93,8 @@ class Sample {
   bool is_wide_;
 };
 
-/// Puts the points of one part before those of the other; returns where the second begins. Neither is less than an
-/// eighth of all.
+/// Divides the points into two parts, the first before the second, and returns the beginning of the second. Neither
+/// part is less than an eighth of all.
 template <typename Order>
 std::size_t halve(std::span<SitePoint> places, const Sample& sample, Order before) {
   const std::size_t n = places.size();

@@ -1,8 +1,8 @@
-// What: a plane graph as the quad-edge structure without its dual: directed edges, each with its neighbors around its
-//       origin (Onext, Oprev), 32 bits a number.
-// Law:  e and sym(e) are one edge in both directions; following onext() goes around a point counter-clockwise and comes
-//       back.
-// Cost: 12 bytes a directed edge; deleted edges are used again, the last deleted first.
+// What:   a plane graph as the quad-edge structure without its dual: directed edges, each with its neighbors around its
+//         origin (Onext, Oprev), 32 bits a number.
+// Law:    e and sym(e) are one edge in both directions; following onext() leads around a point counter-clockwise, back
+//         to the first edge.
+// Cost:   12 bytes a directed edge; deleted edges are reused, the last deleted first.
 // Source: Guibas, Stolfi, Primitives for the manipulation of general subdivisions (1985): Org, Dest, Sym, Onext, …
 #pragma once
 
@@ -17,17 +17,16 @@ class QuadEdges {
   using Edge = std::uint32_t;
   using Corner = std::uint32_t;
 
-  /// Edges that are not in use, which no other list has: threads with lists of their own may add and remove at the same
-  /// time.
+  /// Unused edges that are in no other list: threads with lists of their own may add and remove edges at the same time.
   struct Unused {
     Edge first, last;
   };
 
-  /// Room for the edges of a triangulation of so many points.
+  /// Reserves memory for the edges of a triangulation of `points` points.
   explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
 
-  /// Enough for a triangulation of the points from `first` to before `last`; for each point once.
-  /// Requires: at least one.
+  /// Returns enough edges for a triangulation of the points from `first` up to `last`, excluded; once for each point.
+  /// Requires: at least one point.
   Unused unused_for(std::size_t first, std::size_t last) {
     const Unused all = {static_cast<Edge>(6 * first), static_cast<Edge>(6 * last - 2)};
     for (Edge e = all.first; e <= all.last; e += 2) put_away(e, e + 2);
@@ -44,14 +43,15 @@ class QuadEdges {
   static Edge sym(Edge e) { return e ^ 1; }
   Corner org(Edge e) const { return edges_[e].org; }
   Corner dest(Edge e) const { return edges_[sym(e)].org; }
-  /// The next edge that leaves the same point, counter-clockwise, clockwise.
+  /// Returns the next edge that leaves the same point, counter-clockwise or clockwise.
   Edge onext(Edge e) const { return edges_[e].onext; }
   Edge oprev(Edge e) const { return edges_[e].oprev; }
-  /// The next edge along the left face, the one before along the right face; both leave the point to which `e` leads.
+  /// Returns the next edge along the left face, or the one before along the right face; both leave the point to which
+  /// `e` leads.
   Edge lnext(Edge e) const { return oprev(sym(e)); }
   Edge rprev(Edge e) const { return onext(sym(e)); }
 
-  /// An edge that touches no other.
+  /// Adds an edge that touches no other.
   Edge make_edge(Corner org, Corner dest, Unused& unused) {
     const Edge e = unused.first;
     unused.first = edges_[e].onext;
@@ -81,10 +81,10 @@ class QuadEdges {
     edges_[before].oprev = e;
   }
 
-  /// The left face of `e` is none any more: lnext() is 0.
+  /// Removes the left face of `e`: lnext() is then 0.
   void open(Edge e) { edges_[sym(e)].oprev = 0; }
 
-  /// A number in the place of onext().
+  /// Stores a number in the place of onext().
   void number(Edge e, int n) { edges_[e].onext = static_cast<Edge>(n); }
   int number(Edge e) const { return static_cast<int>(edges_[e].onext); }
 

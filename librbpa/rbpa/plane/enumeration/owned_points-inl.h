@@ -1,5 +1,5 @@
-// What: which points of a tile it owns, as bits of numbers, as labels, and the box around them. Compiled once for each kind of
-//       vector unit; no include guard but the compiler's own per kind.
+// What: the points that a tile owns, as bits by number and as labels, and the box around them. Compiled once for each
+//       kind of vector unit; the only include guard is the compiler's own per kind.
 #if defined(RBPA_ENUMERATION_OWNED_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_ENUMERATION_OWNED_POINTS_INL_H_
 #undef RBPA_ENUMERATION_OWNED_POINTS_INL_H_
@@ -31,7 +31,7 @@ class OwnedPoints {
     float x_low, x_high, y_low, y_high;
   };
   static constexpr std::size_t word = 64;     ///< bits of a word
-  static constexpr std::size_t padding = 16;  ///< labels behind the last point: a register more is read
+  static constexpr std::size_t padding = 16;  ///< labels behind the last point, as a whole register is read
 
   explicit OwnedPoints(EnumerationWorkspace& own) : labels_(own.labels), bits_(own.owned_bits) {}
 
@@ -61,13 +61,13 @@ class OwnedPoints {
 
   const Box& box() const { return box_; }
 
-  /// Of points from one on, for at least word − 1 of them, which are owned.
+  /// Returns the owned bits of at least word − 1 points, from `point` on.
   HWY_INLINE Bits from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
     return bits_[first] >> skipped | bits_[first + 1] << 1 << (word - 1 - skipped);
   }
 
-  /// A point's number and, as the lowest bit, whether it is owned. Labels ascend with the points.
+  /// Returns for each point its number with, as the lowest bit, whether it is owned. Labels ascend with the points.
   const std::int32_t* labels() const { return labels_.data(); }
   static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
 

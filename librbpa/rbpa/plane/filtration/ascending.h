@@ -1,4 +1,4 @@
-// What: faces in the order in which a filtration has them.
+// What: sorts faces by radius, as a filtration orders them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// Numbers of faces by their radii; those of equal radius ascend.
+/// Returns the numbers of faces sorted by radius; those of equal radius ascend.
 inline std::vector<std::uint32_t> ascending(std::span<const double> radii, Steps& step) {
   std::vector<std::pair<double, std::uint32_t>> sorted(radii.size());
   for (std::uint32_t face = 0; face < sorted.size(); ++face) sorted[face] = {radii[face], face};

@@ -1,6 +1,6 @@
 // What:   the elder rule, while the cells of a triangulation are added in ascending order: births and deaths of
-//         components and holes, each with a cell in which it was from its birth, or will be to its death.
-// Law:    of two that meet the younger dies; of two that came at the same alpha the one of the greater number.
+//         components and holes, each with a cell that is in it at its birth, or just before its death.
+// Law:    when two meet the younger dies; of two with the same alpha of birth, the one with the greater number.
 // Cost:   near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995); docs/filtration.md.
 #pragma once
@@ -24,13 +24,14 @@ struct Arrival {
   friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-/// Edges ascending: an edge between two components ends the younger. Calls pair(vertex's arrival, edge) for each
-/// component that lives for some time, with the vertex that it began with, and the edge that ends it, or null.
+/// Pairs components. Edges are added ascending: an edge between two components ends the younger. Calls pair(vertex's
+/// arrival, edge) for each component that lives for some time, with the vertex with which it began, and the edge that
+/// ends it, or null.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
   meshops::DisjointSets components(cells.vertices.size());
-  std::vector<Arrival> first;  // of the component, at the vertex that stands for it
+  std::vector<Arrival> first;  // the first arrival of a component, at the vertex that represents it
   first.reserve(cells.vertices.size());
   for (std::uint32_t v = 0; v < cells.vertices.size(); ++v) first.push_back({cells.vertices[v], v});
   for (const FilteredCells::Edge& edge : cells.edges) {
@@ -45,9 +46,9 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
     if (components.find(v) == v) pair(first[v], static_cast<const FilteredCells::Edge*>(nullptr));
 }
 
-/// Edges descending: removing an edge joins the gaps on its sides. A gap fills up with the last of its triangles; of
-/// two that are separate above this alpha the one that fills up first is a hole from here to there.
-/// Calls pair(birth, last face's arrival) for each hole, which dies as that face comes.
+/// Pairs holes. Edges are removed descending: removing an edge joins the gaps on its sides. A gap is filled when the
+/// last of its triangles is added; of two gaps that are separate above this alpha, the one that is filled first is a
+/// hole from here to there. Calls pair(birth, last face's arrival) for each hole, which dies when that face is added.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {

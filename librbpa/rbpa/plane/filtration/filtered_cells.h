@@ -19,20 +19,22 @@ struct FilteredCells {
     std::array<std::uint32_t, 2> ends;   ///< vertices
     std::array<std::uint32_t, 2> sides;  ///< faces; outside() beyond the hull
   };
-  std::vector<double> vertices;  ///< of each distinct point, by input index
+  std::vector<double> vertices;  ///< for each distinct point, its alpha, by input index
   std::vector<Edge> edges;
-  std::vector<double> faces;  ///< of each triangle
+  std::vector<double> faces;  ///< for each triangle
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
 };
 
 /// The distinct points, ascending by input index.
 struct DistinctPoints {
-  std::vector<std::uint32_t> index;   ///< in the input, of each
-  std::vector<std::uint32_t> number;  ///< of each input point among them; that of a duplicate has no meaning
+  std::vector<std::uint32_t> index;  ///< the input index of each
+  /// The number of each input point among the distinct ones; undefined for a duplicate.
+  std::vector<std::uint32_t> number;
 };
 DistinctPoints distinct_points(const Delaunay& delaunay);
 
-/// Requires: the filtration and the distinct points of `of`. Counts each edge as a step.
+/// Returns the cells with their alphas. Counts each edge as a step.
+/// Requires: the filtration and the distinct points of `of`.
 FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse);
 

@@ -1,4 +1,4 @@
-// What: the corners and areas of the triangles of a filtration, and whether it is that of a triangulation.
+// What: the corners and areas of the triangles of a filtration, and the check that it is that of a triangulation.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ inline Corners corners_of(std::span<const Point> points, const Triangle& triangl
   return {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
 }
 
-/// Of corners in any order, always rounded alike; long double, as it is a product of two coordinates.
+/// Returns the area of a triangle with corners in any order, always rounded alike; long double, as it is a product of
+/// two coordinates.
 inline long double area(Corners corners) {
   std::sort(corners.begin(), corners.end());
   const auto& [a, b, c] = corners;
@@ -30,7 +31,9 @@ inline long double area(Corners corners) {
   return std::abs(cross) / 2;
 }
 
-/// Throws ContractViolation, which begins with `function`, when the filtration is visibly of another triangulation.
+/// Checks the filtration.
+/// Throws: ContractViolation, whose message begins with `function`, when the filtration is visibly of another
+///         triangulation.
 inline void require_same(const Filtration& filtration, const Triangulation& delaunay, const std::string& function) {
   if (filtration.triangle_alpha.size() != delaunay.triangles.size() || filtration.distinct != delaunay.distinct)
     throw meshops::ContractViolation(function + ": the filtration is of another triangulation");

@@ -1,5 +1,5 @@
 // What:   the sizes of the components of a growing complex, and the sum of the k largest.
-// Cost:   the logarithm of the greatest size, each call.
+// Cost:   each call takes the logarithm of the greatest size.
 // Source: Fenwick, A new data structure for cumulative frequency tables (1994).
 #pragma once
 
@@ -16,16 +16,16 @@ class PartSizes {
       : count_(greatest + std::size_t{1}), sum_(greatest + std::size_t{1}), top_(std::bit_floor(greatest)) {}
 
   void add(std::uint32_t size) { change(size, 1); }
-  /// Requires: there is one of this size.
+  /// Removes a component of this size. Requires: there is one.
   void remove(std::uint32_t size) { change(size, -1); }
 
   std::size_t count() const { return parts_; }
   std::size_t sum() const { return all_; }
 
-  /// The sum of the `k` largest, or of all where there are fewer.
+  /// Returns the sum of the `k` largest sizes, or of all if there are fewer.
   std::size_t largest(std::size_t k) const {
     if (k >= parts_) return all_;
-    std::size_t left = parts_ - k, smallest = 0;  // so many of the smallest are left out
+    std::size_t left = parts_ - k, smallest = 0;  // number of the smallest that are left out
     std::size_t at = 0;
     for (std::size_t step = top_; step > 0; step /= 2)
       if (at + step < count_.size() && count_[at + step] <= left) {
@@ -46,7 +46,7 @@ class PartSizes {
     }
   }
 
-  // At i, of the sizes from i without its lowest bit, exclusive, to i.
+  // Entry i holds the sizes from i without its lowest bit, exclusive, to i.
   std::vector<std::uint32_t> count_;
   std::vector<std::size_t> sum_;
   std::size_t top_;

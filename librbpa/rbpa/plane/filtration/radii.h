@@ -1,4 +1,4 @@
-// What: the radii of a filtration by themselves, for what needs no counts of its steps.
+// What: the radii of a filtration alone, for functions that need no counts of its steps.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace rbpa {
 
-/// Filtration::triangle_alpha.
+/// Returns what Filtration::triangle_alpha would be.
 std::vector<double> radii_of(const Delaunay& delaunay, Steps& step);
 
-/// smallest_covering() by the radii.
+/// Computes smallest_covering() from the radii.
 std::optional<double> smallest_covering(const Delaunay& delaunay, std::span<const double> radii,
                                         const Covering& covering, Steps& step);
 
-/// complex_at() by the radii.
+/// Computes complex_at() from the radii.
 Triangulation complex_at(const Delaunay& delaunay, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

@@ -166,7 +166,7 @@ class HoleSearch {
   const Triangulation& all_;
   const std::vector<double>& alpha_;
   std::vector<std::array<double, 3>>
-      closes_;  // of each side: the edge, where it comes before both of its triangles; empty without
+      closes_;  // for each side: the edge, where it comes before both of its triangles; empty without
   std::vector<std::uint32_t> reached_, number_, place_;
 };
 

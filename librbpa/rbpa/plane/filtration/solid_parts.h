@@ -1,8 +1,8 @@
-// What:   the solid components of a complex while its triangles are added one after the other, each with its number of
-//         vertices.
-// Law:    the vertices of a component are those that it has in rbpa()'s mesh: its points, one where it touches itself once
-//         for every fan.
-// Cost:   linear to begin with, then practically constant per triangle.
+// What: the solid components of a complex, each with its number of vertices, while triangles are added one after the
+//       other.
+// Law:  the vertices of a component are those of rbpa()'s mesh: its points, but a point at which it touches itself
+//       counts once for every fan.
+// Cost: linear to begin with, then practically constant per triangle.
 #pragma once
 
 #include <array>
@@ -16,10 +16,12 @@ namespace rbpa {
 
 class SolidParts {
  public:
-  /// Triangles of a Delaunay triangulation of so many points, in the order in which they come. Keeps the spans.
+  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which they are added.
+  /// Keeps the spans.
   SolidParts(const TriangleArrays& arrays, std::size_t points);
 
-  /// Calls left(size) for every component that is no longer, and come(size) for the one in its place.
+  /// Adds the next triangle. Calls left(size) for every component that disappears, and come(size) for the one in its
+  /// place.
   /// Requires: there is a next one.
   template <typename Left, typename Come>
   void add_next(const Left& left, const Come& come);
@@ -28,9 +30,9 @@ class SolidParts {
 
  private:
   TriangleArrays arrays_;
-  std::vector<std::uint32_t> gaps_;      // of a point, its triangles that are missing, and one for the boundary
-  meshops::DisjointSets parts_;          // of triangles
-  std::vector<std::uint32_t> vertices_;  // of a component, at the triangle that stands for it
+  std::vector<std::uint32_t> gaps_;  // for each point, the number of its missing triangles, plus one for the boundary
+  meshops::DisjointSets parts_;      // sets of triangles
+  std::vector<std::uint32_t> vertices_;  // number of vertices of a component, at the triangle that represents it
   std::vector<bool> on_;                 // points
   std::uint32_t next_ = 0;
   std::size_t covered_ = 0;
@@ -39,10 +41,10 @@ class SolidParts {
 template <typename Left, typename Come>
 void SolidParts::add_next(const Left& left, const Come& come) {
   std::uint32_t part = next_, vertices = 0;
-  std::array<bool, 3> glued;  // along the side across from the corner
+  std::array<bool, 3> glued;  // whether it is glued along the side across from the corner
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t neighbor = arrays_.neighbors[next_][k];
-    glued[k] = neighbor < next_;  // none is the greatest number
+    glued[k] = neighbor < next_;  // `none` is the greatest number
     if (!glued[k]) continue;
     const std::uint32_t other = parts_.find(neighbor);
     if (other == part) continue;
@@ -54,7 +56,7 @@ void SolidParts::add_next(const Left& left, const Come& come) {
     const std::uint32_t corner = arrays_.triangles[next_][k];
     const bool before = glued[(k + 1) % 3], behind = glued[(k + 2) % 3];
     --gaps_[corner];
-    // A fan begins, or two become one; unless they were one that has closed.
+    // A new fan begins here, or two fans become one, unless they were one that has now closed.
     if (!before && !behind) ++vertices;
     if (before && behind && gaps_[corner] > 0) --vertices;
     if (!on_[corner]) ++covered_;

@@ -20,16 +20,16 @@ inline Box common_box(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
-/// The least box around points, at least one.
+/// Returns the least box around points. Requires: at least one.
 inline Box box_of(std::span<const Point> points) {
   Box box{points[0], points[0]};
   for (const Point& p : points) box = common_box(box, {p, p});
   return box;
 }
 
-/// The same by several threads.
+/// Returns the least box around points, computed by several threads.
 inline Box box_of(std::span<const Point> points, Threads& threads) {
-  constexpr std::size_t at_a_time = 1u << 16;  // by one thread
+  constexpr std::size_t at_a_time = 1u << 16;  // points for one thread
   std::vector<Box> boxes((points.size() + at_a_time - 1) / at_a_time);
   for_each_part(threads, points.size(), at_a_time, [&](std::size_t first, std::size_t last) {
     boxes[first / at_a_time] = box_of(points.subspan(first, last - first));

@@ -1,6 +1,6 @@
-// What: points that are not in a grid, and where they lie, for searches that must not miss them.
-// Law:  in_box() counts every hidden point of a box, are_left() and the others of every side on which one lies outside
-//       of the grid.
+// What: points that are not in a grid, with their places, for searches that must not miss them.
+// Law:  in_box() reports every hidden point of a box. are_left() and its siblings report every side on which one lies
+//       outside of the grid.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,10 @@ namespace rbpa {
 
 class HiddenPoints {
  public:
-  /// None are hidden.
+  /// Constructs an empty set of hidden points.
   HiddenPoints() = default;
-  /// The places may be rounded by amounts that are negligible against a cell. Some may lie outside of `box`.
+  /// Keeps the places, some of which may lie outside of `box`. They may be rounded by amounts that are negligible
+  /// against a cell.
   HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
     for (const Point& p : places) {
       left_ |= p.x <= box.low.x;
@@ -31,7 +32,7 @@ class HiddenPoints {
   bool are_below() const { return below_; }
   bool are_above() const { return above_; }
 
-  /// Calls visit(place) for those in a box, and others near it.
+  /// Calls visit(place) for the points in a box, and for others near it.
   template <typename Visit>
   void in_box(const Box& box, Visit visit) const {
     places_.scan(box, [&](std::uint32_t first, std::uint32_t last) {

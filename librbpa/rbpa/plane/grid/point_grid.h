@@ -1,5 +1,5 @@
 // What: the distinct points, laid out in cells that hold a few each.
-// Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so that clusters of any
+// Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so clusters of any
 //       density are found as fast as uniform points. scan() reaches every point of a box.
 // Cost: construction, by all threads, linear for bounded variation of density, one more level per √n-fold rise of it;
 //       memory 20 bytes a point and 4 a cell; scan linear in the rows that the box meets and the points in its cells.
@@ -23,21 +23,21 @@ namespace rbpa {
 
 class PointGrid {
  public:
-  /// Requires finite points, fewer than 2³⁰. Without `threads`, the calling one does it. Calls `ask`, if any, after each
-  /// level, which may throw.
+  /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread does it. Calls `ask`, if any, after
+  /// each level, which may throw.
   PointGrid(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {})
       : PointGrid(NamedPoints{input}, threads, ask) {}
   explicit PointGrid(std::span<const Point> input);
-  /// The same where the points have names of their own, in ascending order.
+  /// Lays out points that have names of their own, in ascending order.
   PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask = {});
 
-  /// The distinct points in the order of their cells. A position in it is called a site.
+  /// Returns the distinct points in the order of their cells. A position in it is called a site.
   std::span<const Point> points() const { return points_; }
-  /// The (lowest) input index, or name, of each site.
+  /// Returns the (lowest) input index, or name, of each site.
   std::span<const std::uint32_t> input_index() const { return index_; }
   const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
-  /// No two points are farther apart than this.
+  /// Returns an upper bound of the distance of any two points.
   double diameter_bound() const { return levels_.empty() ? 0 : 2 * (levels_[0].width + levels_[0].height); }
 
   /// Calls visit(first, last) for ranges of sites that together hold every point of the box, and others near it.
@@ -52,13 +52,14 @@ class PointGrid {
   /// A grid of cells; the first is over all points.
   struct Level {
     double x, y, width, height, cell, per_unit;
-    double slack;  ///< more than rounding can move the side of a cell
+    double slack;  ///< an upper bound of the error of rounding in the side of a cell
     int columns, rows;
-    std::vector<std::uint32_t> start;  // of each cell, row by row, the first site; and the end
+    std::vector<std::uint32_t> start;  // for each cell, row by row, the first site; and the end
     std::vector<Child> children;       // the cells that are grids of their own, ascending
-    std::vector<std::uint32_t> child;  // of each row, the first of its children; and the end. Empty without children
+    std::vector<std::uint32_t> child;  // for each row, the first of its children; and the end. Empty without children
 
-    /// Of the children up to the end of a cell's row, the first that is not before the cell; the end of them without one.
+    /// Returns the first child that is not before the cell, among the children up to the end of the cell's row; their
+    /// end if there is none.
     auto child_at(std::uint32_t from) const {
       if (children.empty()) return children.end();
       const std::size_t row_number = from / static_cast<std::uint32_t>(columns);
@@ -70,7 +71,8 @@ class PointGrid {
       if (!(cells > 0)) return 0;
       return cells >= double(count) ? count - 1 : static_cast<int>(cells);
     }
-    // Monotone in the coordinate, rounding included: a point between two bounds is in a cell between theirs.
+    // The functions are monotone in the coordinate, rounding included: a point between two bounds is in a cell between
+    // theirs.
     int column(double at) const { return clamp((at - x) * per_unit, columns); }
     int row(double at) const { return clamp((at - y) * per_unit, rows); }
     std::uint32_t cell_of(const Point& p) const {
@@ -83,9 +85,10 @@ class PointGrid {
  private:
   static constexpr double points_per_cell = 2;
   static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more is a grid of its own
-  static constexpr std::uint32_t nearby = 3;        ///< so many points before one are compared with it in any case
+  /// Number of preceding points with which each point is compared in any case.
+  static constexpr std::uint32_t nearby = 3;
 
-  /// Duplicates found together: the sites to be left out, and what they are.
+  /// Duplicates found together: the sites that are left out, and the list entries.
   struct Repeated {
     std::vector<std::uint32_t> sites;
     std::vector<Duplicate> duplicates;

@@ -22,31 +22,31 @@ namespace rbpa {
 
 class Sites {
  public:
-  /// Calls `ask`, if any, now and then while points are sorted; it may throw.
+  /// Sorts the points. Calls `ask`, if any, now and then; it may throw.
   Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
-  /// The points in the window, times 2^exponent.
+  /// Returns the points in the window, times 2^exponent.
   const PointGrid& grid() const { return grid_; }
   const Window& window() const { return window_; }
-  /// The points beyond the window, as they are; the first is the site behind those of the grid.
+  /// Returns the points beyond the window, unscaled; the first of them is the site behind those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
-  /// Where these lie, in the scale of the window.
+  /// Returns the places of the points beyond, in the scale of the window.
   const HiddenPoints& hidden() const { return hidden_; }
 
-  /// The point as it was given.
+  /// Returns a point in the user's coordinates.
   Point at(std::size_t s) const {
     if (s >= grid_.points().size()) return beyond_[s - grid_.points().size()];
     const Point& p = grid_.points()[s];
     return {p.x * unscale_, p.y * unscale_};
   }
-  /// All of them, as they were given.
+  /// Returns all points in the user's coordinates.
   std::vector<Point> points() const;
   std::span<const std::uint32_t> input_index() const { return beyond_.empty() ? grid_.input_index() : index_; }
   std::vector<Duplicate> duplicates() const;
-  /// No two are farther apart than this.
+  /// Returns an upper bound of the distance of any two points.
   long double diameter_bound() const;
-  /// The radius alpha, or none where it is certainly above every circumradius.
+  /// Returns the radius alpha, or none if it is certainly above every circumradius.
   Radius reachable(double alpha) const {
     const Radius radius = Radius::of(alpha);
     return beyond_.empty() && window_.scaled(radius).is_infinite() ? Radius() : radius;
@@ -60,7 +60,7 @@ class Sites {
   PointGrid grid_;
   std::vector<Point> beyond_;
   std::vector<Duplicate> repeated_beyond_;
-  std::vector<std::uint32_t> index_;  // of all sites; empty when none is beyond
+  std::vector<std::uint32_t> index_;  // for all sites; empty if none is beyond
   HiddenPoints hidden_;
 };
 

@@ -1,5 +1,5 @@
-// What: groups dealt out in chunks, so that a thread takes some work at a time.
-// Law:  chunks are those of the groups alone, not of the threads.
+// What: divides groups into chunks, so that a thread takes some work at a time.
+// Law:  chunks depend on the groups alone, not on the threads.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct Chunk {
   std::size_t first = 0, last = 0;  // groups first ≤ g < last
 };
 
-/// Runs of groups with some thousand points together, or one group with more.
+/// Returns runs of groups with some thousand points together, or one group with more.
 inline std::vector<Chunk> chunks_of(const Groups& groups) {
   constexpr std::uint64_t enough = 4096;
   std::vector<Chunk> chunks;
@@ -29,10 +29,10 @@ inline std::vector<Chunk> chunks_of(const Groups& groups) {
   return chunks;
 }
 
-/// Throws InvalidInput as for_each_group().
+/// Checks that the groups are those of the points. Throws: InvalidInput as for_each_group().
 void check(std::span<const Point> points, const Groups& groups);
 
-/// The points of one group after another, side by side in the same memory.
+/// The points of one group after another, contiguous in the same memory.
 class GroupPoints {
  public:
   Group of(std::span<const Point> points, const Groups& groups, std::size_t number) {

@@ -7,8 +7,8 @@
 
 namespace rbpa {
 
-/// At most the circumradius of (a, b, c), but for the last digits; not below half of it, unless they are so near a line
-/// that rounding hides their area.
+/// Returns at most the circumradius of (a, b, c), up to the last digits, and at least half of it, unless the corners
+/// are so near a line that rounding hides their area.
 template <typename Real>
 Real circumradius(const Point& a, const Point& b, const Point& c) {
   using P = Predicates<Real>;

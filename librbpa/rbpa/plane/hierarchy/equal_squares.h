@@ -1,7 +1,6 @@
-// What:   a square that is cut in four `depth` times over, everywhere: 4^depth squares, and the points that each holds.
-// Law:    the squares are those that come of cutting one after another in the middle, rounded; a point on a cut belongs
-//         to the upper right.
-// Cost:   a few nanoseconds a point.
+// What: a square that is cut into quarters `depth` times: 4^depth squares, and the number of points in each.
+// Law:  the squares are those of repeated cuts in the middle, rounded; a point on a cut belongs to the upper right.
+// Cost: a few nanoseconds a point.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +24,7 @@ struct Square {
 
   Real middle_x() const { return x + side / 2; }
   Real middle_y() const { return y + side / 2; }
-  /// The numbers do not end before its quarters are apart.
+  /// Returns whether the quarters of the square are distinct as numbers.
   bool can_be_cut() const { return middle_x() > x && middle_y() > y; }
 };
 
@@ -38,10 +37,10 @@ class EqualSquares {
     for (int i = 0; i < depth; ++i) side_ /= 2;
   }
 
-  /// No two squares have the same number.
+  /// Returns whether all squares are distinct as numbers.
   bool are_apart() const { return columns_.are_apart() && rows_.are_apart(); }
 
-  /// Requires that they are apart, and points in the square.
+  /// Counts points. Requires: are_apart(), and points in the square.
   void count(std::span<const Point> points) {
     held_.assign(std::size_t{1} << 2 * depth_, 0);
     square_of_.resize(points.size());
@@ -50,11 +49,11 @@ class EqualSquares {
 
   std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
-  /// Calls visit(std::span<Point>, Square) with every square that holds more than `bound` of the points, which are those
-  /// that were counted.
+  /// Calls visit(std::span<Point>, Square) with every square that holds more than `bound` of the points. Requires: the
+  /// points that were counted.
   template <typename Visit>
   void for_each_above(std::size_t bound, std::span<const Point> points, Visit visit) const {
-    std::vector<std::uint32_t> end(held_.size());  // of the points of such a square, in one order
+    std::vector<std::uint32_t> end(held_.size());  // end of the points of such a square, in one order
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < held_.size(); ++i) {
       end[i] = size;
@@ -70,8 +69,8 @@ class EqualSquares {
     }
   }
 
-  /// Back to the squares of which these are quarters. Requires a depth above 0; only max_held() and merge() may be called
-  /// then.
+  /// Merges quarters into the squares of which they were cut. Requires: a depth above 0; afterwards only max_held() and
+  /// merge() may be called.
   void merge() {
     const std::size_t columns = std::size_t{1} << depth_--;
     std::vector<std::uint32_t> merged(held_.size() / 4);
@@ -81,7 +80,7 @@ class EqualSquares {
   }
 
  private:
-  /// Where squares begin, along one axis.
+  /// The bounds of the squares along one axis.
   class Cuts {
    public:
     Cuts(Real low, Real side, int depth) : at_((std::size_t{1} << depth) + 1), low_(low) {
@@ -100,7 +99,7 @@ class EqualSquares {
              std::adjacent_find(at_.begin(), at_.end(), std::greater_equal<>()) == at_.end();
     }
 
-    /// Requires low ≤ value ≤ low + side.
+    /// Returns the interval that contains a value. Requires: low ≤ value ≤ low + side.
     std::size_t interval_of(Real value) const {
       auto i = std::min(static_cast<std::size_t>((value - low_) * per_unit_), at_.size() - 2);
       while (value < at_[i]) --i;
@@ -121,7 +120,7 @@ class EqualSquares {
   Real side_;
   Cuts columns_, rows_;
   std::vector<std::uint32_t> held_;
-  meshops::FreshVector<std::uint32_t> square_of_;  // of each point that was counted
+  meshops::FreshVector<std::uint32_t> square_of_;  // for each counted point, its square
 };
 
 }  // namespace rbpa

@@ -1,8 +1,9 @@
-// What:   the complex from level to level, for those who want to see the mesh of each; levels_at_once.h is for others.
-// Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every boundary
-//         halfedge is frozen.
-// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and are
-//         added to the mesh when their level comes.
+// What:   builds the complex from level to level, with the mesh of each level; levels_at_once.h is for callers who need
+//         only the last.
+// Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every
+//         boundary halfedge is frozen.
+// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
+//         are added to the mesh on their level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
 // Source: docs/hrbpa.md.
 #pragma once
@@ -27,17 +28,17 @@ class GrowthByTiles {
   GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
       : sites_(sites), ladder_(ladder), threads_(threads), monitor_(monitor) {}
 
-  /// The front of level 0, with its triangles.
+  /// Returns the front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
-  /// Puts the triangles of a level into the mesh, called for levels in ascending order from 0 on.
-  /// Returns: how many sites have one of them.
+  /// Adds the triangles of a level to the mesh; called for levels in ascending order from 0 on.
+  /// Returns: the number of sites with one of them.
   std::size_t grow(int level, meshops::Front& front);
 
-  /// How many sites are isolated or on the boundary, when a level has ended.
+  /// Returns the number of sites that are isolated or on the boundary at the end of a level.
   std::size_t open_sites() const { return open_sites_; }
 
-  /// The first level after this one on which there is anything to do.
+  /// Returns the first level after this one that has triangles to add.
   int next(int level) const { return waiting_.after(level); }
 
  private:
@@ -51,7 +52,7 @@ class GrowthByTiles {
   Monitor& monitor_;
   WaitingTriangles waiting_;
   std::size_t open_sites_ = 0;
-  std::vector<std::uint16_t> seen_;  // of each site, the last level but the first that had a triangle there
+  std::vector<std::uint16_t> seen_;  // for each site, the last level, other than the first, that had a triangle there
 };
 
 }  // namespace rbpa

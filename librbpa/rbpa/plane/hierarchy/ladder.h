@@ -1,4 +1,4 @@
-// What:   the ladder of radii: 2^i α₀, then the last one; and the same through the window of doubles.
+// What:   the radii of the levels: 2^i α₀, then the last one; and the same radii in the scale of the window of doubles.
 // Source: Restricted BPA, section 6.
 #pragma once
 
@@ -17,11 +17,12 @@ namespace rbpa {
 
 class Ladder {
  public:
-  using Real = long double;             ///< whose exponents hold the circumradii of all doubles
+  using Real = long double;             ///< its exponents hold the circumradii of all doubles
   static constexpr int never = 0xffff;  ///< above all levels
 
-  /// Requires: 0 < least < ∞. The ladder ends with the radius `last`. Where that is infinite, no level but the last has
-  /// a radius above `largest`.
+  /// Builds the radii from `least` to `last`. If `last` is infinite, no level but the last has a radius above
+  /// `largest`.
+  /// Requires: 0 < least < ∞.
   Ladder(double least, Radius last, Real largest) : least_(least), last_(last) {
     const Real bound =
         last.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(last.value());
@@ -29,13 +30,14 @@ class Ladder {
   }
 
   double least() const { return least_; }
-  /// The number of the last level, that of the radius `last`.
+  /// Returns the number of the last level, that of the radius `last`.
   int end() const { return end_; }
   bool is_last(int level) const { return level >= end_; }
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
-  /// A level such that the radii of all before it are less than `radius`, which may be rounded; seldom one too early.
-  /// It may lie behind the last where that has a finite radius; an infinite one reaches all that is finite.
+  /// Returns a level such that the radii of all before it are less than `radius`, which may be rounded; seldom one
+  /// level too early. The level may lie behind the last one if that has a finite radius; an infinite last radius
+  /// reaches everything finite.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;
@@ -46,7 +48,8 @@ class Ladder {
   }
 
  private:
-  /// As frexp() has it, or one more where rounding to double makes it so; by two instructions where that is a double.
+  /// Returns the exponent as frexp() does, or one more if rounding to double makes it so; by two instructions if the
+  /// ratio is in the range of double.
   static int exponent_of(Real ratio) {
     int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(static_cast<double>(ratio)) >> 52) - 1022;
     if (!(ratio < Real(0x1p1000))) std::frexp(ratio, &exponent);
@@ -58,7 +61,7 @@ class Ladder {
   int end_ = 0;
 };
 
-/// The ladder in the scale of the points in a window.
+/// The radii in the scale of the points in a window.
 class ScaledLadder {
  public:
   /// Keeps a reference to the ladder. Cost: linear in the levels.
@@ -70,7 +73,7 @@ class ScaledLadder {
   int end() const { return ladder_.end(); }
   bool is_last(int level) const { return ladder_.is_last(level); }
   const Radius& radius(int level) const { return radii_[static_cast<std::size_t>(level)]; }
-  /// As that of the ladder, of a radius in the scale of the window.
+  /// Returns Ladder::first_reaching() of a radius in the scale of the window.
   int first_reaching(double radius) const { return ladder_.first_reaching(radius * per_scaled_); }
 
  private:

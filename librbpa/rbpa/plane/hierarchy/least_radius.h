@@ -13,7 +13,7 @@
 
 namespace rbpa {
 
-/// Calls `ask`, if any, for every square with many points, which may throw.
+/// Returns α₀. Calls `ask`, if any, for every square with many points; it may throw.
 inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
   long double side = 0;
   if (sites.beyond().empty()) {

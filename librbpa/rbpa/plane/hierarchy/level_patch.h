@@ -1,6 +1,7 @@
-// What:   triangles parted by level: those of the first as a patch of their own, the others to wait for theirs.
-// Law:    each triangle is of the first level whose radius admits it.
-// Cost:   a comparison of the circumradius for each triangle; where some of the patch wait, a copy of the others.
+// What: splits the triangles of a patch by level: those of the first level become a patch of their own, the others
+//       wait.
+// Law:  the level of each triangle is the first whose radius admits it.
+// Cost: a comparison of the circumradius for each triangle; if some triangles of the patch wait, a copy of the others.
 #pragma once
 
 #include <array>
@@ -18,11 +19,12 @@ struct WaitingTriangle {
 };
 
 struct LevelPatch {
-  meshops::Patch first;  ///< both in the order of the patch that was parted
+  meshops::Patch first;  ///< both in the order of the original patch
   std::vector<WaitingTriangle> later;
-  std::vector<int> number;  ///< of its triangles, that of the first side in `first`; negative where they wait
+  /// For each triangle of the original patch, its first side in `first`; negative if it waits.
+  std::vector<int> number;
 
-  /// Replaces all; `first` is not made when no triangle waits, as it is the patch itself then.
+  /// Replaces all members. `first` is left empty if no triangle waits, as it would be the patch itself.
   /// Requires: triangles within the last radius of the ladder.
   void part(const meshops::Patch& patch, const SiteLevels& levels);
 };

@@ -1,5 +1,5 @@
-// What: the levels of a hierarchy as a run goes through them: the record of each, and the callback at its end.
-// Law:  a level between the first and the last on which no triangle came is left out.
+// What: records the levels of a hierarchy during a run, and calls the callback at the end of each.
+// Law:  levels between the first and the last on which no triangle was added are left out.
 #pragma once
 
 #include <chrono>
@@ -20,12 +20,13 @@ class LevelRecord {
               std::span<const std::uint32_t> input_index, Hierarchy& result)
       : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}
 
-  /// The mesh of the front is the complex of `radius`. Rethrows what the caller's function throws.
+  /// Records the end of a level. Requires: the mesh of the front is the complex of `radius`. Rethrows the exceptions of
+  /// the caller's function.
   void end(Level level, const Radius& radius, bool is_last, const meshops::Front& front) {
-    // The last has alpha as it was given: a radius beyond all circumradii is infinite to the run.
+    // The last level has the user's alpha: a radius beyond all circumradii is infinite to the run.
     level.alpha = is_last ? alpha_ : radius.value();
     level.triangles = front.faces();
-    // Sites may have been visited in vain: which, depends on the order of the input.
+    // Sites may have been visited in vain; which ones depends on the order of the input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
       return;

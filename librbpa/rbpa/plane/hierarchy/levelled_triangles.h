@@ -1,5 +1,6 @@
-// What: the triangles of patches in canonical order, with the number of the level of each.
-// Why:  a patch is in a cache when it is filled in, and so are its points: later each triangle would have to fetch three.
+// What: collects the triangles of patches in canonical order, with the level of each.
+// Why:  a patch and its points are in a cache when it is filled in; later, each triangle would have to fetch three
+//       points.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ class LevelledTriangles {
   LevelledTriangles(const Sites& sites, const Ladder& ladder, std::size_t bound, const Threads& threads)
       : sites_(sites), levels_(sites, ladder), order_(bound, 2 * sites.size(), threads.count()) {}
 
-  /// As with TriangleList.
+  /// The interface of TriangleList.
   struct Place {};
   void prepare(const meshops::Patch&, Place&) const {}
   void place(const meshops::Patch& patch, Place&) { size_ += patch.triangles.size(); }
@@ -37,8 +38,8 @@ class LevelledTriangles {
   }
 
   std::size_t size() const { return size_; }
-  /// After all patches. Once. `numbers` becomes those of the triangles' levels, in their order. Calls `ask`, if any, now and
-  /// then, one call at a time; it may throw.
+  /// Returns the triangles in order; called once, after all patches. `numbers` becomes the levels of the triangles, in
+  /// the same order. Calls `ask`, if any, now and then, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers,
                                const std::function<void()>& ask = {}) {
     numbers.resize(size_);

@@ -25,8 +25,8 @@ struct Notes {
   }
 
   const SiteLevels& levels;
-  std::uint16_t* level;  ///< of each face
-  std::uint16_t* seen;   ///< of each site, 0 where it has a triangle of the first level
+  std::uint16_t* level;  ///< for each face
+  std::uint16_t* seen;   ///< for each site, 0 where it has a triangle of the first level
 };
 
 /// Puts patches into a mesh, and notes their levels.
@@ -81,7 +81,7 @@ meshops::AssembledPatches LevelsAtOnce::lay(meshops::PatchAssembler assembler) {
 meshops::FreshVector<std::uint32_t> LevelsAtOnce::new_numbers(std::size_t faces, std::vector<std::uint32_t>& later) {
   growth_.assign(static_cast<std::size_t>(ladder_.end()) + 1, {});
   for (std::size_t f = 0; f < faces; ++f) ++growth_[level_[f]].triangles;
-  std::vector<std::uint32_t> next;  // of each level, the number of its next face
+  std::vector<std::uint32_t> next;  // for each level, the number of its next face
   std::size_t before = 0;
   for (const Growth& growth : growth_) {
     next.push_back(static_cast<std::uint32_t>(before));
@@ -122,7 +122,7 @@ void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::
 }
 
 void LevelsAtOnce::renumber(std::span<const std::uint32_t> number, Mesh& mesh) {
-  meshops::FreshVector<meshops::Halfedge> halfedge(number.size());  // of each face by its new number
+  meshops::FreshVector<meshops::Halfedge> halfedge(number.size());  // for each face by its new number
   for_each_part(threads_, number.size(), items_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
       halfedge[number[f]] = mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));

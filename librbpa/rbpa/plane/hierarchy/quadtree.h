@@ -1,8 +1,8 @@
 // What:   the leaves of a quadtree over points, which measure their density.
-// Law:    a square with more than `capacity` distinct points is cut in four, the first is the least square that begins
-//         at the lower left corner of the points' box and covers it. A function of the set of points.
-// Cost:   linear in the points where these lie evenly; otherwise at most in points times depth. A square whose points
-//         all lie in one small part of it costs no more than one.
+// Law:    a square with more than `capacity` distinct points is cut into quarters. The root is the least square that
+//         begins at the lower left corner of the points' box and covers it. A function of the set of points.
+// Cost:   linear in the points if these lie evenly; otherwise at most in points times depth. A square whose points all
+//         lie in one small part of it costs at most as much as one other square.
 // Source: Restricted BPA, section 6, "Minimal radius estimation".
 #pragma once
 
@@ -25,8 +25,8 @@ class Quadtree {
   Quadtree(std::span<const Point> points, std::size_t capacity)
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
-  /// The side of the smallest leaf; of the root when that is the only one. Calls `ask`, if any, for every square with
-  /// many points, which may throw.
+  /// Returns the side of the smallest leaf, or of the root if there is no other. Calls `ask`, if any, for every square
+  /// with many points; it may throw.
   Real smallest_side(const std::function<void()>& ask = {}) const {
     if (points_.empty()) return 0;
     const auto [low, high] = box_of(points_);
@@ -37,9 +37,9 @@ class Quadtree {
   }
 
  private:
-  static constexpr std::size_t many = 4096;  ///< so many points are worth being counted
+  static constexpr std::size_t many = 4096;  ///< number of points from which counting pays
 
-  /// Down from a square to be cut to the last that holds all its points, without touching them.
+  /// Returns the smallest square below this one that holds all its points, without touching them.
   Square<Real> around(std::span<const Point> points, Square<Real> square) const {
     const auto [low, high] = box_of(points);
     while (square.can_be_cut()) {
@@ -52,12 +52,12 @@ class Quadtree {
     return square;
   }
 
-  /// The side of the smallest leaf in a square.
+  /// Returns the side of the smallest leaf in a square.
   Real smallest_in(std::span<const Point> points, Square<Real> square, const std::function<void()>& ask) const {
     if (ask) ask();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
-    // So deep that evenly spaced points need no further cut, and that the counts stay in a cache.
+    // Deep enough that evenly spaced points need no further cut, and that the counts stay in a cache.
     int depth = 1;
     while (depth < 8 && (capacity_ << 2 * depth) < 16 * points.size()) ++depth;
     EqualSquares<Real> squares(square, depth);
@@ -78,7 +78,7 @@ class Quadtree {
     return least;
   }
 
-  /// The same, one square after another.
+  /// Returns the side of the smallest leaf in a square, cutting one square after another.
   Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const std::function<void()>& ask) const {
     if (points.size() <= capacity_) return square.side;
     if (ask && points.size() > many) ask();

@@ -1,4 +1,5 @@
-// What: the level of a triangle on sites: in the scale of the window of doubles where it lies there, else in that of the input.
+// What: the level of a triangle on sites, computed in the scale of the window of doubles if the triangle lies there,
+//       otherwise in that of the input.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ class SiteLevels {
   SiteLevels(const Sites& sites, const Ladder& ladder)
       : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()) {}
 
-  /// The first level whose radius admits the triangle, which the last one does.
+  /// Returns the first level whose radius admits the triangle, which the last one does.
   int of(const std::array<meshops::Site, 3>& t) const {
     const std::span<const Point> points = sites_.grid().points();
     const std::size_t in_window = points.size();

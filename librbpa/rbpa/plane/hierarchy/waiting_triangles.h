@@ -22,8 +22,8 @@ class WaitingTriangles {
     added_.insert(added_.end(), triangles.begin(), triangles.end());
   }
 
-  /// Ends the adding: puts them in the order of their levels, those of a level in the order in which they were added.
-  /// No level is above `last`.
+  /// Sorts the triangles by level after all have been added; those of a level stay in the order in which they were
+  /// added. No level is above `last`.
   void sort(int last) {
     start_.assign(static_cast<std::size_t>(last) + 2, 0);
     for (const WaitingTriangle& t : added_) ++start_[static_cast<std::size_t>(t.level) + 1];
@@ -39,7 +39,7 @@ class WaitingTriangles {
     return std::span(corners_).subspan(start_[at], start_[at + 1] - start_[at]);
   }
 
-  /// The first level after this one that has a triangle, or Ladder::never.
+  /// Returns the first level after this one that has a triangle, or Ladder::never.
   int after(int level) const {
     const std::size_t before = start_[static_cast<std::size_t>(level) + 1];
     if (before == corners_.size()) return Ladder::never;
@@ -50,7 +50,7 @@ class WaitingTriangles {
  private:
   std::vector<WaitingTriangle> added_;
   std::vector<Corners> corners_;
-  std::vector<std::size_t> start_;  // of each level, and the end
+  std::vector<std::size_t> start_;  // for each level, and the end
 };
 
 }  // namespace rbpa

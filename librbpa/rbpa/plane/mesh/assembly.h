@@ -1,4 +1,5 @@
-// What: the beginning and the end of every run: points to sites and an empty mesh, and a mesh on sites to a complex.
+// What: the beginning and the end of every run: from points to sites and an empty mesh, and from a mesh on sites to a
+//       complex.
 #pragma once
 
 #include <bit>
@@ -22,7 +23,8 @@ namespace rbpa {
 
 class Assembly {
  public:
-  /// Keeps references; the complex is empty yet. Calls `progress`, if any, while points are sorted. Throws Cancelled.
+  /// Keeps references; the complex is still empty. Calls `progress`, if any, while points are sorted.
+  /// Throws: Cancelled.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
            const std::function<bool(const Progress&)>& progress = {})
       : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
@@ -31,20 +33,20 @@ class Assembly {
 
   const Sites& sites() const { return sites_; }
   Mesh& mesh() { return complex_.mesh; }
-  /// Then there is no triangle.
+  /// Returns whether all points are on a line, so that there is no triangle.
   bool are_collinear() const {
     return rbpa::are_collinear(sites_.beyond().empty() ? sites_.grid().points()
                                                        : std::span<const Point>(sites_.points()));
   }
 
-  /// An empty mesh to lay patches in; a front to begin with; and one that goes on.
+  /// Returns an assembler for patches on an empty mesh, a front on an empty mesh, or a front on assembled patches.
   meshops::PatchAssembler assembler() { return {complex_.mesh, sites_.size()}; }
   meshops::Front front() { return {complex_.mesh, sites_.size(), elements_at_a_time}; }
   meshops::Front front(meshops::AssembledPatches&& assembled) {
     return meshops::Front(std::move(assembled), elements_at_a_time);
   }
 
-  /// Makes the complex of what was built, AssembledPatches or a Front. Once.
+  /// Makes the complex from AssembledPatches or a Front; called once.
   template <typename Built>
   void finish(Built&& built) {
     complex_.isolated = isolated(built);
@@ -57,12 +59,13 @@ class Assembly {
         site[v] = index[site[v]];
       }
     });
-    complex_.input_index = std::move(site);  // it has the indices now
+    complex_.input_index = std::move(site);  // it holds indices now
     complex_.input_index.shrink_to_fit();
   }
 
  private:
-  /// The input indices of sites without a triangle, ascending: not sorted but marked, as they may be most.
+  /// Returns the input indices of sites without a triangle, ascending: not sorted but marked, as they may be most of
+  /// the sites.
   template <typename Built>
   std::vector<std::uint32_t> isolated(const Built& built) const {
     const auto index = sites_.input_index();
@@ -89,15 +92,16 @@ class Assembly {
     return found;
   }
 
-  static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;  // 1: what is validated has no spare elements
+  // 1, as a mesh that is validated has no spare elements
+  static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;
 
   SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {
     const std::size_t points = sites_.size();
     complex.distinct = points;
     complex.duplicates = sites_.duplicates();
-    // A planar triangulation of n points has fewer than 3n edges and 2n faces. Vertices are a few more where fans meet in
-    // one point, or wait to grow together: up to a twelfth of scattered points, at 0.7 spacings. What is not used is never
-    // touched.
+    // A planar triangulation of n points has fewer than 3n edges and 2n faces. There are a few more vertices than
+    // points where fans meet at one point, or wait to be joined: up to a twelfth of scattered points, at 0.7 spacings.
+    // Unused memory is never touched.
     const std::size_t vertices = points + points / 8 + 64, edges = 3 * points + elements_at_a_time,
                       faces = 2 * points + elements_at_a_time;
     meshops::reserve(complex.mesh, vertices, edges, faces);

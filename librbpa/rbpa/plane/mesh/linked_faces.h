@@ -1,5 +1,5 @@
-// What: the faces of a mesh as triangles in arrays, with their neighbors: without the detour over halfedges, each of which is a
-//       cache miss.
+// What: the faces of a mesh as triangles in arrays, with their neighbors. It avoids halfedges, each of which is a cache
+//       miss.
 #pragma once
 
 #include "rbpa/base/triangle_arrays.h"
@@ -7,7 +7,7 @@
 
 namespace rbpa {
 
-/// Corners are vertices; triangles are in the order of the faces.
+/// Returns the faces as triangles, in their order; corners are vertices.
 OwnedTriangles linked_faces(const Mesh& mesh);
 
 }  // namespace rbpa

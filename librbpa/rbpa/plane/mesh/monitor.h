@@ -1,6 +1,6 @@
-// What: the visitor of every run: now and then calls the caller's progress function, which may cancel it. In the debug
-//       build, validates the mesh after every triangle while it is small, and each time it has grown by a sixteenth when it
-//       is large.
+// What: the visitor of every run. It calls the caller's progress function now and then, which may cancel the run. In
+//       the debug build it validates the mesh: after every triangle while the mesh is small, then each time it has
+//       grown by a sixteenth.
 #pragma once
 
 #include <algorithm>
@@ -31,17 +31,17 @@ class Monitor : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
-  /// For many triangles at once: so many there are now.
+  /// Reports that many triangles were added at once, and their number so far.
   void worked(std::size_t triangles) {
     if (progress_) ask(triangles);
   }
 
-  /// For a mesh that was made at once.
+  /// Reports a mesh that was made at once.
   void completed(const meshops::Connectivity& mesh) {
     if (debug) validate(mesh);
   }
 
-  /// For the stretches in which no triangle is found.
+  /// Reports a step of a search in which no triangle is found.
   void searched(const meshops::Front& front) { step(front); }
 
  private:
@@ -52,8 +52,8 @@ class Monitor : public meshops::FrontVisitor {
     }
     step(front);
   }
-  /// A triangle takes a microsecond in one run and milliseconds in another: the clock is read after as many steps as took
-  /// about a millisecond before.
+  /// Reads the clock after as many steps as took about a millisecond before: a triangle takes a microsecond in one run
+  /// and milliseconds in another.
   void step(const meshops::Front& front) {
     if (++steps_ < stride_ || !progress_) return;
     steps_ = 0;

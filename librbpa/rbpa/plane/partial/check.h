@@ -1,4 +1,4 @@
-// What: the requirements of this folder's functions on alpha and on a region.
+// What: checks alpha and a region for the functions of this folder.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace rbpa {
 
-/// Throws InvalidInput unless 0 < alpha < ∞, with the reason why not infinity.
+/// Checks that 0 < alpha < ∞. Throws: InvalidInput, with the reason why infinity is not allowed.
 void check_finite(double alpha);
 
-/// Throws InvalidInput unless bounds are numbers in ascending order.
+/// Checks that bounds are numbers in ascending order. Throws: InvalidInput.
 void check(const Region& region);
 
 std::string text(const Region& region);

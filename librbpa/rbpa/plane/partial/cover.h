@@ -1,7 +1,7 @@
-// What: which part of the plane regions cover together.
-// How:  the sum of their indicator functions is a sum of quadrants, one at each corner of each region, with a sign. Where
-//       regions lie side by side, corners cancel: what is left are the corners of the part covered.
-// Law:  a function of the part covered, not of how it was cut.
+// What: the part of the plane that regions cover together.
+// How:  the sum of their indicator functions is a sum of quadrants, one at each corner of each region, with a sign.
+//       Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
+// Law:  a function of the covered part, not of its division into regions.
 // Cost: as many corners as that part has; n log n to check them.
 #pragma once
 
@@ -25,17 +25,17 @@ class Cover {
  public:
   Cover() = default;
   explicit Cover(const Region& region);
-  /// Requires: ascending by corner, none twice, no weight 0.
+  /// Takes quadrants. Requires: ascending by corner, none twice, no weight 0.
   explicit Cover(std::vector<Quadrant> quadrants) : quadrants_(std::move(quadrants)) {}
 
-  /// The sum of both.
+  /// Returns the sum of two covers.
   friend Cover operator+(const Cover& a, const Cover& b);
 
   std::span<const Quadrant> quadrants() const { return quadrants_; }
   bool is_whole() const;
-  /// The corner of a place that is covered more than once, or less than not at all.
+  /// Returns the corner of a place that is covered more than once, or a negative number of times.
   std::optional<Point> wrong() const;
-  /// The corner of a place that is not covered.
+  /// Returns the corner of a place that is not covered.
   std::optional<Point> missing() const;
 
  private:

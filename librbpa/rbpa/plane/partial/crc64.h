@@ -1,6 +1,6 @@
-// What: CRC-64/XZ, which detects bytes that were changed.
-// Why:  of this length it misses no change of up to 64 bits side by side, and of others one in 2⁶⁴; a product of bytes (FNV)
-//       promises nothing.
+// What:   CRC-64/XZ, which detects changed bytes.
+// Why:    it detects every change within 64 consecutive bits, and of other changes all but one in 2⁶⁴; a product of
+//         bytes (FNV) guarantees nothing.
 // Source: ECMA-182 (1992), annex B; reflected, as in the XZ format.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// Cost: about a nanosecond a byte.
+/// Returns the checksum of the bytes. Cost: about a nanosecond a byte.
 std::uint64_t crc64(std::span<const std::uint8_t> bytes);
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: how a Partial is laid out in bytes: words of 8, little-endian (docs/partial.md, section 6).
+// What: the layout of a Partial in bytes: words of 8, little-endian (docs/partial.md, section 6).
 #pragma once
 
 #include <cstddef>

@@ -189,7 +189,7 @@ class Builder {
   const RegionComplex& of_;
   Pass pass_;
   const Ask& ask_;
-  meshops::FreshVector<std::uint32_t> number_;  // of each triangle's component
+  meshops::FreshVector<std::uint32_t> number_;  // for each triangle's component
   std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
   PartialState state_;
 };

@@ -1,6 +1,6 @@
-// What: the triangles of a region and its halo, and which of them belong to the region.
-// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbors across the
-//       sides at such a corner; others need not be (docs/partial.md, section 3).
+// What: the triangles of a region and its halo, and which of them the region owns.
+// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbors across
+//       the sides at such a corner; others need not be (docs/partial.md, section 3).
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,14 @@ namespace rbpa {
 
 class RegionComplex {
  public:
-  /// Throws: as partial().
+  /// Computes the triangles. Throws: as partial().
   RegionComplex(const Region& region, const RegionPoints& points, double alpha, const PartialOptions& options);
-  // Spans may be of its own lists.
+  // Copies are deleted, as spans may refer to its own lists.
   RegionComplex(const RegionComplex&) = delete;
   RegionComplex& operator=(const RegionComplex&) = delete;
 
-  /// With neighbors; indices are places among the points, and ascend as those into the whole input do.
+  /// Returns the triangulation, with neighbors; indices are positions among the points, and ascend as those into the
+  /// whole input do.
   const Triangulation& triangulation() const { return triangulation_; }
   std::size_t points() const { return points_.size(); }
   const Point& at(std::uint32_t i) const { return points_[i]; }
@@ -28,20 +29,20 @@ class RegionComplex {
   Corner corner(std::uint32_t i) const { return {indices_[i], points_[i]}; }
   bool owns(std::uint32_t i) const { return owned_[i] != 0; }
 
-  /// A bit for each corner of the triangle that is owned.
+  /// Returns a bit for each corner of the triangle, set if the region owns it.
   unsigned owned_corners(std::uint32_t t) const {
     const auto& [a, b, c] = triangulation_.triangles[t];
     return owned_[a] | static_cast<unsigned>(owned_[b]) << 1U | static_cast<unsigned>(owned_[c]) << 2U;
   }
-  /// Whether the region owns the lexicographically least corner. Requires: an owned one.
+  /// Returns whether the region owns the lexicographically least corner. Requires: it owns a corner.
   bool owns_triangle(std::uint32_t t, unsigned owned) const;
-  /// Whether the region owns the lesser end of a side.
+  /// Returns whether the region owns the lesser end of a side.
   bool owns_edge(std::uint32_t a, std::uint32_t b) const { return owns(points_[a] < points_[b] ? a : b); }
 
  private:
   void sort(const RegionPoints& given);
 
-  std::vector<Point> sorted_points_;  // where those given were not in order
+  std::vector<Point> sorted_points_;  // filled only if the given points were not in order
   std::vector<std::uint64_t> sorted_indices_;
   std::span<const Point> points_;
   std::span<const std::uint64_t> indices_;  // ascending

@@ -1,4 +1,4 @@
-// What: walks along the boundary sides of a region's triangles, as far as the region determines how they go on.
+// What: walks along the boundary sides of a region's triangles, as far as the region determines their continuation.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rbpa {
 
-/// The side of a triangle across from a corner, at which nothing lies.
+/// The side of a triangle across from a corner, without a neighbor.
 struct OpenSide {
   std::uint32_t triangle;
   std::uint32_t across;
@@ -25,8 +25,8 @@ class RimWalk {
 
   bool is_new(const OpenSide& side) const { return (unsigned{seen_[side.triangle]} >> side.across & 1U) == 0; }
 
-  /// The points from the beginning of a side that is new on, triangles on the left: to the first that the region does not
-  /// own, or of a closed curve each once.
+  /// Returns the points from the beginning of a new side on, triangles on the left: up to the first point that the
+  /// region does not own, or each point of a closed curve once.
   std::vector<Corner> path_from(OpenSide side) {
     std::vector<Corner> path{of_.corner(from(side))};
     const OpenSide first = side;
@@ -36,14 +36,14 @@ class RimWalk {
       if (!of_.owns(to(side))) return path;
       side = side_after(side);
     } while (side.triangle != first.triangle || side.across != first.across);
-    path.pop_back();  // it is the first
+    path.pop_back();  // it repeats the first point
     return path;
   }
 
  private:
   std::uint32_t corner(std::uint32_t t, std::uint32_t k) const { return of_.triangulation().triangles[t][k % 3]; }
 
-  /// The side that begins where this one ends, at the other end of the fan around that point.
+  /// Returns the side that begins where this one ends, at the other end of the fan around that point.
   OpenSide side_after(const OpenSide& side) const {
     const std::uint32_t pivot = to(side);
     OpenSide at{side.triangle, (side.across + 1) % 3};
@@ -57,7 +57,7 @@ class RimWalk {
   std::uint32_t across(const OpenSide& side) const { return of_.triangulation().neighbors[side.triangle][side.across]; }
 
   const RegionComplex& of_;
-  std::vector<std::uint8_t> seen_;  // of each triangle, a bit for each side
+  std::vector<std::uint8_t> seen_;  // for each triangle, a bit for each side
 };
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: boundary curves of an open component to rings, and the rings of a finished one to its polygon.
+// What: splits boundary curves of an open component into rings, and makes the polygon of a finished one.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,19 @@ namespace rbpa {
 /// Throws: InvalidInput when it is no boundary curve of triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
-/// The order of rings: by first point, then by second. An edge is on one ring, and no two compare equal.
+/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two compare
+/// equal.
 bool ring_before(const CornerRing& a, const CornerRing& b);
 
-/// The polygon of a component all of whose curves are closed.
+/// Returns the polygon of a component all of whose curves are closed.
 /// Throws: InvalidInput when the rings are not those of a component.
 CornerPolygon polygon_of(OpenComponent&& component);
 
-/// Removes the holes and returns them in order, if they have so many corners; keeps their sums in the component, under that
-/// name.
+/// Removes the holes and returns them in order, if they have at least `min_corners` corners; keeps their sums in the
+/// component, under that name.
 std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
-/// Adds the sums of holes removed from two components that are one.
+/// Adds the sums of removed holes when two components become one.
 void add_taken(OpenComponent& to, OpenComponent&& from);
 
 }  // namespace rbpa

@@ -1,5 +1,5 @@
 // What: brings a state into canonical form: components without an open rim become polygons, the rest is numbered.
-// Why:  a region by itself and two that are merged end in the same way, so that the form depends on the regions only.
+// Why:  a single region and a merged pair end in the same way, so that the form depends on the regions only.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,11 @@
 
 namespace rbpa {
 
-/// Requires: shared triangles by corners, none twice; chains that do not join; components and groups in any numbering, the
-///           members of pinches beyond them numbers of held polygons.
+/// Brings a state into canonical form. Calls `ask`, if any, now and then; it may throw.
+/// Requires: shared triangles sorted by corners, none twice; chains that do not join; components and groups in any
+///           numbering; the members of pinches beyond the components are numbers of held polygons.
 /// Throws:   InvalidInput when a component without shared triangles has a chain, or no polygon.
-/// Cost:     n log n in the open rims. Calls `ask`, if any, now and then; it may throw.
+/// Cost:     n log n in the open rims.
 void settle(PartialState& state, const std::function<void()>& ask = {});
 
 }  // namespace rbpa

@@ -1,6 +1,6 @@
 // What: the data of a Partial.
-// Law:  in canonical form, but for the order of rings and of polygons, which bytes sort: components are numbered by their
-//       first shared triangle, groups by their first component.
+// Law:  in canonical form, except for the order of rings and of polygons, which are sorted when bytes are written:
+//       components are numbered by their first shared triangle, groups by their first component.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace rbpa {
 
-/// A triangle with corners in regions that are merged, and with others.
+/// A triangle with corners both in merged regions and in others.
 struct SharedTriangle {
   std::array<std::uint64_t, 3> corners;  // counter-clockwise, the smallest index first
   std::uint32_t component;
-  std::uint32_t owned;  // how many of its corners are in regions that are merged
+  std::uint32_t owned;  // number of its corners in merged regions
 };
 
-/// A path of boundary edges, triangles on the left. All its points but the first and the last are in regions that are merged,
-/// and these two are not: its first edge is the last of another chain, its last the first of one.
+/// A path of boundary edges, triangles on the left. All its points are in merged regions, except the first and the
+/// last: its first edge is the last of another chain, its last edge the first of one.
 struct Chain {
   std::uint32_t component;
   std::vector<Corner> path;
@@ -35,18 +35,18 @@ struct HoleSums {
   BoundaryMeasure measure = {};
 };
 
-/// A solid component of which regions are missing: it has a shared triangle.
+/// A solid component that is not complete, as regions are missing: it has a shared triangle.
 struct OpenComponent {
-  /// Components that are connected through points have the same.
+  /// Number of the group: components that are connected through points have the same one.
   std::uint32_t group = 0;
-  std::uint64_t points = 0;  // that count in it in any case
-  /// The least of its chains and rings, at infinity where there are none.
+  std::uint64_t points = 0;  // points that count in it in any case
+  /// The least point of its chains and rings; at infinity if there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};
   std::vector<HoleSums> taken = {};  // none or one: sums are large
 };
 
-/// Points in which components touch, all the same ones: they count in the one whose polygon comes first.
+/// A set of points at which the same components touch: they count in the component whose polygon comes first.
 struct Pinch {
   /// Numbers of open components, and beyond these of held polygons: those that may come first, ascending.
   std::vector<std::uint32_t> members;
@@ -54,14 +54,14 @@ struct Pinch {
 };
 
 struct PartialState {
-  double alpha = 0;  // 0: of no region
+  double alpha = 0;  // 0: the state of no region
   Cover cover = {};
   PartialCounts counts = {};
   std::vector<SharedTriangle> shared = {};  // by corners
   std::vector<OpenComponent> open = {};
   std::vector<Chain> chains = {};            // by first edge
   std::vector<Pinch> pinches = {};           // by members
-  std::vector<CornerPolygon> held = {};      // finished but for pinches that wait for them; in order
+  std::vector<CornerPolygon> held = {};      // finished, but pinches wait for them; in order
   std::vector<CornerPolygon> polygons = {};  // finished
 };
 

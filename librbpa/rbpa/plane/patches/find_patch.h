@@ -1,4 +1,4 @@
-// What: the patch of a tile, by the finder that suits it (tile/finder.h).
+// What: finds the patch of a tile, by the finder that suits it (tile/finder.h).
 #pragma once
 
 #include "rbpa/plane/enumeration/find_by_enumeration.h"
@@ -13,7 +13,7 @@ struct FinderWorkspace {
   PivotWorkspace pivots;
 };
 
-/// Replaces `found`; it is empty where no finder decides anything.
+/// Replaces `found`, which is empty if no finder decides anything.
 inline void find_patch(const Tile& tile, const Radius& alpha, FinderWorkspace& workspace, TilePatch& found) {
   if (tile.points.empty()) return found.clear();
   workspace.tile.coordinates.assign(tile);

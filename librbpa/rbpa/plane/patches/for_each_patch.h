@@ -1,11 +1,10 @@
 // What: the solid alpha complex, patch by patch: those of tiles, then one of the triangles that tiles leave over.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
-// How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
-//       2. A finder makes a patch of each, and marks the stars that are settled (patches/find_patch.h). Where these are few, tiles are
-//          skipped (patches/skipped_tiles.h).
-//       3. A sink puts patches together, one at a time where they depend on each other.
-//       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
-// Cost: linear where density is even; at worst O(n log n).
+// How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h). 2. A finder makes a patch of each, and
+//       marks the stars that are settled (patches/find_patch.h). If these are few, tiles are skipped
+//       (patches/skipped_tiles.h). 3. A sink joins patches, one at a time where they depend on each other. 4. Sites
+//       whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
+// Cost: linear if the density is even; at worst O(n log n).
 #pragma once
 
 #include <algorithm>
@@ -20,10 +19,10 @@
 
 namespace rbpa {
 
-/// The receiver of patches. For each of them, in this order and with one Share, which is the patch's alone until fill() returns
-/// and is then used again: prepare(tile, share) in any thread; place(tile, share), one after another, in their order;
-/// fill(tile, share) in any thread. worked() is called after each place(), one call at a time, and now and then in the remainder.
-/// Each of them may throw, which ends the run.
+/// The receiver of patches. For each patch, these functions are called in this order, with one Share that belongs to
+/// the patch until fill() returns and is then used again: prepare(tile, share) in any thread; place(tile, share), one
+/// patch after another, in their order; fill(tile, share) in any thread. worked() is called after each place(), one
+/// call at a time, and now and then in the remainder. Each of them may throw, which ends the run.
 template <typename Sink>
 concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::Share& share) {
   sink.prepare(tile, share);
@@ -55,7 +54,7 @@ void for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, S
       [&](std::size_t i, Workspace& w) {
         if (!skipped.contains(i)) {
           skipped.joined(i, w.owned, w.found.settled.size());
-        } else if (w.owned != 0) {  // another thread was early
+        } else if (w.owned != 0) {  // another thread was faster
           w.found.clear();
           sink.prepare(std::as_const(w.found), w.share);
         }

@@ -1,8 +1,9 @@
-// What: which point does a ball that rolls over a→b to its left touch first? For sixteen edges at a time, on the points
-//       of a tile. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  the result is the Delaunay apex of the edge among all points, or none where the tile's points do not decide it.
-// How:  the circle through a, b and p has its center k half-chords left of the chord's middle, and
-//       the least k wins. Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
+// What: finds the first point that a ball touches when it rolls over a→b to its left, for sixteen edges at a time, on
+//       the points of a tile. Compiled once for each kind of vector unit; the only include guard is the compiler's own
+//       per kind.
+// Law:  the result is the Delaunay apex of the edge among all points, or none if the tile's points do not decide it.
+// How:  the circle through a, b and p has its center k half-chords left of the chord's middle, and the least k wins.
+//       Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
 #if defined(RBPA_PIVOTS_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_APEX_SEARCH_INL_H_
 #undef RBPA_PIVOTS_APEX_SEARCH_INL_H_
@@ -50,7 +51,7 @@ class ApexSearch {
 
   EdgeBatch& edges() { return edges_; }
 
-  /// The cost of edges that needed more than the first window, in points scanned.
+  /// Returns the cost of edges that needed more than the first window, in points scanned.
   std::size_t work() const { return work_; }
 
   /// Finds the apexes of the first `size` edges, at least one:
@@ -61,12 +62,12 @@ class ApexSearch {
   ///   5. search on, from near to far, for the edges where it does not.
   /// Vectors of four to sixteen lanes cover a batch so:
   ///
-  ///     steps 1 and 4: a lane is an edge              step 3: a lane is a point, and the edge is in all of them
-  ///     ax    | ax 0 | ax 1 | ax 2 | … | ax 15 |      row 0 of the window   | p | p | p | p | · | … |   up to 16 points
-  ///     ay    | ay 0 | ay 1 | ay 2 | … | ay 15 |      row 1                 | q | q | · | · | · | … |
-  ///     first | start of row r of window i     |      row 2                 | a | s | s | b | · | … |   a, b: its own ends
-  ///     count | points in that row             |      k, low … high         | of each; the least high is the bound
-  ///     ends  | which of them are a or b       |      can win               | 48 bits: low ≤ bound, and neither a nor b
+  ///   steps 1 and 4: a lane is an edge           step 3: a lane is a point, and the edge is in all of them
+  ///   ax    | ax 0 | ax 1 | ax 2 | … | ax 15 |   row 0 of the window   | p | p | p | p | · | … |   up to 16 points
+  ///   ay    | ay 0 | ay 1 | ay 2 | … | ay 15 |   row 1                 | q | q | · | · | · | … |
+  ///   first | start of row r of window i     |   row 2                 | a | s | s | b | · | … |   a, b: its own ends
+  ///   count | points in that row             |   k, low … high         | of each; the least high is the bound
+  ///   ends  | which of them are a or b       |   can win               | 48 bits: low ≤ bound, and neither a nor b
   void run(std::size_t size) {
     for (std::size_t i = size; i < EdgeBatch::size; ++i) {
       edges_.a[i] = edges_.a[0];
@@ -81,7 +82,7 @@ class ApexSearch {
       if (!edges_.is_verified[i]) edges_.apex[i] = search(i);
   }
 
-  /// One edge.
+  /// Finds the apex of one edge.
   Index operator()(Index from, Index to) {
     edges_.a[0] = from;
     edges_.b[0] = to;
@@ -101,11 +102,11 @@ class ApexSearch {
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t max_candidates = 64;
   static constexpr float max_reach = 4;  // the whole tile, from any point of it
-  // Measured: the number of points that can be scanned in the time of a search window, of an apex in it, and of an exact
-  // decision.
+  // Measured: the number of points that can be scanned in the time of a search window, of an apex in it, and of an
+  // exact decision.
   static constexpr std::size_t work_of_window = 64, work_of_apex = 192, work_of_candidate = 16;
 
-  /// What rounding can do to the numbers of an edge in a box so wide.
+  /// Bounds the rounding errors in the numbers of an edge, in a box of this width.
   void bound_errors(std::size_t edge, float width) {
     constexpr float two = 2 * TileCoordinates::rounding;
     const float extent = width * (1 + slack) + slack;
@@ -138,7 +139,7 @@ class ApexSearch {
             hn::Set(d, right_of_[i])};
   }
 
-  /// k of the points from `first` on between two bounds; whether each is left of the chord, and whether it may be.
+  /// Bounds of k for the points from `first` on; whether each point is left of the chord, and whether it may be.
   struct Bounds {
     V low, high;
     hn::Mask<D> left, perhaps;
@@ -155,7 +156,7 @@ class ApexSearch {
     return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
   }
 
-  /// The places of the ends of an edge among the points of three rows.
+  /// Returns the places of the ends of an edge among the points of three rows.
   HWY_INLINE std::uint64_t ends_of(std::size_t edge) const {
     std::uint64_t ends = 0;
     for (std::size_t row = 0; row < rows_at_once; ++row)
@@ -198,27 +199,27 @@ class ApexSearch {
     return decide(edge);
   }
 
-  /// Where vectors are emulated, MinOfLanes() returns no more than the largest finite number.
+  /// Returns the least lane; infinity also if emulated vectors give the largest finite number in its place.
   static HWY_INLINE float least_lane(V v) {
     const float least = hn::GetLane(hn::MinOfLanes(D(), v));
     return least < std::numeric_limits<float>::max() ? least : infinity;
   }
 
-  /// Decides exactly what the bounds left undecided.
+  /// Decides exactly among the points that the bounds leave undecided.
   HWY_NOINLINE Index decide(std::size_t edge) const {
     const auto a = static_cast<std::size_t>(edges_.a[edge]), b = static_cast<std::size_t>(edges_.b[edge]);
     return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, candidates_)
                                    : exact_.winner(a, b, candidates_, none);
   }
 
-  /// Where the first window has more than three short rows.
+  /// Searches a first window of more than three short rows.
   Index among_more(std::size_t edge) {
     const auto [winner, high] = among(edge, {edges_.c0[edge], edges_.c1[edge], edges_.r0[edge], edges_.r1[edge], true});
     edges_.high[edge] = high;
     return winner;
   }
 
-  /// From near to far, as far as necessary.
+  /// Searches from near to far, as far as necessary.
   HWY_NOINLINE Index search(std::size_t edge) {
     const float dx = edges_.bx[edge] - edges_.ax[edge], dy = edges_.by[edge] - edges_.ay[edge];
     const float length = std::sqrt(dx * dx + dy * dy);
@@ -242,7 +243,8 @@ class ApexSearch {
     }
   }
 
-  /// The winner among the points of some cells, and how far left of the middle its circle's center is, at most.
+  /// The winner among the points of some cells, with an upper bound of how far left of the chord's middle its circle's
+  /// center is.
   struct Winner {
     Index point;
     float high;  // infinity when there is none

@@ -1,5 +1,5 @@
 // What: sixteen edges of a front, and for each the state of its pivot.
-// Why:  as arrays, so that a register holds the same number of many edges.
+// Why:  arrays let a register hold the same number of many edges.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,22 @@ struct EdgeBatch {
   static constexpr std::size_t rows_at_once = 3,
                                row_length = 16;  ///< rows of cells, and points of one, in the first window
 
-  /// The edges, and the radius to try first: that of a triangle at the edge. One more of each, so that a loop may write
-  /// before it tests.
+  /// The edges, and the radius to try first: that of a triangle at the edge. One more entry each, so that a loop may
+  /// write before it tests.
   alignas(64) std::int32_t a[size + 1], b[size + 1];
   alignas(64) float expected[size + 1];
 
   alignas(64) float ax[size], ay[size], bx[size], by[size];
-  /// The cells to search, their extent, and whether the tile has all points there but for those of unknown cells.
+  /// The cells to search, their extent, and whether the tile has all points there, except those of unknown cells.
   alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
   alignas(64) float extent[size];
-  /// Whether these are at most three rows of at most sixteen points; the points of each row, and which are ends of the edge.
+  /// Whether these cells are at most three rows of at most sixteen points; the points of each row, and which are ends
+  /// of the edge.
   alignas(64) std::int32_t fits[size];
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 
-  /// How far left of the chord's middle, in half-chords, centers of circles are of interest; how far the winner's is at
-  /// most, infinite without one; and whether no other point can win.
+  /// The distance left of the chord's middle, in half-chords, up to which centers of circles are of interest; an upper
+  /// bound of the winner's, infinite without one; and whether no other point can win.
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];
 

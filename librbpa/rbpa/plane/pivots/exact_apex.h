@@ -1,5 +1,5 @@
-// What: which of a few points of a tile a ball that rolls over a→b to its left touches first, decided exactly.
-// Why:  bounds in single precision leave two or more now and then, and on a lattice a tie a point.
+// What: decides exactly which of a few points of a tile a ball touches first when it rolls over a→b to its left.
+// Why:  bounds in single precision leave two or more points now and then, and on a lattice a tie for each point.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class ExactApex {
   /// Keeps references.
   ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
-  /// Among points that may lie on either side of the chord; `none` when all lie right of it or on it.
+  /// Returns the winner among points that may lie on either side of the chord; `none` if all lie right of it or on it.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> candidates, Index none) const {
     const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
@@ -34,7 +34,7 @@ class ExactApex {
     return best;
   }
 
-  /// The same among points left of the chord, in a box of at most `lattice_extent`.
+  /// Returns the winner among points left of the chord, in a box of at most `lattice_extent`.
   Index winner_on_lattice(std::size_t a, std::size_t b, std::span<const Index> candidates) const {
     Index best = candidates[0];
     for (const Index i : candidates.subspan(1))
@@ -43,7 +43,7 @@ class ExactApex {
   }
 
  private:
-  /// p is in the circle of a, b, q. In double precision products of four differences are exact.
+  /// Returns whether p is in the circle of a, b, q. In double precision products of four differences are exact.
   bool beats_on_lattice(std::size_t a, std::size_t b, std::size_t p, std::size_t q) const {
     struct Ratio {
       double dot, cross;
@@ -58,8 +58,8 @@ class ExactApex {
     return first < second || (first == second && wins_tie_on_lattice(a, b, p, q));
   }
 
-  /// P::perturbed_side(a, b, q, p) > 0 for p and q left of a→b, without a branch: a lattice has a tie a point. Of the
-  /// four on the circle the largest decides.
+  /// Returns whether P::perturbed_side(a, b, q, p) > 0 for p and q left of a→b, without a branch: a lattice has a tie
+  /// for each point. The largest of the four points on the circle decides.
   bool wins_tie_on_lattice(std::size_t a, std::size_t b, std::size_t p, std::size_t q) const {
     const auto order = [&](std::size_t i) { return double(at_.x[i]) * 0x1p27 + at_.y[i]; };  // exact, lexicographic
     const double a_order = order(a), b_order = order(b), p_order = order(p), q_order = order(q);

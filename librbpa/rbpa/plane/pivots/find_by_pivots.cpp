@@ -151,7 +151,7 @@ class TileFront {
   LocalFront& front_;
   std::vector<Index>&queue_, &wave_;
   std::size_t queued_ = 0;
-  std::vector<float>& circumradius_;  // of each triangle, that of its circle
+  std::vector<float>& circumradius_;  // for each triangle, that of its circle
   ApexSearch apexes_;
 };
 

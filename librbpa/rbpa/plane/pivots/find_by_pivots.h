@@ -1,8 +1,9 @@
-// What:   the Delaunay triangles of a tile by ball pivoting, as far as its points decide them: a finder (tile/finder.h).
-// Law:    every triangle of the patch is one of the solid alpha complex of all points, and none is left out whose
+// What:   finds the Delaunay triangles of a tile by ball pivoting, as far as its points decide them: a finder
+//         (tile/finder.h).
+// Law:    every triangle of the patch is one of the solid alpha complex of all points. No triangle is left out whose
 //         circumcircle lies where the tile has all points and to which a front of such triangles leads.
-// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic where these
-//         leave two points. See docs/tiles.md.
+// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic if these leave
+//         two points. See docs/tiles.md.
 // Source: Restricted BPA, sections 3.1 and 3.2.
 #pragma once
 
@@ -15,12 +16,12 @@
 namespace rbpa {
 
 struct PivotWorkspace {
-  std::vector<std::uint16_t> queue, wave;  // sides of the front: those to come, and those under way
-  std::vector<float> circumradius;         // of each triangle
+  std::vector<std::uint16_t> queue, wave;  // sides of the front: those to be processed, and those in progress
+  std::vector<float> circumradius;         // for each triangle
 };
 
-/// False where points lie along curves: their triangles reach across empty regions, where a search from near to far takes
-/// long.
+/// Returns false if points lie along curves: their triangles reach across empty regions, where a search from near to
+/// far takes long.
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found);
 

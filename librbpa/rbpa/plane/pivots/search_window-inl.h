@@ -1,7 +1,8 @@
-// What: the search window of a pivot: the cells to search for the apex, for sixteen edges at a time, and whether they were
-//       enough. Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were searched, and where the
-//       tile has all points.
+// What: the search window of a pivot: the cells to search for the apex, for sixteen edges at a time, and the test that
+//       they were enough. Compiled once for each kind of vector unit; the only include guard is the compiler's own per
+//       kind.
+// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were searched, and in the
+//       region where the tile has all points.
 #if defined(RBPA_PIVOTS_SEARCH_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #undef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
@@ -29,12 +30,13 @@ class SearchWindow {
  public:
   using D = hn::CappedTag<float, EdgeBatch::size>;
   static constexpr float slack = 16 * TileCoordinates::unit_roundoff;
-  static constexpr float max_chords = 0x1p20f;  // that a disc is wide: a larger one is as good as a half-plane
+  // maximum width of a disc, in chords: a wider one is treated as a half-plane
+  static constexpr float max_chords = 0x1p20f;
 
   /// Keeps references.
   SearchWindow(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
 
-  /// The first window of every edge.
+  /// Opens the first window of every edge.
   HWY_NOINLINE void open() {
     const D d;
     const I di;
@@ -80,8 +82,8 @@ class SearchWindow {
     }
   }
 
-  /// Which apexes are verified: the circle lies in the cells of the window, and where the tile has all points. Leaves the
-  /// cells in which to search for the others.
+  /// Verifies apexes: the circle must lie in the cells of the window, and where the tile has all points. For the
+  /// others, leaves the cells in which to search.
   HWY_NOINLINE void verify() {
     const D d;
     const I di;
@@ -103,7 +105,7 @@ class SearchWindow {
     }
   }
 
-  /// Cells, and whether all points of the box for which they are, but for those of unknown cells, are in the tile.
+  /// A range of cells, and whether the tile has all points of the box that they cover, except those of unknown cells.
   struct Cells {
     int c0, c1, r0, r1;
     bool inside;
@@ -133,7 +135,7 @@ class SearchWindow {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
   static constexpr int rows_at_once = EdgeBatch::rows_at_once;
   static constexpr int row_length = EdgeBatch::row_length;
-  // Measured: a first window of this size has the apex of nearly all edges, and seldom has to leave three rows.
+  // Measured: a first window of this size contains the apex of nearly all edges, and seldom exceeds three rows.
   static constexpr float first_reach_in_cells = 1;
   static constexpr float first_reach_in_chords = 0.52f;
   static constexpr float first_reach_in_circles = 3;
@@ -142,7 +144,7 @@ class SearchWindow {
   struct Box {
     hn::Vec<I> c0, c1, r0, r1;
     V radius;
-    hn::Mask<D> inside;  // the tile has all points there, but for those of unknown cells
+    hn::Mask<D> inside;  // the tile has all points there, except those of unknown cells
   };
   /// The cells of the part left of the chord of the disc whose center is k half-chords left of the chord's middle.
   HWY_INLINE Box box_of(V ax, V ay, V bx, V by, V k) const {
@@ -180,7 +182,7 @@ class SearchWindow {
     hn::Store(box.r1, di, edges_.r1 + i);
   }
 
-  /// No unknown cell is in the box. Boxes of many rows are left to others.
+  /// Returns whether no unknown cell is in the box; false for boxes of many rows, which are searched otherwise.
   HWY_INLINE hn::Mask<I> are_known(const Box& box) const {
     constexpr int max_rows = 6;
     const I di;

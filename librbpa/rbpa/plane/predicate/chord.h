@@ -1,5 +1,5 @@
-// What: points that compete for a circle through the ends of a chord: of those left of it, the one with the least circle
-//       has the least k = dot / cross: docs/pivot.md, section 1.
+// What: points that compete for a circle through the ends of a chord. Of the points left of the chord, the one with the
+//       least circle has the least k = dot / cross: docs/pivot.md, section 1.
 // Law:  the results are those of the predicates.
 // Why:  the products of a point and a chord are computed once for each point, not for each pair of them.
 #pragma once
@@ -19,12 +19,12 @@ class Chord {
   Chord(const Point& from, const Point& to)
       : from_(from), to_(to), a_(of(from)), b_(of(to)), mirrored_((b_ - a_) * Two<Real>{1, -1}) {}
 
-  /// Of a point p, (p − a) · (p − b) and (b − a) × (p − a), and the magnitudes of both.
+  /// The products (p − a) · (p − b) and (b − a) × (p − a) of a point p, and the magnitudes of both.
   struct Candidate {
     const Point* at;
     Two<Real> dot_and_cross, magnitude;
   };
-  /// Keeps a reference.
+  /// Computes the products of a point. Keeps a reference.
   Candidate candidate(const Point& p) const {
     const Two<Real> at = of(p), ap = at - a_, bp = at - b_;
     const Two<Real> dot = ap * bp, cross = mirrored_ * swapped(ap);
@@ -39,7 +39,8 @@ class Chord {
     return cross > 0;
   }
 
-  /// q is inside the circle through the chord and p, ties perturbed. Requires p to be left, and q another point.
+  /// Returns whether q is inside the circle through the chord and p, ties perturbed. Requires: p is left of the chord,
+  /// and q is another point.
   bool is_inside(const Candidate& q, const Candidate& p) const {
     const Two<Real> products = p.dot_and_cross * swapped(q.dot_and_cross), sizes = p.magnitude * swapped(q.magnitude);
     const Real difference = products[0] - products[1];

@@ -6,22 +6,22 @@
 
 namespace rbpa::exact_integer {
 
-/// Sign of the area of (a, b, c): 1 when they turn left.
+/// Returns the sign of the area of (a, b, c): 1 if they turn left.
 int orientation(const Point& a, const Point& b, const Point& c);
 
-/// 1 when q is inside the circle through a, b, p, for (a, b, p) turning left.
+/// Returns 1 if q is inside the circle through a, b, p, for (a, b, p) turning left.
 int in_circle(const Point& a, const Point& b, const Point& p, const Point& q);
 
-/// Sign of (circumradius of (a, b, c)) − alpha, for corners not on a line and finite alpha > 0.
+/// Returns the sign of (circumradius of (a, b, c)) − alpha, for corners not on a line and finite alpha > 0.
 int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha);
 
-/// Sign of |ab| − 2 alpha.
+/// Returns the sign of |ab| − 2 alpha.
 int compare_to_diameter(const Point& a, const Point& b, double alpha);
 
-/// Sign of |vp| − |vq|.
+/// Returns the sign of |vp| − |vq|.
 int compare_distances(const Point& v, const Point& p, const Point& q);
 
-/// Sign of (p − v) · (q − v).
+/// Returns the sign of (p − v) · (q − v).
 int dot(const Point& v, const Point& p, const Point& q);
 
 }  // namespace rbpa::exact_integer

@@ -1,8 +1,8 @@
-// What: differences of points as integers of a fixed width, times a power of two: what they are on grids, and wherever coordinates
-//       have few bits.
+// What: differences of points as integers of a fixed width, times a power of two. They exist on grids, and wherever
+//       coordinates have few bits.
 // Law:  exact: an expression that is homogeneous in the differences keeps its sign.
 // Why:  on grids nearly every circle is a tie, which no filter decides; integers do in the time of two filters.
-// Cost: some nanoseconds, and fewer where they do not fit.
+// Cost: some nanoseconds, and fewer if the differences do not fit.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class FixedVectors {
       greatest = std::max(greatest, std::abs(sum.high));
     }
     if (greatest == 0) greatest = 1;
-    // Brings the greatest below 2^bits.
+    // Brings the greatest difference below 2^bits.
     const std::uint64_t exponent = std::bit_cast<std::uint64_t>(greatest) >> 52;
     const double scale = std::bit_cast<double>((2046 + static_cast<std::uint64_t>(bits) - 1 - exponent) << 52);
     for (std::size_t i = 0; i < 2 * N; ++i) {
@@ -53,7 +53,7 @@ class FixedVectors {
     are_exact_ = true;
   }
 
-  /// The vectors times some power of two are integers below 2^bits. Otherwise there are none.
+  /// Returns whether the vectors times some power of two are integers below 2^bits. Otherwise there are no vectors.
   bool are_exact() const { return are_exact_; }
   const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
 

@@ -1,10 +1,10 @@
-// What:   the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
-// Law:    each returns the sign of a real number that its comment names, for every finite input. Exchange of arguments
-//         changes the sign as it does for the real number.
-// How:    a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); the rest
-//         goes to integers of a fixed width where they fit, to double-double, to expansions, or to integers of any length where
-//         exponents are extreme.
-// Cost:   a few nanoseconds; 0.1–1 µs when the filter fails.
+// What: the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
+// Law:  each predicate returns the sign of a real number that its comment names, for every finite input. Exchanging
+//       arguments changes the sign as it does for the real number.
+// How:  a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); the rest
+//       goes to integers of a fixed width where they fit, to double-double, to expansions, or to integers of any length
+//       where exponents are extreme.
+// Cost: a few nanoseconds; 0.1–1 µs when the filter fails.
 #pragma once
 
 #include <algorithm>
@@ -42,13 +42,13 @@ class Predicates {
   static Real dot_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.x) + std::abs(u.y * v.y); }
   static Real cross_magnitude(const Vector& u, const Vector& v) { return std::abs(u.x * v.y) + std::abs(u.y * v.x); }
 
-  /// 1 when a, b, c turn left, −1 when right, 0 when they are on a line.
+  /// Returns 1 if a, b, c turn left, −1 if right, 0 if they are on a line.
   static int orientation(const Point& a, const Point& b, const Point& c) {
     const Vector ab = from(a, b), ac = from(a, c);
     const Real area = cross(ab, ac), bound = 5 * unit_roundoff * cross_magnitude(ab, ac);
     if (area > bound) return 1;
     if (area < -bound) return -1;
-    if (bound == 0) return 0;  // both products are, and not by underflow: on a line parallel to an axis
+    if (bound == 0) return 0;  // both products are 0, and not by underflow: a, b, c are on a line parallel to an axis
     if constexpr (std::is_same_v<Real, double>) {
       if (const FixedVectors<2> fixed(31, a, {&b, &c}); fixed.are_exact()) return sign_of(fixed[0].cross(fixed[1]));
       return exact(a, b).cross(exact(a, c)).sign();
@@ -56,7 +56,7 @@ class Predicates {
     return exact_integer::orientation(a, b, c);
   }
 
-  /// Requires (a, b, p) to turn left. 1 when q is inside their circle, −1 when outside, 0 when on it.
+  /// Returns 1 if q is inside the circle of (a, b, p), −1 if outside, 0 if on it. Requires: (a, b, p) turns left.
   static int in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
     const CircleTest<Real> test(a, b, p, q);
     if (test.is_sure()) return test.sign();
@@ -85,24 +85,25 @@ class Predicates {
     return exact_integer::in_circle(a, b, p, q);
   }
 
-  /// in_circle() where no four points are on a circle: q cocircular with (a, b, p) is moved off it by the symbolic
-  /// perturbation (docs/predicates.md). Requires (a, b, p) to turn left and q to be none of them.
+  /// Returns in_circle() as if no four points were on a circle: q cocircular with (a, b, p) is moved off the circle by
+  /// the symbolic perturbation (docs/predicates.md). Requires: (a, b, p) turns left and q is none of them.
   static int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
     const int side = in_circle(a, b, p, q);
     return side != 0 ? side : perturbed_side(a, b, p, q);
   }
 
-  /// The side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically largest of
-  /// the four is lifted most: if that is q, it leaves the circle; if it is a corner, the side depends on where the lift
-  /// of that corner tilts the circle. Three points of a circle are not on a line, so that the sign is never zero.
+  /// Returns the side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically
+  /// largest of the four is lifted most. If that is q, it leaves the circle; if it is a corner, the side depends on
+  /// where the lift of that corner tilts the circle. Three points of a circle are not on a line, so the sign is never
+  /// zero.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
     if (a < q && b < q && p < q) return -1;
     if (b < a && p < a) return orientation(q, b, p);
     return p < b ? orientation(a, q, p) : orientation(a, b, q);
   }
 
-  /// Sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for double no
-  /// less than the least radius of radius_bounds().
+  /// Returns the sign of (circumradius of (a, b, c)) − alpha. Requires: a, b, c not on a line; alpha finite, and for
+  /// double not less than the least radius of radius_bounds().
   static int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
     const Vector ab = from(a, b), bc = from(b, c), ca = from(c, a);
     const Real sides = dot(ab, ab) * dot(bc, bc) * dot(ca, ca);
@@ -111,18 +112,18 @@ class Predicates {
     const Real difference = sides - factor * area * area;
     const Real bound =
         unit_roundoff * (32 * sides + factor * area_magnitude * (24 * area + 64 * unit_roundoff * area_magnitude));
-    // Which of the two holds is unpredictable at a radius like that of many triangles: a branch for the undecided only.
+    // The sign is unpredictable at a radius like that of many triangles: only the undecided case is a branch.
     if (std::abs(difference) > bound) [[likely]]
       return difference > 0 ? 1 : -1;
     return compare_to_close_alpha(a, b, c, alpha);
   }
-  /// The same, faster for an alpha so close that the filter would not decide.
+  /// Returns the same, faster for an alpha so close that the filter would not decide.
   static int compare_to_close_alpha(const Point& a, const Point& b, const Point& c, double alpha) {
     if (const int finer = compare_circumradius_finely(a, b, c, alpha); finer != 0) return finer;
     return exact_integer::compare_circumradius(a, b, c, alpha);
   }
 
-  /// Sign of |ab| − 2 alpha. Requires alpha as compare_circumradius() does.
+  /// Returns the sign of |ab| − 2 alpha. Requires: alpha as in compare_circumradius().
   static int compare_to_diameter(const Point& a, const Point& b, double alpha) {
     const Vector ab = from(a, b);
     const Real length = dot(ab, ab), diameter = 4 * Real(alpha) * Real(alpha);
@@ -132,7 +133,7 @@ class Predicates {
     return exact_integer::compare_to_diameter(a, b, alpha);
   }
 
-  /// Sign of |vp| − |vq|.
+  /// Returns the sign of |vp| − |vq|.
   static int compare_distances(const Point& v, const Point& p, const Point& q) {
     const Vector vp = from(v, p), vq = from(v, q);
     const Real first = dot(vp, vp), second = dot(vq, vq);
@@ -142,7 +143,7 @@ class Predicates {
     return exact_integer::compare_distances(v, p, q);
   }
 
-  /// Sign of (p − v) · (q − v): of the cosine of the angle at v.
+  /// Returns the sign of (p − v) · (q − v): of the cosine of the angle at v.
   static int dot_sign(const Point& v, const Point& p, const Point& q) {
     const Vector vp = from(v, p), vq = from(v, q);
     const Real product = dot(vp, vq), bound = 5 * unit_roundoff * dot_magnitude(vp, vq);
@@ -152,10 +153,11 @@ class Predicates {
   }
 
  private:
-  /// long double has 64 bits, in the processor: on x86. Where it has 113, these are computed in software, and slowly.
+  /// Whether long double has 64 bits, in the processor, as on x86. If it has 113, its operations are computed in
+  /// software, and slowly.
   static constexpr bool has_extended = std::numeric_limits<long double>::digits == 64;
 
-  /// in_circle() as far as numbers of one kind decide it.
+  /// The test of in_circle() in numbers of one kind, which may leave it undecided.
   template <typename Number>
   struct CircleTest {
     CircleTest(const Point& a, const Point& b, const Point& p, const Point& q) {
@@ -171,11 +173,12 @@ class Predicates {
     Number difference, magnitude;
   };
 
-  /// compare_circumradius() by double-double numbers; 0 where these do not decide it.
+  /// Returns compare_circumradius() by double-double numbers; 0 if these do not decide it.
   static int compare_circumradius_finely(const Point& a, const Point& b, const Point& c, double alpha) {
     const auto ab = widened(a, b), bc = widened(b, c), ca = widened(c, a);
     const DoubleDouble first = ab.dot(ab), second = bc.dot(bc), third = ca.dot(ca);
-    // Then no product leaves the range of double, and what underflows in one is below the bound: docs/predicates.md.
+    // Within these bounds no product leaves the range of double, and an underflow in a product is below the bound:
+    // docs/predicates.md.
     constexpr double least = 0x1p-300, largest = 0x1p300;
     const double squared = alpha * alpha;
     const auto [shortest, longest] = std::minmax({first.high, second.high, third.high, squared});

@@ -9,24 +9,24 @@
 
 namespace rbpa {
 
-/// Alpha as the computation uses it: absent when no ball is too small to pass (α = ∞, or above every circumradius).
+/// Alpha as used in computations: absent if a ball of any size passes (α = ∞, or above every circumradius).
 class Radius {
  public:
   Radius() = default;
   explicit Radius(double alpha) : alpha_(alpha) {}
-  /// Of a number that may be infinite.
+  /// Returns the radius of a number that may be infinite.
   static Radius of(double alpha) { return std::isinf(alpha) ? Radius() : Radius(alpha); }
 
   bool is_infinite() const { return !alpha_; }
-  /// Requires a finite radius.
+  /// Returns the number. Requires: a finite radius.
   double value() const { return *alpha_; }
 
-  /// The circumradius of (a, b, c), corners not on a line, is ≤ alpha.
+  /// Returns whether the circumradius of (a, b, c), corners not on a line, is ≤ alpha.
   template <typename Real>
   bool admits(const Point& a, const Point& b, const Point& c) const {
     return !alpha_ || Predicates<Real>::compare_circumradius(a, b, c, *alpha_) <= 0;
   }
-  /// A ball can touch both points: |ab| ≤ 2 alpha.
+  /// Returns whether a ball can touch both points: |ab| ≤ 2 alpha.
   template <typename Real>
   bool spans(const Point& a, const Point& b) const {
     return !alpha_ || Predicates<Real>::compare_to_diameter(a, b, *alpha_) <= 0;

@@ -1,7 +1,7 @@
-// What: the window through which doubles see a set of points: scaled by a power of two, most of them fit double. The few
-//       that are far larger or far finer than the others lie beyond it.
-// Why:  points that fit double are decided by filters without regard to underflow and overflow (magnitude.h), and nearly all
-//       input does, if not at its own scale.
+// What: the window of doubles on a set of points: scaled by a power of two, most of them fit double. The few that are
+//       far larger or far finer than the others lie beyond it.
+// Why:  filters decide points that fit double without regard to underflow and overflow (magnitude.h), and nearly all
+//       input does fit, if not at its own scale.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,19 @@
 namespace rbpa {
 
 struct Window {
-  int exponent = 0;                   ///< the points in the window fit double when they are multiplied by 2^exponent
+  int exponent = 0;                   ///< the points in the window fit double when multiplied by 2^exponent
   std::vector<std::uint32_t> beyond;  ///< the positions of the others, ascending
-  RadiusBounds bounds{};              ///< of the circumradii of those in the window, scaled
+  RadiusBounds bounds{};              ///< bounds of the circumradii of those in the window, scaled
 
-  /// Alpha in the scale of the window: 2^exponent alpha, or an equivalent value, where all circles are larger or smaller.
+  /// Returns alpha in the scale of the window: 2^exponent alpha, or an equivalent value if all circles are larger or
+  /// smaller.
   Radius scaled(const Radius& alpha) const;
 };
 
-/// The window that has the most points. Where it has less than half of them, all are beyond. Its exponent is 0 if all
-/// points fit as they are. A function of the set of points.
-/// Requires: finite points. Cost: linear.
+/// Returns the window that has the most points. If it has less than half of them, all are beyond. Its exponent is 0 if
+/// all points fit unscaled. A function of the set of points.
+/// Requires: finite points.
+/// Cost:     linear.
 Window window_of(std::span<const Point> points);
 
 }  // namespace rbpa

@@ -1,8 +1,8 @@
-// What:   the triangles that the patches of all tiles lack: found in one triangulation, of the sites that are not settled
-//         and their neighbors.
+// What:   the triangles that the patches of all tiles lack: found in one triangulation of the sites that are not
+//         settled and their neighbors.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
-// How:    a star is settled when every triangle of the complex around its site is in some patch. What is missing has no
-//         settled corner, and is in the Delaunay triangulation of those sites and their neighbors.
+// How:    a star is settled when every triangle of the complex around its site is in some patch. A missing triangle has
+//         no settled corner, and is in the Delaunay triangulation of those sites and their neighbors.
 // Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/remainder.md.
 #pragma once
@@ -23,20 +23,21 @@ namespace rbpa {
 
 class Remainder {
  public:
-  /// No tile is added yet. Keeps a reference. Alpha is that of the points as they were given.
+  /// Begins without a tile. Keeps a reference. Alpha is in the scale of the input.
   Remainder(const Sites& sites, const Radius& alpha) : sites_(sites), alpha_(alpha), missing_(sites.size(), unseen) {}
 
-  /// Tiles come in any order.
+  /// Adds a tile, in any order.
   void add(const TilePatch& tile);
 
-  /// After all tiles: every triangle of the complex at the site is in a patch.
+  /// Returns whether every triangle of the complex at the site is in a patch; called after all tiles.
   bool is_settled(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// After all tiles: the sites that are not settled or have a neighbor that may not be, ascending.
+  /// Returns the sites that are not settled or have a neighbor that may not be, ascending; called after all tiles.
   std::vector<std::uint32_t> not_done() const;
 
-  /// After all tiles: the triangles of the complex that are in no patch, on the sites, and their outline if wanted; nothing
-  /// else of `rest` has a meaning. Calls working() now and then, in any thread and one at a time; it may throw to end it.
+  /// Returns in `rest` the triangles of the complex that are in no patch, on the sites, and their outline if wanted;
+  /// the other members of `rest` are undefined. Called after all tiles. Calls working() now and then, in any thread and
+  /// one at a time; it may throw to end the run.
   void complete(Threads& threads, const std::function<void()>& working, TilePatch& rest) const;
 
  private:
@@ -47,9 +48,10 @@ class Remainder {
 
   const Sites& sites_;
   Radius alpha_;
-  std::vector<int> missing_;  // of each site, how many triangles; `unseen` more while no tile has seen the whole star
+  // for each site, the number of missing triangles; `unseen` more while no tile has seen the whole star
+  std::vector<int> missing_;
   std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // sites whose stars are seen, with a neighbor each
-  std::vector<Corners> loose_triangles_;                   // of patches, those that may have no settled corner
+  std::vector<Corners> loose_triangles_;                   // triangles of patches that may have no settled corner
 };
 
 }  // namespace rbpa

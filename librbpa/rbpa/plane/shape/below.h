@@ -1,4 +1,4 @@
-// What: the order of the edges that a vertical line crosses as it sweeps over a boundary, exactly decided.
+// What: the order of the edges that a vertical line crosses as it sweeps over a boundary, decided exactly.
 #pragma once
 
 #include "rbpa/base/point.h"
@@ -11,8 +11,8 @@ struct SweptEdge {
   Point low, high;
 };
 
-/// Lower first, of edges that some point between two events of the sweep sees both of. They meet in common ends at
-/// most, so that no orientation is zero. A point on no edge has its place among them.
+/// Orders edges from low to high, among those that cross the sweep line between two events of the sweep. They meet in
+/// common ends at most, so no orientation is zero. A point on no edge has its place among them.
 struct Below {
   using is_transparent = void;
   bool operator()(const SweptEdge* edge, const Point& p) const { return side(*edge, p) > 0; }

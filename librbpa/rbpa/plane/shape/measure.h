@@ -1,5 +1,5 @@
 // What: areas and lengths of rings.
-// Law:  a function of the ring's edges: of no order.
+// Law:  a function of the ring's edges, not of their order.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ class LengthSum {
   }
 
   bool is_infinite() const { return infinite_; }
-  const ExactSum& finite() const { return sum_; }  ///< of those that are
+  const ExactSum& finite() const { return sum_; }  ///< sum of the finite numbers
   static LengthSum of(const ExactSum& finite, bool infinite) {
     LengthSum sum;
     sum.sum_ = finite;
@@ -68,7 +68,7 @@ class BoundaryMeasure {
 /// Adds twice the area that the ring encloses, exactly: positive when it is counter-clockwise.
 void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> points);
 
-/// The area that the ring encloses, whichever way round, rounded once.
+/// Returns the area that the ring encloses, in either orientation, rounded once.
 double enclosed_area(const Ring& ring, std::span<const Point> points);
 
 /// Fills in area and perimeter. `points` are those of the input, by index.

@@ -62,7 +62,7 @@ class RingsByComponent {
 
  private:
   CurveSplitter splitter_;
-  std::vector<std::uint32_t> number_;  // of each name, from 1
+  std::vector<std::uint32_t> number_;  // for each name, from 1
   std::vector<std::vector<Ring>> rings_;
 };
 

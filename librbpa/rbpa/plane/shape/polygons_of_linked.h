@@ -1,4 +1,4 @@
-// What: polygons() of a complex that is known to be linked, as one that was just computed.
+// What: polygons() of a complex that is known to be linked, such as one that was just computed.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// Requires: as require_linked(), which is not checked.
+/// Returns the polygons. Requires: as require_linked(), which is not checked.
 std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
                                         const PolygonFilter& filter, const std::function<bool()>& go_on = {});
 

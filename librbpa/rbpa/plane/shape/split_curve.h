@@ -1,6 +1,7 @@
-// What: a boundary curve that passes points several times, as rings that pass each point once.
+// What: splits a boundary curve that passes points several times into rings that pass each point once.
 // Law:  every edge of the curve is on exactly one ring, in its direction. For curves of solid complexes the rings are
-//       the boundaries of the connected pieces of the outside, whichever point the curve begins with (docs/shape.md).
+//       the boundaries of the connected pieces of the outside, whatever the first point of the curve is
+//       (docs/shape.md).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace rbpa {
 
 class CurveSplitter {
  public:
-  /// For curves whose points are below `points`.
+  /// Prepares for curves whose points are below `points`.
   explicit CurveSplitter(std::size_t points) : place_(points, nowhere) {}
 
   /// Appends the rings of a closed curve to `rings`. Cost: linear in the curve.
@@ -24,11 +25,11 @@ class CurveSplitter {
  private:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-  /// The points walked from `first` on are a ring.
+  /// Makes a ring of the points walked from `first` on.
   Ring take(std::size_t first);
 
   std::vector<std::uint32_t> walked_;  // no point twice
-  std::vector<std::uint32_t> place_;   // of each point in walked_
+  std::vector<std::uint32_t> place_;   // for each point, its position in walked_
 };
 
 }  // namespace rbpa

@@ -1,6 +1,7 @@
-// What: which triangles have a circumradius ≤ alpha: ab² bc² ca² against 4 α² (ab × ac)², a triangle in each lane.
-//       Compiled once for each kind of vector unit; no include guard but the compiler's own per kind.
-// Law:  `inside` and `outside` are true of the points in double precision; docs/tiles.md, section 7, derives the bounds.
+// What: tests which triangles have a circumradius ≤ alpha: ab² bc² ca² against 4 α² (ab × ac)², a triangle in each
+//       lane. Compiled once for each kind of vector unit; the only include guard is the compiler's own per kind.
+// Law:  `inside` and `outside` are true for the points in double precision; docs/tiles.md, section 7, derives the
+//       bounds.
 #if defined(RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
 #undef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
@@ -19,7 +20,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The error bound of a component of a difference of two points, when none of them is larger than `extent`.
+/// Returns the error bound of a component of a difference of two points, neither of which is larger than `extent`.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V error_of_difference(D d, V extent) {
   return hn::Set(d, 2 * TileCoordinates::rounding) + hn::Set(d, 1.1f * TileCoordinates::unit_roundoff) * extent;
@@ -31,7 +32,7 @@ struct Filtered {
   hn::Vec<D> cross;  ///< ab × ac
 };
 
-/// Requires: factor = 4 α², in the tile's scale, at most 2³⁰.
+/// Tests triangles, one in each lane. Requires: factor = 4 α², in the tile's scale, at most 2³⁰.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE Filtered<D> filter_circumradius(D d, V ax, V ay, V bx, V by, V cx, V cy, V factor) {
   const auto set = [&](float value) { return hn::Set(d, value); };

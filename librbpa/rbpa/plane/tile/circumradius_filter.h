@@ -1,5 +1,5 @@
-// What: which triangles on a tile have a circumradius ≤ alpha, as far as single precision decides.
-// Law:  `inside` and `outside` are true of the points in double precision; `uncertain` is for exact arithmetic to decide.
+// What: tests which triangles on a tile have a circumradius ≤ alpha, as far as single precision decides.
+// Law:  `inside` and `outside` are true for the points in double precision; exact arithmetic decides `uncertain`.
 // How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/tiles.md, section 7, derives the bounds.
 // Cost: a few nanoseconds a triangle.
 #pragma once
@@ -14,7 +14,7 @@ namespace rbpa {
 
 enum class CircumradiusFilter : std::uint8_t { outside, inside, uncertain };
 
-/// Replaces `filtered`: an entry for each triangle of the front by its number, and further ones without a meaning.
+/// Replaces `filtered` by an entry for each triangle of the front, by its number; further entries are undefined.
 /// Requires: alpha > 0, the coordinates of the front's points.
 void filter_circumradii(const TileCoordinates& at, const LocalFront& front, double alpha,
                         std::vector<CircumradiusFilter>& filtered);

@@ -15,21 +15,21 @@ namespace rbpa {
 
 struct TileCoordinates {
   static constexpr float unit_roundoff = 0x1p-24f;
-  static constexpr float rounding = 0x1.05p-25f;  ///< half a last digit of 1, and the error before
+  static constexpr float rounding = 0x1.05p-25f;  ///< half a unit in the last place of 1, plus the error before it
   static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
 
   double scale = 1;  ///< a power of two
   std::vector<float> x, y;
-  std::vector<std::int32_t> start, unknown;  ///< as the tile's; behind the last, three rows that are empty
+  std::vector<std::int32_t> start, unknown;  ///< as in the tile; followed by three empty rows
   int columns = 0, rows = 0;
   float x0 = 0, y0 = 0, cell = 0, per_cell = 0;
-  /// The box in which the tile has all points, but for those of unknown cells; infinite where there is nothing beyond.
+  /// The box in which the tile has all points, except those of unknown cells; infinite on sides without further points.
   float x_low = 0, x_high = 0, y_low = 0, y_high = 0;
-  /// Points in a box of at most this extent have differences whose products, and sums of two, are exact in single
-  /// precision. 0 where the points are not on a lattice.
+  /// Maximum extent of a box in which differences of points have exact products, and exact sums of two products, in
+  /// single precision; 0 if the points are not on a lattice.
   float lattice_extent = 0;
 
-  /// Requires a tile with points.
+  /// Replaces the coordinates. Requires: a tile with points.
   void assign(const Tile& tile);
 
   int column(float at) const { return clamp((at - x0) * per_cell, columns); }

@@ -1,5 +1,6 @@
 // What: cuts the plane into tiles along the cells of the point grid.
-// Law:  every site is owned by one tile; a tile has every point of its box but for those in cells that it lists as unknown.
+// Law:  every site is owned by one tile; a tile has every point of its box, except those in cells that it lists as
+//       unknown.
 // Cost: linear in the points of the tile and the cells of its block.
 #pragma once
 
@@ -12,26 +13,26 @@
 
 namespace rbpa {
 
-/// Cells of a level of the point grid whose points, but for those of cells that are grids of more than `merged` points,
-/// one tile owns.
+/// Cells of a level of the point grid. One tile owns their points, except those of cells that are grids of more than
+/// `merged` points.
 struct Block {
   std::uint32_t level;
   int column, row, columns, rows;
   std::uint32_t points, merged;
 };
 
-/// Blocks that together have every cell, each with at least one point and, unless it is a single cell, with at most
+/// Returns blocks that together have every cell. Each has at least one point and, unless it is a single cell, at most
 /// `max_points`.
 std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
-/// Cuts tiles out of a grid, one after another with the same memory.
+/// A cutter of tiles from a grid, one after another in the same memory.
 class Cutter {
  public:
   /// Keeps references. A tile lists the cells of hidden points as unknown, and does not assume that nothing lies beyond them.
   explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
-  /// The tile of a block: its points, and the ghosts around them. Replaces `tile`. The tile is empty if the block has more
-  /// points than a tile can have.
+  /// Replaces `tile` by the tile of a block: its points, and the ghosts around them. The tile is empty if the block has
+  /// more points than a tile can have.
   void cut(const Block& block, Tile& tile);
 
  private:
@@ -51,7 +52,7 @@ class Cutter {
     std::uint32_t first, last;
   };
   std::vector<Range> sites_;
-  std::size_t owned_ = 0, all_ = 0;  // how many they are; those the tile owns come first
+  std::size_t owned_ = 0, all_ = 0;  // numbers of points; the owned ones come first
   std::vector<std::uint32_t> cell_of_, count_;
   std::vector<std::uint8_t> unknown_;
   bool any_unknown_ = false;

@@ -1,6 +1,6 @@
-// What: the patch of a tile out of the triangles found on it, and the status of the stars around its points.
-// Cost: linear in the points and triangles of the tile. As the order of a tile's points is unpredictable, lists are written
-//       without branches: the next entry always, and counted if it is one.
+// What: extracts the patch of a tile from the triangles found on it, and the status of the stars around its points.
+// Cost: linear in the points and triangles of the tile. As the order of a tile's points is unpredictable, lists are
+//       written without branches: the next entry is always written, and counted only if it belongs to the list.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@
 
 namespace rbpa {
 
-/// Memory, from tile to tile; extract_patch.cpp defines its use.
+/// Memory that is reused from tile to tile; extract_patch.cpp defines its use.
 struct ExtractionWorkspace {
   std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
-  std::vector<std::uint16_t> owned;                   // of each triangle: the tile owns its least corner
-  std::vector<std::uint16_t> number;                  // of each side: what the one across stores of it
-  std::vector<std::uint16_t> elsewhere;               // of each point: triangles around it that other tiles own
+  std::vector<std::uint16_t> owned;                   // for each triangle: the tile owns its least corner
+  std::vector<std::uint16_t> number;                  // for each side: what the one across stores of it
+  std::vector<std::uint16_t> elsewhere;               // for each point: triangles around it that other tiles own
   std::vector<int> last,
-      ending;  // of each point: the side that leaves it in an outline; one of the rim that ends there
-  std::vector<CircumradiusFilter> within;  // of each triangle, alpha
-  std::vector<std::uint8_t> star;          // of each point, its status
-  // Lists of the result, before their length is determined.
+      ending;  // for each point: the side that leaves it in an outline, or a side of the rim that ends there
+  std::vector<CircumradiusFilter> within;  // for each triangle, alpha
+  std::vector<std::uint8_t> star;          // for each point, its status
+  // lists of the result, before their length is known
   std::vector<std::uint32_t> settled, ghost_corners;
   std::vector<TilePatch::SharedStar> shared;
   std::vector<TilePatch::Neighbors> unsettled_neighbors;

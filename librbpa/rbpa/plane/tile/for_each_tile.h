@@ -1,4 +1,4 @@
-// What: all tiles, in several threads, joined in one order.
+// What: processes all tiles in several threads and joins them in one order.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,13 @@
 
 namespace rbpa {
 
-inline constexpr std::uint32_t points_per_tile = 2048;  ///< measured: fewer have more seams, more leave the cache
+/// Measured: smaller tiles have more seams, larger ones leave the cache.
+inline constexpr std::uint32_t points_per_tile = 2048;
 
-/// The tiles of the sites in the window: calls work(const Tile&, Workspace&) for each in any thread; join(number, Workspace&) in
-/// the order of their numbers, the same on every run, and one at a time; then, in any thread, finish(Workspace&). A workspace is
-/// one tile's at a time, and is used again for others. A tile is empty where is_wanted(number) is false, which any thread asks.
-/// Throws what one of them throws.
+/// Calls, for each tile of the sites in the window, work(const Tile&, Workspace&) in any thread; then join(number,
+/// Workspace&) in the order of their numbers, the same on every run, and one at a time; then finish(Workspace&) in any
+/// thread. A workspace belongs to one tile at a time, and is used again. A tile is empty if is_wanted(number) is false,
+/// which any thread calls. Rethrows an exception of any call.
 template <typename Workspace, typename IsWanted, typename Work, typename Join, typename Finish>
 void for_each_tile(const Sites& sites, Threads& threads, IsWanted is_wanted, Work work, Join join, Finish finish) {
   struct Item {

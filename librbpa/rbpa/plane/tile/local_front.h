@@ -1,7 +1,7 @@
 // What: triangles of a tile and the front around them, in 16 bits a number.
-// Law:  a side of a triangle is glued as soon as the triangle across it is there.
+// Law:  a side of a triangle is glued as soon as the triangle across it exists.
 // Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are separated when the
-//       triangles come to the mesh. It stays in the fastest cache, and has no unpredictable branch.
+//       triangles are added to the mesh. It stays in the fastest cache, and has no unpredictable branch.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ namespace rbpa {
 class LocalFront {
  public:
   using Index = std::uint16_t;
-  static constexpr Index none = 0;            ///< no side: those of triangles begin with the fourth
-  static constexpr Index nothing = 1;         ///< no side either, and there will be none
+  static constexpr Index none = 0;            ///< no side: sides of triangles are numbered from 4 on
+  static constexpr Index nothing = 1;         ///< no side, and none will be added
   static constexpr std::size_t padding = 16;  ///< triangles that can be read behind the last
 
-  /// Begins without a triangle, on at most Tile::max_points points.
+  /// Removes all triangles and prepares for at most Tile::max_points points.
   void begin(std::size_t points) {
     head_.assign(points, none);
     touched_.assign(points, 0);
@@ -28,22 +28,22 @@ class LocalFront {
     triangles_ = 1;
   }
 
-  /// One more than there are: they are numbered from 1 on.
+  /// Returns one more than the number of triangles: they are numbered from 1 on.
   std::size_t triangles() const { return triangles_; }
-  /// Side 4 t + i of triangle t runs from its corner i to its next.
+  /// Returns the ends of a side. Side 4 t + i of triangle t runs from its corner i to the next.
   Index from(std::size_t side) const { return corner_[side]; }
   Index to(std::size_t side) const { return corner_[side + 1]; }
-  /// from() of all sides.
+  /// Returns from() of all sides.
   const Index* corners() const { return corner_.data(); }
-  /// The side beyond, or none when it is on the front; `nothing` where it was and was sealed.
+  /// Returns the side beyond; `none` if the side is on the front; `nothing` if it was on the front and was sealed.
   Index across(std::size_t side) const { return across_[side]; }
 
-  /// A triangle has a corner on the point, or it was sealed.
+  /// Returns whether a triangle has a corner on the point, or the point was sealed.
   bool is_touched(std::size_t point) const { return touched_[point] != 0; }
-  /// A side on the front ends at the point.
+  /// Returns whether a side on the front ends at the point.
   bool is_on_front(std::size_t point) const { return head_[point] != none; }
 
-  /// A triangle beside all others. Calls added(side, is on the front) for each of its sides.
+  /// Adds a triangle that is apart from all others. Calls added(side, is on the front) for each of its sides.
   template <typename Added>
   void create(Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);
@@ -53,7 +53,7 @@ class LocalFront {
     touched_[a] = touched_[b] = touched_[c] = 1;
   }
 
-  /// A triangle across a side on the front, which runs from b to a. Calls added() for its other sides.
+  /// Adds a triangle across a side on the front, which runs from b to a. Calls added() for its other sides.
   template <typename Added>
   void attach(Index side, Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);
@@ -64,8 +64,8 @@ class LocalFront {
     touched_[c] = 1;
   }
 
-  /// At the points that are marked there is no further triangle: they are touched, and no longer on the front. The records
-  /// of others are unspecified from then on.
+  /// Seals the marked points, at which there is no further triangle: they are touched, and no longer on the front.
+  /// Records of other points are undefined from then on.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
       head_[v] = marked[v] ? none : head_[v];
@@ -93,10 +93,11 @@ class LocalFront {
     across_[s] = other;
     across_[other] = s;
   }
-  /// Whether there is a side to be glued to is unpredictable: both cases are computed, and one of them has no effect.
+  /// Glues a side or adds it to the front. Which of both is unpredictable: both are computed, and one of them has no
+  /// effect.
   template <typename Added>
   void glue_or_add(Index s, Index from, Index to, Added added) {
-    // Across lies a side that runs from `to` to `from`: it is listed where it ends.
+    // The side across runs from `to` to `from`: it is listed at the point where it ends.
     Index* at = &head_[from];
     while (link_[*at] != none && corner_[*at] != to) at = &link_[*at];
     const Index f = *at;
@@ -117,10 +118,11 @@ class LocalFront {
     *at = link_[side];
   }
 
-  std::vector<Index> head_;             // of each point, the first side on the front that ends there
-  std::vector<Index> link_;             // of a side on the front, the next that ends at the same point
+  std::vector<Index> head_;             // for each point, the first side on the front that ends there
+  std::vector<Index> link_;             // for each side on the front, the next side that ends at the same point
   std::vector<Index> corner_, across_;  // a triangle's first corner is repeated behind its last
-  std::vector<Index> touched_;  // numbers as wide as the others': bytes could be anything, which is read again then
+  // as wide as the others: the compiler assumes that a write of bytes may change them, and reads them again
+  std::vector<Index> touched_;
   std::size_t triangles_ = 1;
 };
 

@@ -1,7 +1,7 @@
-// What: a part of the plane to be triangulated by itself: the points it owns, ghosts all around them, and the cells whose
-//       points it lacks.
-// Law:  plain data. Results of a tile depend on nothing else, so tiles can be run in any order, by any
-//       thread, or be sent elsewhere.
+// What: a part of the plane that is triangulated on its own: the points it owns, ghosts all around them, and the cells
+//       whose points it lacks.
+// Law:  plain data. Results of a tile depend on nothing else, so tiles can be processed in any order and by any thread,
+//       or be sent elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -13,18 +13,19 @@
 
 namespace rbpa {
 
-/// Points are numbered cell by cell, row by row. The cells' box is x0 … x0 + columns · cell by y0 … y0 + rows · cell.
+/// A tile. Points are numbered cell by cell, row by row. The cells' box is x0 … x0 + columns · cell by y0 … y0 + rows ·
+/// cell.
 struct Tile {
   double x0 = 0, y0 = 0, cell = 0;
   int columns = 0, rows = 0;
-  /// Beyond the cells on this side there are no points at all.
+  /// Whether there are no points at all beyond the cells on a side.
   bool nothing_left = false, nothing_right = false, nothing_below = false, nothing_above = false;
   std::vector<Point> points;
-  std::vector<std::uint32_t> site;  ///< of each point, its site
-  std::vector<std::uint8_t>
-      owned;  ///< of each point: 1 when the tile owns it, 0 when it is a ghost, of the halo around
-  std::vector<std::uint16_t> start;  ///< of each cell its first point; and the end
-  /// Of each cell, how many before it have points that are not here; and of all. Empty when every point is here.
+  std::vector<std::uint32_t> site;   ///< for each point, its site
+  std::vector<std::uint8_t> owned;   ///< For each point: 1 if the tile owns it, 0 if it is a ghost in the halo around.
+  std::vector<std::uint16_t> start;  ///< for each cell its first point; and the end
+  /// For each cell, the number of cells before it that have points missing here; at the end, that of all. Empty if
+  /// every point is here.
   std::vector<std::uint16_t> unknown;
 
   double x1() const { return x0 + columns * cell; }

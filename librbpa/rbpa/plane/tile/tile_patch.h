@@ -11,8 +11,8 @@
 
 namespace rbpa {
 
-/// The star of a site is the triangles of the complex around it. A tile has seen it when it owns the site and found all of
-/// them; it is settled when they are all in its patch.
+/// The result of a tile. The star of a site is the triangles of the complex around it. A tile has seen it when it owns
+/// the site and found all of them; the star is settled when all of them are in the tile's patch.
 struct TilePatch {
   bool with_outline = true;  ///< whether to compute the outline
   meshops::Patch patch;      ///< on the sites
@@ -26,8 +26,8 @@ struct TilePatch {
   std::vector<SharedStar> shared;              ///< other stars seen, and how many of their triangles other tiles own
   std::vector<std::uint32_t> ghost_corners;    ///< corners of the patch that are ghosts, once for each triangle
   std::vector<std::uint32_t> loose_triangles;  ///< triangles of the patch none of whose corners is settled
-  /// Sites whose stars are seen, each with a Delaunay neighbor that is not settled; after enumeration with any that is
-  /// not settled and nearer than 2 alpha.
+  /// Sites whose stars are seen, each with a Delaunay neighbor that is not settled; after enumeration, with any
+  /// neighbor that is not settled and nearer than 2 alpha.
   using Neighbors = std::array<std::uint32_t, 2>;
   std::vector<Neighbors> unsettled_neighbors;
 
