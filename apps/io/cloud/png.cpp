@@ -35,7 +35,7 @@ class PngDecoder {
     return attempt([this] {
       png_set_read_fn(png_, this, read);
       png_set_user_limits(png_, PNG_UINT_31_MAX,
-                          PNG_UINT_31_MAX);  // require_image_size() refuses with a better message
+                          PNG_UINT_31_MAX);  // require_image_size() refuses instead
       png_read_info(png_, info_);
     });
   }

@@ -102,8 +102,7 @@ class Starter {
     std::vector<std::string> remarks;
     char separator = choice.separator;
     lines_.set_layout(separator, choice.fields.to_last_text);
-    if (!is_said && choice.lines > 0 &&
-        count_fields(lines_.line(), separator).all == 1) {  // the header has another separator
+    if (!is_said && choice.lines > 0 && count_fields(lines_.line(), separator).all == 1) {  // its separator differs
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }

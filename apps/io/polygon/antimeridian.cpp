@@ -28,7 +28,7 @@ bool lies_on_both_sides(const std::vector<PositionRing>& polygon, double longitu
   return west && east;
 }
 
-/// Appends the parts on either side.
+/// Appends the parts of a polygon on either side of a longitude.
 void append_cut(const std::vector<PositionRing>& polygon, double longitude,
                 std::vector<std::vector<PositionRing>>& parts) {
   std::vector<Point> points;
@@ -57,7 +57,7 @@ void append_cut(const std::vector<PositionRing>& polygon, double longitude,
     }
 }
 
-/// By how much all longitudes of a part are to change, which lies on one side of each antimeridian.
+/// Returns the change of longitude, 0 or ±360, of a part that lies on one side of each antimeridian.
 double shift_of(const std::vector<PositionRing>& part) {
   double shift = 0;
   for_each_position(part, [&](const Point3& p) { shift = p.x > 180 ? -360 : p.x < -180 ? 360 : shift; });

@@ -1,6 +1,7 @@
-// What: polygons and lines around longitude 180 as GeoJSON has them: cut there, all longitudes within -180 to 180.
-// Law:  a longitude beyond is another by 360, exactly; parts of valid polygons are valid. A polygon of which a part would not
-//       be, as crossings of the antimeridian are rounded, stays whole.
+// What: cuts polygons and lines at longitude 180, as GeoJSON demands: all longitudes of the parts are within -180 to
+//       180.
+// Law:  longitudes beyond change by exactly 360. Parts of valid polygons are valid: a polygon stays whole if rounded
+//       crossings of the antimeridian would make a part invalid.
 // Source: RFC 7946, 3.1.9.
 #pragma once
 
@@ -12,19 +13,19 @@
 
 namespace rbpa::app {
 
-/// Longitudes, latitudes and heights; the first point is not repeated.
+/// A ring of longitudes, latitudes and heights; the first point is not repeated.
 using PositionRing = std::vector<Point3>;
 
-/// Whether a longitude is beyond 180 or -180, and none beyond 360 or -360.
+/// Whether some longitude is beyond ±180, and none is beyond ±360.
 bool is_beyond_antimeridian(std::span<const Point> points);
 
 /// Returns the equal longitude within -180 to 180.
 double within_antimeridian(double longitude);
 
-/// The parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.
+/// Returns the parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.
 std::vector<std::vector<PositionRing>> within_antimeridian(const std::vector<PositionRing>& polygon);
 
-/// The parts of a line.
+/// Returns the parts of the line from one point to another.
 std::vector<std::vector<Point3>> within_antimeridian(const Point3& from, const Point3& to);
 
 }  // namespace rbpa::app

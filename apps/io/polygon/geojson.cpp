@@ -26,7 +26,7 @@ namespace rbpa::app {
 
 namespace {
 
-/// What the value of a key is.
+/// The meaning of the value of a key.
 enum class Slot { ignored, type, coordinates, object, objects, crs, properties };
 
 Slot slot_of(const std::string& key) {
@@ -38,10 +38,10 @@ Slot slot_of(const std::string& key) {
   return key == "crs" ? Slot::crs : Slot::ignored;
 }
 
-/// The events of a parser as points. Objects may say what they are behind what is in them.
+/// Turns the events of a JSON parser into points. The type of an object may come behind its content.
 class Events {
  public:
-  /// With `polygons` these are taken, and nothing else.
+  /// With `polygons`, reads polygons only.
   Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr,
          const GroupColumns& columns = {})
       : begin_(text.data()),
@@ -51,7 +51,7 @@ class Events {
         vertices_(vertices),
         polygons_(polygons),
         columns_(columns) {
-    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // of points that have none
+    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // for points without a key
   }
 
   PointFile read() {
@@ -79,7 +79,7 @@ class Events {
     return scalar(value ? "true" : "false", false);
   }
   bool number_integer(std::int64_t value) {
-    // The one integer whose sign is lost.
+    // −0 is the only integer whose sign the parser loses.
     const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
     const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
     if (is_property()) take_key(std::to_string(value), false);
@@ -172,23 +172,23 @@ class Events {
   }
 
  private:
-  /// An object of GeoJSON that is not at its end.
+  /// An object of GeoJSON whose end has not come yet.
   struct Frame {
     std::string type = {};
     Slot slot = Slot::ignored;
-    bool in_list = false;         // of Slot::objects
-    const char* begin = nullptr;  // behind its bracket, or at it
-    bool has_features = false;    // a member that is so called
-    bool is_feature = false;      // as its members say
+    bool in_list = false;         // within a list of objects
+    const char* begin = nullptr;  // at its bracket, or right behind it
+    bool has_features = false;    // it has a member "features"
+    bool is_feature = false;      // its members show that it is a Feature
     std::optional<GeoJsonGeometry> geometry = std::nullopt;
-    std::size_t geometries = 0;                                // that were read before it
-    std::size_t points = 0;                                    // the same
-    std::vector<std::pair<std::string, double>> numbers = {};  // its properties
-    std::string key = {};                                      // of these, those that points in groups have
+    std::size_t geometries = 0;                                // number of geometries before it
+    std::size_t points = 0;                                    // number of points before it
+    std::vector<std::pair<std::string, double>> numbers = {};  // its properties that are numbers
+    std::string key = {};                                      // its properties for points in groups
     double radius = not_a_number;
   };
 
-  /// Whether the value is one of a property of a Feature.
+  /// Whether the value is that of a property of a Feature.
   bool is_property() const { return depth_ == 1 && passed_over_ == Slot::properties; }
 
   void take_key(const std::string& text, bool is_text) {
@@ -196,7 +196,7 @@ class Events {
     frames_.back().key = text;
     file_.keys_are_texts = file_.keys_are_texts || (is_text && !text.empty());
   }
-  /// Of some points at least; null counts.
+  /// Throws BadInput if there are points, and no Feature has the property; null counts as having it.
   void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
     if (property && !is_there && !file_.points.empty())
       bad_input(name_, "no Feature with a property " + in_quotes(*property), "some, as " + option + " asks");
@@ -205,7 +205,7 @@ class Events {
     refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by asks");
   }
 
-  /// The fields of points from number `first` on.
+  /// Sets the fields of the points from number `first` on.
   void end_fields(std::size_t first, const std::string& key, double radius) {
     const std::size_t columns = (columns_.key ? 1U : 0U) + (columns_.radius ? 1U : 0U);
     file_.fields.resize(columns);
@@ -217,7 +217,7 @@ class Events {
     }
     const std::size_t points = file_.points.size();
     const auto fill = [&](std::vector<double>& field, double none, double value) {
-      field.resize(std::max(first, field.size()), none);  // of points in no Feature
+      field.resize(std::max(first, field.size()), none);  // for points in no Feature
       field.resize(points, value);
     };
     if (columns_.key) fill(file_.fields.front(), 0, static_cast<double>(number));
@@ -234,10 +234,10 @@ class Events {
 
   [[noreturn]] void refuse(const std::string& found, const std::string& expected) const {
     const std::size_t before = count_line_ends({begin_, static_cast<std::size_t>(at_ - begin_)});
-    const bool behind_end = at_ != begin_ && at_[-1] == '\n';  // which the parser has seen already
+    const bool behind_end = at_ != begin_ && at_[-1] == '\n';  // the parser has read the line end already
     bad_input(at_line(name_, before + (behind_end ? 0 : 1)) + feature_text(), found, expected);
   }
-  /// ": feature 700 (id 700)", as a file may be one line; nothing outside of features.
+  /// Returns ": feature 700 (id 700)", since the whole file may be one line; empty outside of features.
   std::string feature_text() const {
     const bool in_collection = frames_.size() > 1 && frames_.front().has_features;
     if (!in_collection && (frames_.empty() || !frames_.front().is_feature)) return "";
@@ -245,7 +245,7 @@ class Events {
     const bool is_only = !in_collection && features_ == 0 && id.empty();
     return is_only ? "" : ": feature " + std::to_string(features_) + id;
   }
-  /// Of the object that begins there; it may be anywhere in it.
+  /// Returns the id of the object that begins at `begin`, as text for messages.
   std::string id_text(const char* begin) const {
     const std::string id = json_id(std::find(begin, end_, '{'), end_);
     return id.empty() ? "" : " (id " + shown(id) + ")";
@@ -264,14 +264,14 @@ class Events {
   bool is_in(Slot slot) const { return depth_ == 0 && !frames_.empty() && frames_.back().slot == slot; }
   bool inside(Slot slot) const { return depth_ > 0 && passed_over_ == slot; }
 
-  /// What follows up to the bracket that closes has no points.
+  /// Ignores the content up to the closing bracket, but for names and numbers.
   bool pass_over(Slot slot) {
     passed_over_ = slot;
     depth_ = 1;
     return true;
   }
 
-  /// What begins or ends lies in what is of no interest.
+  /// Whether the object or array that begins or ends is within ignored content.
   bool passes_over(int step) {
     if (++events_ % 65536 == 0) stop_if_interrupted();
     if (depth_ == 0) return false;
@@ -279,7 +279,7 @@ class Events {
     return true;
   }
 
-  /// A value that is neither number, object nor array.
+  /// Takes a value that is no coordinate, object or array. Throws BadInput unless it `fits` its key or is ignored.
   bool scalar(const std::string& found, bool fits) const {
     if (depth_ > 0) return true;
     if (frames_.empty()) refuse(found, "a GeoJSON object");
@@ -287,7 +287,7 @@ class Events {
     return true;
   }
 
-  /// Requires of an integer in coordinates that a double holds it, as it does where its bits span 53 places.
+  /// Throws BadInput for an integer among coordinates that doubles do not represent: its bits span more than 53 places.
   template <typename Integer>
   void require_exact(Integer value) const {
     const auto size = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
@@ -305,7 +305,7 @@ class Events {
     return scalar("a number", false);
   }
 
-  /// At the end of an object it is known what it was.
+  /// Finishes an object, whose type is known at its end.
   void finish(Frame& frame) {
     const auto* kind = std::find_if(std::begin(geojson_kinds), std::end(geojson_kinds),
                                     [&](const GeoJsonKind& known) { return known.name == frame.type; });
@@ -329,7 +329,7 @@ class Events {
     if (polygons_ != nullptr) polygons_->end_geometry(before, no_feature);
   }
 
-  /// At the end of a Feature; and at that of the outermost object, for geometries that are in none.
+  /// Counts a feature: at the end of a Feature, and of the outermost object for geometries that are in no Feature.
   void count_feature(const Frame& frame, bool is_outermost) {
     const auto first = polygons_->geometries.begin() + static_cast<std::ptrdiff_t>(frame.geometries);
     const auto has_none = [](const PolygonGeometry& geometry) { return geometry.feature == no_feature; };
@@ -360,7 +360,7 @@ class Events {
   static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
   const char* begin_;
-  const char* at_;  // how far the parser has read
+  const char* at_;  // the parser has read up to here
   const char* end_;
   const std::string& name_;
   bool vertices_;
@@ -370,14 +370,14 @@ class Events {
   PointFile file_ = {};
   std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.texts[0]
   std::vector<Frame> frames_ = {};
-  Slot passed_over_ = Slot::ignored;  // what is of no interest but for its names and numbers
-  std::size_t depth_ = 0;             // brackets that are open around it
+  Slot passed_over_ = Slot::ignored;  // the content that is ignored but for names and numbers
+  std::size_t depth_ = 0;             // open brackets in it; 0: nothing is ignored
   std::string inner_key_ = {};
   std::map<std::string, std::size_t> property_numbers_ = {};
   std::optional<std::string> crs_name_ = std::nullopt;
   bool crs_is_unknown_ = false;
   std::size_t without_geometry_ = 0;
-  std::size_t features_ = 0;  // that have ended
+  std::size_t features_ = 0;  // number of features that have ended
   std::size_t events_ = 0;
 };
 

@@ -1,7 +1,7 @@
-// What: points, or polygons, from GeoJSON (RFC 7946, and the "crs" of its draft), one text or a sequence of them, one a line
-//       or so.
+// What: reads points, or polygons, from GeoJSON (RFC 7946, and "crs" of the draft of 2008): one text or a sequence of
+//       texts, such as one per line.
 // Law:  a coordinate is the double nearest to its decimal text, -0 included.
-// Cost: one pass, and no more memory than the points.
+// Cost: one pass, and the memory of the points.
 #pragma once
 
 #include <string>
@@ -13,15 +13,16 @@
 
 namespace rbpa::app {
 
-/// Those of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring closes counts
-/// once. Without "crs" they are longitudes and latitudes of WGS 84. Features without a geometry are counted in a remark.
-/// `properties` of a Feature are those of its points: a key that is a text, a number, true or false, and a number as a radius;
-/// without them the key is empty, and the radius NaN. Throws BadInput naming the line.
+/// Reads the points of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring
+/// closes counts once. Without "crs" they are longitudes and latitudes of WGS 84. A warning counts Features without a
+/// geometry. The points of a Feature get its `properties`: as key a text, a number, true or false, and as radius a
+/// number; without them the key is empty and the radius NaN. Throws BadInput naming the line.
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
                               const GroupColumns& properties = {});
 
-/// The polygons of Polygon and MultiPolygon, each a geometry, of collections as well; anything else that has coordinates is
-/// refused. A geometry outside of a Feature is a feature with those around it. Of properties those that are numbers.
+/// Reads the polygons of each Polygon and MultiPolygon, also in collections, as a geometry, and the properties that are
+/// numbers. Geometries that are in no Feature form a feature with those beside them. Throws BadInput naming the line,
+/// also for other kinds of geometries.
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

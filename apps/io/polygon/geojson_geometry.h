@@ -1,5 +1,5 @@
-// What: the coordinates of one geometry of GeoJSON, as a parser comes by them.
-// Law:  brackets are as deep as the kind of the geometry has them, or it is refused; a ring closes where it began.
+// What: collects the coordinates of one geometry of GeoJSON from the events of a parser.
+// Law:  a geometry is refused unless its brackets have the depth of its kind. Rings lose their closing point.
 #pragma once
 
 #include <array>
@@ -15,18 +15,18 @@ namespace rbpa::app {
 
 struct GeoJsonKind {
   std::string_view name;
-  int depth;            ///< brackets around a position, its own included
+  int depth;            ///< brackets around a coordinate
   bool points = false;  ///< Point or MultiPoint
-  bool rings = false;   ///< the lists innermost end where they begin
+  bool rings = false;   ///< the innermost lists are rings
 };
 inline constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"MultiPoint", 2, true},
                                                 {"LineString", 2},           {"MultiLineString", 3},
                                                 {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
 
-/// The coordinates of a geometry, which may come before its type. Each step returns what is wrong, or null.
+/// The coordinates of a geometry, which may come before its type. Each step returns a fault as text, or null.
 class GeoJsonGeometry {
  public:
-  /// Its points will follow `first` others.
+  /// `first`: the number of points before those of this geometry.
   explicit GeoJsonGeometry(std::size_t first) : first_(first) {}
 
   const char* open() {
@@ -62,8 +62,8 @@ class GeoJsonGeometry {
     return nullptr;
   }
 
-  /// Takes the points at which rings close away, and appends the polygons that rings make, if they are wanted. False when
-  /// positions lay in other brackets than the kind has.
+  /// Removes the closing points of rings, and appends the polygons of the rings to `polygons` unless that is null.
+  /// Returns false if the depth of the brackets is not that of the kind.
   bool finish(const GeoJsonKind& kind, PointFile& file, PolygonFile* polygons) {
     if (depth_ != 0 && depth_ != kind.depth) return false;
     if (!kind.rings) return true;
@@ -96,12 +96,12 @@ class GeoJsonGeometry {
 
  private:
   std::size_t first_;
-  int open_ = 0;                 // brackets
-  int depth_ = 0;                // of the positions so far; 0: none
-  std::size_t coordinates_ = 0;  // in the position that is not at its end
+  int open_ = 0;                 // open brackets
+  int depth_ = 0;                // of the positions so far; 0: there are none
+  std::size_t coordinates_ = 0;  // of the current position, so far
   std::array<double, 3> position_{};
-  std::vector<std::size_t> ends_ = {};   // of the innermost lists of positions, as counts of all points
-  std::vector<std::size_t> lists_ = {};  // of these, as counts of ends
+  std::vector<std::size_t> ends_ = {};   // ends of the innermost lists, as numbers of points before them
+  std::vector<std::size_t> lists_ = {};  // ends of the lists of these, as numbers of ends_ before them
 };
 
 }  // namespace rbpa::app

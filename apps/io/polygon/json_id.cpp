@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The events of a parser up to that member.
+/// Receives the events of a parser up to the member "id".
 struct JsonId {
   std::string text = {};
 

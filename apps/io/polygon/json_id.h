@@ -1,4 +1,4 @@
-// What: a JSON text while it is parsed, and the member "id" of an object in it, for messages.
+// What: the position of a JSON parser in its text, and the member "id" of an object, for messages.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-/// The text as nlohmann's parser wants it; how far it has come is seen by others.
+/// An iterator for nlohmann's parser that advances the caller's pointer, so that the caller knows the position.
 class JsonPosition {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -29,7 +29,8 @@ class JsonPosition {
   const char** at_;
 };
 
-/// The "id" of the object that begins at `begin`, of a text with its quotes; empty where its first mebibyte has none.
+/// Returns the "id" of the object that begins at `begin`, with its quotes if it is a text; empty if the first mebibyte
+/// of the object has none.
 std::string json_id(const char* begin, const char* end);
 
 }  // namespace rbpa::app

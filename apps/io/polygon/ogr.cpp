@@ -20,7 +20,7 @@
 namespace rbpa::app {
 namespace {
 
-/// While it lives GDAL knows its drivers and says nothing by itself.
+/// Registers GDAL's drivers, and keeps GDAL from printing while this object exists.
 class Gdal {
  public:
   Gdal() {
@@ -32,9 +32,9 @@ class Gdal {
   Gdal(const Gdal&) = delete;
   Gdal& operator=(const Gdal&) = delete;
 
-  /// Whether anything failed since it was made.
+  /// Whether anything has failed since this object was made.
   bool has_failed() const { return CPLGetLastErrorType() >= CE_Failure; }
-  /// What GDAL says about it.
+  /// Returns GDAL's message about the failure.
   std::string reason() const {
     const std::string text = CPLGetLastErrorMsg();
     return text.empty() ? "nothing that GDAL knows" : text;
@@ -63,7 +63,7 @@ class OgrReader {
       const OGRGeometry* geometry = feature->GetGeometryRef();
       geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
     }
-    // What is half read is no answer.
+    // Half of a file is no result.
     if (gdal_.has_failed()) bad_input(source_, shown(gdal_.reason()), "a whole vector file");
     constexpr int if_known = 0;
     const GIntBig announced = layer.GetFeatureCount(if_known);
@@ -85,7 +85,7 @@ class OgrReader {
   }
 
   void take_crs(const OGRLayer& layer) {
-    const OGRSpatialReference* const whole = const_cast<OGRLayer&>(layer).GetSpatialRef();  // which changes nothing
+    const OGRSpatialReference* const whole = const_cast<OGRLayer&>(layer).GetSpatialRef();  // does not change the layer
     if (whole == nullptr || whole->IsEmpty()) return;
     OGRSpatialReference system(*whole);
     if (system.IsCompound() != 0) system.StripVertical();
@@ -161,7 +161,7 @@ const char* driver_of(Format format) {
   return format == Format::fgb ? "FlatGeobuf" : "ESRI Shapefile";
 }
 
-/// A set of files that GDAL writes into memory: whole files are what is written to a disk.
+/// A set of files that GDAL writes into memory, so that only whole files reach the disk.
 class OgrWriter {
  public:
   OgrWriter(Format format, const std::optional<Crs>& crs) : format_(format), path_(path_of(format)) {
@@ -169,7 +169,7 @@ class OgrWriter {
     if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
     dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset_) fail(gdal_.reason());
-    // One for all features: a database would make one of each.
+    // One transaction for all features; a database would otherwise make one for each.
     in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
     has_system_ = crs.has_value();
     if (!crs) return;
@@ -216,7 +216,7 @@ class OgrWriter {
 
   void write_groups(const NamedShapes& groups) {
     OGRLayer& layer = create_layer("groups", wkbMultiPolygon);
-    // Numbers that are names may be no whole ones.
+    // Names that are numbers need not be integers.
     add_field(layer, "group", groups.are_numbers ? OFTReal : OFTString);
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"alpha", "area", "perimeter"}) add_field(layer, name, OFTReal);
@@ -225,7 +225,7 @@ class OgrWriter {
     for (std::size_t g = 0; g < groups.names.size(); ++g) {
       const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
       OGRFeature feature(layer.GetLayerDefn());
-      feature.SetField("group", groups.names[g].c_str());  // GDAL reads it where it is a number
+      feature.SetField("group", groups.names[g].c_str());  // GDAL converts it to the type of the field
       set(feature, "points", groups.sizes[g]);
       set(feature, "polygons", last - first);
       set(feature, "alpha", groups.shapes.alphas[g]);
@@ -251,7 +251,7 @@ class OgrWriter {
       set(feature, "number", i + 1);
       for (std::size_t k = 0; k < triangles.attributes.size(); ++k) {
         const TriangleAttribute& attribute = triangles.attributes[k];
-        const int place = static_cast<int>(k) + 1;  // names may be shortened
+        const int place = static_cast<int>(k) + 1;  // by index, as GDAL may have shortened the name
         if (attribute.text)
           feature.SetField(place, attribute.text(i).c_str());
         else if (const double value = attribute.number(i); std::isfinite(value))
@@ -270,7 +270,7 @@ class OgrWriter {
 
   std::vector<OgrFile> files() {
     if (in_transaction_ && dataset_->CommitTransaction() != OGRERR_NONE) fail(gdal_.reason());
-    dataset_.reset();  // writes what is left
+    dataset_.reset();  // flushes
     if (gdal_.has_failed()) fail(gdal_.reason());
     std::vector<OgrFile> files;
     for (const std::string& ending : ogr_endings(format_)) {
@@ -282,7 +282,7 @@ class OgrWriter {
   }
 
  private:
-  /// A name of its own among the files in memory of this process.
+  /// Returns a name that no other file in this process's memory has.
   static std::string path_of(Format format) {
     static int count = 0;
     return "/vsimem/rbpa-" + std::to_string(getpid()) + "-" + std::to_string(++count) + "." +
@@ -306,7 +306,7 @@ class OgrWriter {
   static void set(OGRFeature& feature, const char* name, std::size_t value) {
     feature.SetField(name, static_cast<GIntBig>(value));
   }
-  /// JSON has null for what is not finite, and so have these.
+  /// Sets a field; a number that is not finite becomes null, as in JSON.
   static void set(OGRFeature& feature, const char* name, double value) {
     if (std::isfinite(value)) feature.SetField(name, value);
   }

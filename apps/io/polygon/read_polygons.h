@@ -1,4 +1,4 @@
-// What:   polygons from a file of any format we read, and sizes at points from lines of text.
+// What:   reads polygons from a file of any supported format, and sizes at points from lines of text.
 // Source: .poly is Shewchuk, Triangle, https://www.cs.cmu.edu/~quake/triangle.poly.html
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace rbpa::app {
 
-/// The polygons in the order of the file. `path` may be "-", standard input; a gzip file is read as what was compressed.
-/// Throws BadInput naming the file and the line, what was found and what was expected; Failure; Cancelled.
+/// Reads the polygons in the order of the file. `path` may be "-", standard input; a gzip file is decompressed. Throws
+/// BadInput with the file and the line, what was found and what was expected; Failure; Cancelled.
 PolygonFile read_polygons(const std::string& path, Format format);
 
-/// Three numbers a line, x, y and size, with blanks, commas, semicolons or tabs between them; blank lines and those that
-/// begin with # are passed over, and so is a first line of names. `path` may be "-". Throws BadInput naming the line;
-/// Failure; Cancelled.
+/// Reads three numbers per line, x, y and size, separated by blanks, commas, semicolons or tabs. Skips blank lines,
+/// lines that begin with #, and a first line of names. `path` may be "-". Throws BadInput naming the line; Failure;
+/// Cancelled.
 std::vector<SizeAt> read_sizes(const std::string& path);
 
-/// The segments have to make rings: two at each vertex, or none. A ring within another bounds a hole, in which there is a
-/// hole point. Attributes, markers and regions are passed over; vertices in a file of their own (.node) are not looked for.
-/// Throws BadInput naming the line, or what of the rings is wrong; Cancelled.
+/// Reads a .poly file. Its segments must form rings: two at each vertex, or none. A ring within another bounds a hole,
+/// which must have a hole point. Ignores attributes, markers and regions; does not read vertices from a .node file.
+/// Throws BadInput naming the line, or the fault of the rings; Cancelled.
 PolygonFile read_poly_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

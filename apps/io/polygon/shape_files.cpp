@@ -43,7 +43,7 @@ bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& 
   return (degrees || (crs && crs->degrees)) && is_beyond_antimeridian(points);
 }
 
-/// How a format writes lists of polygons, of rings and of points.
+/// The punctuation of a format around polygons, rings and points.
 struct PolygonSigns {
   std::string_view first, next;  ///< before a polygon
   bool has_properties;
@@ -60,8 +60,8 @@ constexpr PolygonSigns geojson{"\n", ",\n", true, "[", "]", "[", ",", "]", ",", 
 constexpr PolygonSigns wkt{"MULTIPOLYGON (",      ", ", false, "(", ")", "", " ", "", ", ", "", ")\n",
                            "MULTIPOLYGON EMPTY\n"};
 
-/// The member "crs" and a comma, as the draft of 2008 has it; "" for WGS 84, which GeoJSON means by itself, and where
-/// nothing is known.
+/// Returns the member "crs" of the draft of 2008, and a comma; "" for WGS 84, the default of GeoJSON, and for an
+/// unknown system.
 std::string crs_member(const std::optional<Crs>& crs) {
   if (!crs || crs->is_wgs84()) return "";
   return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
@@ -90,7 +90,7 @@ void write_pair(OutputFile& file, const Point& p, std::string_view between) {
   file.write_number(p.y);
 }
 
-/// The corners of a ring, in memory that is used again.
+/// Collects the corners of a ring in `corners`, whose memory is reused.
 std::span<const Point> gather(const Ring& ring, std::span<const Point> points, std::vector<Point>& corners) {
   corners.clear();
   for (const std::uint32_t i : ring.points) corners.push_back(points[i]);
@@ -139,7 +139,7 @@ void write_positions(OutputFile& file, const std::vector<PositionRing>& polygon,
   file.write("]");
 }
 
-/// Lists of rings, with commas between them.
+/// Writes lists of rings, with commas between them.
 void write_parts(OutputFile& file, const std::vector<PositionRing>& polygon, bool has_z) {
   std::string_view before = "";
   for (const std::vector<PositionRing>& part : within_antimeridian(polygon)) {
@@ -233,7 +233,7 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
 
 namespace {
 
-/// The lists of rings of the polygons of a group, or of their parts.
+/// Writes the rings of the polygons of a group, or of their parts.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
                        bool cuts) {
   std::vector<Point> corners;
@@ -258,7 +258,7 @@ void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedS
   }
 }
 
-/// Calls visit(group, problem) for each group; the problem is empty where there is a polygon.
+/// Calls visit(group, problem) for each group; the problem is empty if there is a polygon.
 template <typename Visit>
 void for_each_named(const NamedShapes& groups, const Visit& visit) {
   const std::vector<std::string_view> problems = problems_of(groups);
@@ -268,7 +268,7 @@ void for_each_named(const NamedShapes& groups, const Visit& visit) {
   }
 }
 
-/// Bytes that are no UTF-8, as of Latin-1, become the sign for what cannot be read, which is what JSON can hold.
+/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, become the replacement character.
 std::string json_text(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -1,6 +1,6 @@
-// What: a shape as files of geographic information systems: its polygons, and the points that are in none.
-// Law:  the bytes depend on polygons and points alone; coordinates read back to the same doubles; points are in the order
-//       of the input.
+// What: writes a shape for geographic information systems: its polygons, and the points that are in none.
+// Law:  the bytes depend on polygons and points alone; coordinates read back to the same doubles; points are in the
+//       order of the input.
 #pragma once
 
 #include <cstdint>
@@ -23,34 +23,35 @@ namespace rbpa::app {
 struct Shape {
   std::span<const Point> points;
   std::span<const Polygon> polygons;
-  /// For each point the index of the polygon that it is in, if any.
+  /// For each point the index of its polygon, if it is in any.
   std::span<const std::optional<std::uint32_t>> polygon_of;
-  std::optional<Crs> crs = std::nullopt;      ///< where it is known
-  bool degrees = false;                       ///< the points are longitudes and latitudes, whatever is known of the crs
-  std::span<const std::uint32_t> index = {};  ///< of each point among those of the input; none where that is its number
+  std::optional<Crs> crs = std::nullopt;      ///< if it is known
+  bool degrees = false;                       ///< the points are longitudes and latitudes, even if `crs` is unknown
+  std::span<const std::uint32_t> index = {};  ///< input index of each point; empty if point i has index i
 };
 
-/// How many points are in each polygon: each point counts in one.
+/// Returns the number of points in each polygon; each point counts in at most one.
 std::vector<std::size_t> points_in_polygons(const Shape& shape);
 
-/// Whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian: GeoJSON has them cut there.
+/// Whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian, where GeoJSON must be cut.
 bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees);
 
-/// Why readers may take the coordinates for something else, if they may.
+/// Returns a warning if readers of GeoJSON may misinterpret the coordinates.
 std::optional<std::string> geojson_caution(const Shape& shape);
 
-/// What begins a FeatureCollection: "crs", where it is to be said, and features follow, with commas between, then "]}".
+/// Returns the beginning of a FeatureCollection, with "crs" if it has to be named. Features with commas between them
+/// follow, then "]}".
 std::string geojson_collection(const std::optional<Crs>& crs);
 
-/// What is known of a polygon beside its rings.
+/// The facts about a polygon beside its rings.
 struct PolygonFacts {
   double area = 0;
   double perimeter = 0;
   std::uint64_t holes = 0;
-  std::uint64_t points = 0;  ///< in it and in none before it
+  std::uint64_t points = 0;  ///< points in it and in no polygon before it
 };
 
-/// Who takes polygons ring by ring.
+/// A receiver of polygons, ring by ring.
 class PolygonSink {
  public:
   PolygonSink() = default;
@@ -58,28 +59,28 @@ class PolygonSink {
   PolygonSink(const PolygonSink&) = delete;
   PolygonSink& operator=(const PolygonSink&) = delete;
 
-  /// Its rings follow: the shell, then the holes, whose first points are not repeated; then end().
+  /// Begins a polygon. Calls of ring() follow: the shell, then the holes, without their closing points; then end().
   virtual void begin(const PolygonFacts& facts) = 0;
   virtual void ring(std::span<const Point> points) = 0;
   virtual void end() = 0;
-  /// That were all polygons.
+  /// Ends the list of polygons.
   virtual void finish() = 0;
 };
 
 struct PolygonSigns;
 
-/// The geometry of GeoJSON of a polygon, or of its parts where `cuts`: Polygon or MultiPolygon, as an object. With
+/// Writes the geometry of a polygon, or of its parts if `cuts`, as an object of GeoJSON: Polygon or MultiPolygon. With
 /// `has_z` positions have three numbers.
 void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& polygon, bool cuts, bool has_z);
 
-/// GeoJSON (RFC 7946): a FeatureCollection with one Feature for each polygon, whose properties are "number", from 1,
-/// "area", "perimeter", "holes", how many, and "points", how many are in it and in none before it. An area beyond the
-/// range of double is null. A system other than WGS 84 is a member "crs". A polygon on both sides of longitude 180 is cut
-/// there, where coordinates are degrees (antimeridian.h): its geometry is a MultiPolygon.
-/// Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
+/// Writes polygons as GeoJSON or well-known text. GeoJSON (RFC 7946): a FeatureCollection with one Feature for each
+/// polygon, whose properties are "number", from 1, "area", "perimeter", "holes" (their number) and "points" (the number
+/// of points in it and in no polygon before it). An area beyond the range of double is null. A system other than WGS 84
+/// is a member "crs". If coordinates are degrees, a polygon on both sides of longitude 180 is cut there
+/// (antimeridian.h), and its geometry is a MultiPolygon. Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
 class PolygonWriter final : public PolygonSink {
  public:
-  /// Requires: geojson or wkt. `cuts`: longitudes are beyond the antimeridian.
+  /// Requires: `format` is geojson or wkt. `cuts`: some longitudes are beyond the antimeridian.
   PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts);
   void begin(const PolygonFacts& facts) override;
   void ring(std::span<const Point> points) override;
@@ -91,43 +92,45 @@ class PolygonWriter final : public PolygonSink {
   const PolygonSigns& signs_;
   std::uint64_t number_ = 0;
   bool any_ring_ = false, cuts_ = false;
-  std::vector<PositionRing> rings_ = {};  ///< of the polygon, where it may be cut
+  std::vector<PositionRing> rings_ = {};  ///< of the current polygon, if it may have to be cut
 };
 
-/// All polygons of a shape by a PolygonWriter.
+/// Writes all polygons of a shape with a PolygonWriter.
 void write_polygons(OutputFile& file, Format format, const Shape& shape);
 
-/// The name of a group as JSON has it: a number, or a text.
+/// Returns the name of a group as JSON: a number, or a text in quotes.
 std::string json_name(const std::string& name, bool is_number);
-/// A field of CSV, in quotes where it needs them.
+/// Returns a field of CSV, in quotes if it needs them.
 std::string csv_text(std::string_view text);
 
 /// Shapes of groups, each with a name.
 struct NamedShapes {
   std::span<const Point> points;
   std::span<const std::string> names;
-  bool are_numbers = false;            ///< all names are
+  bool are_numbers = false;            ///< all names are numbers
   std::span<const std::size_t> sizes;  ///< points in each group
   const GroupShapes& shapes;
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
 };
 
-/// Of each group, why it has no polygon; empty where it has one.
+/// Returns for each group why it has no polygon; an empty text if it has one.
 std::vector<std::string_view> problems_of(const NamedShapes& groups);
 
-/// GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha", "area",
-/// "perimeter", "polygons", and where there are none "problem".
+/// Writes GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha",
+/// "area", "perimeter", "polygons", and, if the group has no polygon, "problem".
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups);
 
-/// CSV: group,points,alpha,area,perimeter,polygons,problem,geometry, a line for each group, the last being well-known text.
+/// Writes CSV with columns group,points,alpha,area,perimeter,polygons,problem,geometry, one line for each group; the
+/// geometry is well-known text.
 void write_groups_csv(OutputFile& file, const NamedShapes& groups);
 
-/// CSV: x,y,polygon for every point, polygons numbered from 1 as in GeoJSON; nothing where it is in none.
+/// Writes CSV with columns x,y,polygon, one line for each point; polygons are numbered from 1 as in GeoJSON, and the
+/// field is empty for a point in no polygon.
 void write_points_csv(OutputFile& file, const Shape& shape);
 
-/// The points in no polygon, with their indices in the input from 0: CSV x,y,index; a GeoJSON FeatureCollection of Points
-/// with "index"; or one MULTIPOINT.
+/// Write the points in no polygon, with their input indices from 0: CSV with columns x,y,index; a GeoJSON
+/// FeatureCollection of Points with "index"; or one MULTIPOINT.
 void write_isolated_csv(OutputFile& file, const Shape& shape);
 void write_isolated_geojson(OutputFile& file, const Shape& shape);
 void write_isolated_wkt(OutputFile& file, const Shape& shape);

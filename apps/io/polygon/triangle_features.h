@@ -1,4 +1,5 @@
-// What: triangles as features of geographic information systems, with heights and attributes: GeoJSON here, others by GDAL (ogr.h).
+// What: writes triangles as features for geographic information systems, with heights and attributes: GeoJSON here,
+//       other formats by GDAL (ogr.h).
 // Law:  the bytes depend on the triangles alone; coordinates read back to the same doubles.
 #pragma once
 
@@ -17,24 +18,25 @@
 
 namespace rbpa::app {
 
-/// A number, or a text, of each triangle.
+/// A number or a text for each triangle.
 struct TriangleAttribute {
   std::string name;
-  std::function<double(std::size_t)> number = {};     ///< NaN where there is none
-  std::function<std::string(std::size_t)> text = {};  ///< where it is a text
+  std::function<double(std::size_t)> number = {};     ///< NaN for a triangle without
+  std::function<std::string(std::size_t)> text = {};  ///< set if the attribute is a text
 };
 
 struct TriangleList {
   std::size_t count = 0;
   std::function<std::array<Point3, 3>(std::size_t)> corners = {};  ///< counter-clockwise
-  bool has_z = false;                                              ///< else positions have two numbers
+  bool has_z = false;                                              ///< positions have three numbers, not two
   std::vector<TriangleAttribute> attributes = {};
-  std::span<const Point> points = {};  ///< all that corners may be
+  std::span<const Point> points = {};  ///< all points of which corners are taken
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;  ///< x is a longitude and y a latitude
 };
 
-/// A FeatureCollection with a Polygon for each triangle, whose properties are "number", from 1, and the attributes.
+/// Writes a FeatureCollection with a Polygon for each triangle, whose properties are "number", from 1, and the
+/// attributes.
 void write_triangles_geojson(OutputFile& file, const TriangleList& triangles);
 
 }  // namespace rbpa::app

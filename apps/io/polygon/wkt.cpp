@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A kind of geometry, and how many brackets are around its positions; a collection has geometries.
+/// A kind of geometry, with the number of brackets around its positions; a collection contains geometries.
 struct Kind {
   std::string_view name;
   int depth;
@@ -23,7 +23,7 @@ constexpr Kind kinds[] = {{"GEOMETRYCOLLECTION", 0}, {"POINT", 1},
                           {"POLYGON", 2, true},      {"MULTIPOLYGON", 3, true},
                           {"TIN", 3, true},          {"POLYHEDRALSURFACE", 3, true}};
 
-/// Collections may be in collections; nobody needs more of them than this.
+/// The greatest depth of collections in collections.
 constexpr int deepest = 32;
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -34,7 +34,7 @@ std::string in_capitals(std::string_view word) {
   return result;
 }
 
-/// Null where there is none.
+/// Returns the kind of a name; null if there is none.
 const Kind* find_kind(std::string_view name) {
   const auto* kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
   return kind == std::end(kinds) ? nullptr : kind;
@@ -85,7 +85,7 @@ void WktGeometries::take_srid() {
   const std::string code(text_.substr(0, digits));
   text_.remove_prefix(digits);
   expect_sign(';');
-  if (code.find_first_not_of('0') == std::string::npos) return;  // unknown
+  if (code.find_first_not_of('0') == std::string::npos) return;  // SRID 0 means unknown
   const std::optional<Crs> crs = crs_of_name("EPSG:" + code);
   if (!crs) {
     crs_remark_ = remark_on_crs("EPSG:" + code);
@@ -98,7 +98,7 @@ void WktGeometries::take_srid() {
 
 bool WktGeometries::next(std::vector<Point>& points) {
   do skip_space();
-  while (take_sign(';'));  // some write one behind each
+  while (take_sign(';'));  // some writers put one behind each geometry
   if (text_.empty()) return false;
   take_srid();
   take_geometry(points, 0);
@@ -154,7 +154,7 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   if (polygons_ != nullptr) polygons_->end_geometry(before, polygons_->features);
 }
 
-/// As many brackets around each other as the kind has; the innermost are lines, or rings, which end where they begin.
+/// Reads nested brackets of the depth of the kind; the innermost are lines, or rings, whose last point is their first.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
   if (brackets == 1) return rings ? take_ring(points) : take_list(points);
   if (take_empty()) return;
@@ -183,7 +183,8 @@ bool WktGeometries::take_empty() {
   return true;
 }
 
-/// "(1 2, 3 4)" or "((1 2), (3 4))" or "EMPTY"; the second is how MULTIPOINT is meant to be, the first how it is written.
+/// Reads "(1 2, 3 4)" or "((1 2), (3 4))" or "EMPTY". The standard has the second form for MULTIPOINT; many writers use
+/// the first.
 void WktGeometries::take_list(std::vector<Point>& points) {
   if (take_empty()) return;
   expect_sign('(');
@@ -199,7 +200,7 @@ void WktGeometries::take_list(std::vector<Point>& points) {
   expect_sign(')');
 }
 
-/// Two to four numbers, of which the first two count.
+/// Reads a position of two to four numbers.
 void WktGeometries::take_position(std::vector<Point>& points) {
   double coordinate[2] = {0, 0}, z = std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < 4; ++i) {
@@ -210,7 +211,7 @@ void WktGeometries::take_position(std::vector<Point>& points) {
     };
     ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
     if (number.fault != NumberFault::none || !ends_at(number.end)) {
-      // Found is the word alone.
+      // The message shows only the word.
       const std::size_t size = std::min(text_.find_first_of(" \t\r\n,()"), text_.size());
       const ParsedNumber word = parse_written_number(text_.substr(0, size));
       if (word.fault == NumberFault::none)

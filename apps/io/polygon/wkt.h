@@ -1,4 +1,5 @@
-// What: the points of geometries in well-known text (OGC Simple Features; SRID=... before it, as PostGIS has it).
+// What: reads the points or polygons of geometries in well-known text (OGC Simple Features; perhaps SRID=... before it,
+//       as PostGIS writes it).
 // Law:  a coordinate is the double nearest to its decimal text.
 // Cost: one pass.
 #pragma once
@@ -15,34 +16,34 @@
 
 namespace rbpa::app {
 
-/// What is wrong, and where in the text.
+/// A fault and its place in the text.
 struct WktFault {
   const char* at;
   std::string found;
   std::string expected;
 };
 
-/// One geometry after the other.
+/// Reads one geometry after the other.
 class WktGeometries {
  public:
-  /// Of other geometries than POINT and MULTIPOINT the vertices count as points, if so wanted; the point at which a ring
-  /// closes counts once.
+  /// Reads points. With `vertices`, the vertices of geometries other than POINT and MULTIPOINT count as points, the
+  /// point at which a ring closes once; otherwise these geometries are refused.
   WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
-  /// Polygons and what is made of them: these are appended to `polygons`, with their geometries, and other geometries are
-  /// refused. A collection is one feature.
+  /// Reads polygons and appends them to `polygons`, with their geometries; refuses geometries that are not made of
+  /// polygons. A collection is one feature.
   WktGeometries(std::string_view text, PolygonFile& polygons) : text_(text), vertices_(true), polygons_(&polygons) {}
 
-  /// Appends the points of the next geometry; false when there is none. Throws WktFault.
+  /// Appends the points of the next geometry; returns false if there is none. Throws WktFault.
   bool next(std::vector<Point>& points);
 
-  /// Third coordinates so far, but for measures.
+  /// Returns the third coordinates so far, without measures.
   const Heights& heights() const { return heights_; }
-  /// Of each point that next() has appended; NaN where it has none.
+  /// Returns the third coordinate of each point that next() has appended; NaN for a point without.
   const std::vector<double>& z() const { return z_; }
 
-  /// The system that an SRID has named, if any.
+  /// Returns the system that an SRID names, if any.
   const std::optional<Crs>& crs() const { return crs_; }
-  /// The warning on an SRID that names no system of the plane.
+  /// Returns the warning about an SRID that names no horizontal system.
   const std::string& crs_remark() const { return crs_remark_; }
 
  private:
@@ -69,11 +70,12 @@ class WktGeometries {
   std::vector<double> z_ = {};
 };
 
-/// Those of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput naming the line.
+/// Reads the points of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput naming the
+/// line.
 PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices);
 
-/// The polygons of POLYGON, MULTIPOLYGON and what else is made of rings. Throws BadInput naming the line, also where there
-/// is anything else.
+/// Reads the polygons of POLYGON, MULTIPOLYGON and other geometries of rings. Throws BadInput naming the line, also for
+/// any other geometry.
 PolygonFile read_wkt_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -46,7 +46,7 @@ void CifTokens::next() {
   if (kind_ == Kind::no_value) text_ = {};
 }
 
-/// And comments, which begin where a token may.
+/// Skips blanks, and comments, which may begin only where a token may.
 void CifTokens::pass_blanks() {
   for (; at_ != end_; ++at_) {
     if (*at_ == '#') at_ = std::find_if(at_, end_, ends_line);
@@ -56,7 +56,7 @@ void CifTokens::pass_blanks() {
   }
 }
 
-/// A quote ends where a blank follows: 'O5'' is O5'.
+/// Takes a quoted value. A quote ends the value only if a blank follows: 'O5'' is O5'.
 void CifTokens::take_quoted() {
   const char quote = *at_;
   const char* const first = ++at_;
@@ -70,7 +70,7 @@ void CifTokens::take_quoted() {
             "a value whose quotes end in its line");
 }
 
-/// The lines up to one that begins with a semicolon.
+/// Takes a multi-line value, up to a line that begins with a semicolon.
 void CifTokens::take_lines() {
   const char* const first = ++at_;
   for (; at_ != end_; ++at_) {

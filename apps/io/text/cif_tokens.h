@@ -1,5 +1,5 @@
-// What:   a text in CIF as its tokens.
-// Law:    names and keywords count in letters of either case; a value ends where its quotes say, not its line.
+// What:   splits a text in CIF into tokens.
+// Law:    the case of names and keywords does not matter; a quoted value ends at its closing quote.
 // Source: https://www.iucr.org/resources/cif/spec/version1.1/cifsyntax
 #pragma once
 
@@ -16,21 +16,21 @@ class CifTokens {
     end,
     name,  ///< _atom_site.id
     loop,
-    block,    ///< data_NAME, save_NAME, or another keyword that ends what was before
+    block,    ///< data_NAME, save_NAME, or another keyword that ends the loop before
     value,    ///< without its quotes
     no_value  ///< ? or .
   };
 
-  /// Goes to the first token. Messages call the text `name`, which has to stay there. Throws as next().
+  /// Goes to the first token. `name` stands for the text in messages; both must outlive this object. Throws as next().
   CifTokens(std::string_view text, const std::string& name);
 
-  /// Goes to the next token. Throws BadInput for quotes and texts without an end; Cancelled.
+  /// Goes to the next token. Throws BadInput for quotes and multi-line texts without an end; Cancelled.
   void next();
 
   Kind kind() const { return kind_; }
   bool is_value() const { return kind_ == Kind::value || kind_ == Kind::no_value; }
-  std::string_view text() const { return text_; }   ///< empty where there is no value
-  std::size_t line() const { return token_line_; }  ///< where the token begins, from 1
+  std::string_view text() const { return text_; }   ///< empty for no_value
+  std::size_t line() const { return token_line_; }  ///< line where the token begins, from 1
 
  private:
   void pass_blanks();

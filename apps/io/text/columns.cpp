@@ -14,7 +14,7 @@ namespace rbpa::app {
 namespace {
 
 Column parse_column(std::string_view text) {
-  // What is a number is no name: -1 and 1.5 are mistakes.
+  // A number is no name: -1 and 1.5 are mistakes.
   const NumberFault fault = parse_whole_number(text).fault;
   if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
     return {.number = 0, .name = std::string(text)};
@@ -76,7 +76,7 @@ std::vector<Column> parse_space_columns(const std::string& text) {
 
 namespace {
 
-/// Names that go together. Letters and digits count, small; what is in brackets, a unit, does not.
+/// Names of columns that belong together: lower-case letters and digits, without the unit in brackets.
 struct Names {
   std::vector<std::string_view> x, y;
   bool degrees = false;
@@ -110,7 +110,7 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// The first column that has one of the names.
+/// Returns the first column that has one of the names.
 template <typename Known>
 std::optional<std::size_t> find_first(const std::vector<std::string>& header, const Known& names) {
   const auto found = std::find_first_of(header.begin(), header.end(), std::begin(names), std::end(names));
@@ -118,7 +118,7 @@ std::optional<std::size_t> find_first(const std::vector<std::string>& header, co
   return static_cast<std::size_t>(found - header.begin());
 }
 
-/// The columns of all three, or none.
+/// Returns the columns of all names, or none.
 template <std::size_t names>
 std::vector<std::size_t> find_three(const std::vector<std::string>& header, const std::string_view (&known)[3][names]) {
   std::vector<std::size_t> places;

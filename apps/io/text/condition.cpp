@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, Step> comparisons[] = {
     {"==", Step::equal},      {"=", Step::equal},          {"!=", Step::not_equal}, {"<>", Step::not_equal},
     {"<=", Step::less_equal}, {">=", Step::greater_equal}, {"<", Step::less},       {">", Step::greater}};
 
-/// Letters beyond ASCII are letters.
+/// Whether a character belongs to a word; every character beyond ASCII counts as a letter.
 bool is_of_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
@@ -32,7 +32,7 @@ std::string_view unquoted(std::string_view word) {
   return word.size() > 2 && is_quote(word.front()) ? word.substr(1, word.size() - 2) : word;
 }
 
-/// Recursive descent, a function for each rule of the grammar.
+/// A recursive-descent parser with a function for each rule of the grammar.
 class Parser {
  public:
   Parser(const std::string& text, const FieldNames& names, Instructions& result, std::vector<std::string>& fields,
@@ -46,7 +46,7 @@ class Parser {
   }
 
  private:
-  static constexpr int deepest = 100;  // brackets in brackets
+  static constexpr int deepest = 100;  // greatest depth of brackets
 
   /// Goes to the next word: a name, perhaps in quotes, a number or a sign.
   void take() {
@@ -93,7 +93,7 @@ class Parser {
     }
   }
 
-  /// Behind the first of two, which may decide alone.
+  /// Adds the jump behind the first operand, which may decide alone; returns its index.
   std::size_t begin_second(Step step) {
     result_.push_back({step});
     return result_.size() - 1;
@@ -130,14 +130,14 @@ class Parser {
     return names_.texts && word_.size() > 1 && is_quote(word_.front()) && word_.back() == word_.front();
   }
 
-  /// Appends whether the field is the text that is next.
+  /// Appends the comparison of the field with the next text.
   void take_text(const std::string& field) {
     result_.push_back({Step::text, 0, texts_.size()});
     texts_.push_back({field, std::string(word_.substr(1, word_.size() - 2))});
     take();
   }
 
-  /// What is to be compared with a text is no number.
+  /// Returns the name of a field that is compared with a text. Throws WrongUsage if it is a number.
   std::string name_of(const Condition::Instruction& left, std::size_t known) {
     if (left.step != Step::field) refuse("a number or " + names_.described);
     std::string name = fields_[left.field];
@@ -169,7 +169,7 @@ class Parser {
     }
     result_.push_back(left);
     if (!step) return;
-    // 0 < z < 10 is 0 < z and z < 10.
+    // 0 < z < 10 means 0 < z and z < 10.
     for (bool first = true; step; first = false, step = take_sign()) {
       if (!first) result_.push_back(left);
       left = take_operand();
@@ -294,7 +294,7 @@ Condition Condition::of_groups(const GroupColumns& columns, const std::string& t
 void Condition::parse(const std::string& text, const FieldNames& names) {
   selects_ = !text.empty();
   if (!selects_) return instructions_.push_back({Step::number, 1});
-  // What is wanted may be a text, and is no number that may be compared, even of the same column.
+  // A requested column may be a text; a comparison of the same column with a number needs a field of its own.
   std::vector<std::string> compared;
   Parser(text, names, instructions_, compared, texts_).parse();
   for (Instruction& instruction : instructions_)

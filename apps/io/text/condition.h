@@ -1,5 +1,6 @@
-// What: `--where`: which points of a file count, by numbers that stand beside them: "class == 2 and (z > 3 or not overlap)".
-// Cost: a few operations a point for each word.
+// What: conditions of `--where`, which select points of a file by their fields: "class == 2 and (z > 3 or not
+//       overlap)".
+// Cost: a few operations for each point and word.
 #pragma once
 
 #include <algorithm>
@@ -12,48 +13,49 @@
 
 namespace rbpa::app {
 
-/// What a condition may call a field.
+/// The rule for names of fields in a condition.
 struct FieldNames {
   bool (*are)(std::string_view word);
   std::string described;  ///< for messages, behind "expected a number or "
-  bool texts = false;     ///< they may be compared with a text
+  bool texts = false;     ///< fields may be compared with texts
 };
 
-/// Of tables: any name. One that is no word, such as "point class", stands in double quotes.
+/// Returns the rule for tables: any name. A name that is no word, such as "point class", is in double quotes.
 FieldNames names_of_columns();
 
-/// A column that is wanted of each point beside its place.
+/// A column that is read for each point beside its position.
 struct WantedColumn {
   enum class Kind {
-    by_value,  ///< numbers where the first value is one, else texts; of atoms as the column has it
+    by_value,  ///< numbers if the first value is one, otherwise texts; for atoms, by the column
     number,
     text,
-    radius  ///< a number, NaN for what is none: that is for its group to say, and no reason to refuse the file
+    radius  ///< a number; NaN for any other text, which concerns its group only and is no reason to refuse the file
   };
   std::string name;
   Kind kind = Kind::number;
-  bool if_there = false;  ///< where the file has no such column it is left out
+  bool if_there = false;  ///< a file without the column is accepted
 };
 
-/// Of points in groups, which fields have what belongs to their group.
+/// The fields that assign points to groups.
 struct GroupColumns {
-  std::optional<std::string> key = std::nullopt;     ///< `--group-by`: its name
-  std::optional<std::string> radius = std::nullopt;  ///< `--alpha column:NAME`
+  std::optional<std::string> key = std::nullopt;     ///< `--group-by`: field of the group's name
+  std::optional<std::string> radius = std::nullopt;  ///< `--alpha column:NAME`: field of the group's radius
 };
 
-/// Comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or `field in (2, 6)`, or a
-/// field that is not 0; joined by not, and, or (also ! && ||) and brackets. Small and capital letters are the same. Where
-/// fields may be texts: `field == "A"`, != and `in ("A", "B")`, quotes of either kind, letters as they are.
+/// A compiled condition: comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or
+/// `field in (2, 6)`, or a field alone, which holds if it is not 0; joined by not, and, or (also ! && ||) and brackets.
+/// Case does not matter. If fields may be texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind;
+/// the case of these texts matters.
 class Condition {
  public:
-  /// Throws WrongUsage naming what is not understood.
+  /// Parses a condition. Throws WrongUsage with the part that is not understood.
   Condition(const std::string& text, const FieldNames& names);
-  /// The same, and fields that are wanted of each point as well, by `option`: the first of fields(), no two of them equal. Of an empty
-  /// text all points count.
+  /// Parses a condition, and adds `columns`, which `option` requests for each point, as the first of fields(). An empty
+  /// text selects all points. Requires: no two equal columns. Throws WrongUsage.
   Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
             std::string_view option = "--where");
-  /// The same, and key and radius of each point, those there are, which are the first of fields() and the only ones of columns():
-  /// where fields may be texts a key is one, whatever it looks like. Throws WrongUsage.
+  /// Parses a condition, and adds the key and the radius of points in groups, as far as `columns` names them, as
+  /// columns(). If fields may be texts, keys are texts even if they look like numbers. Throws WrongUsage.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 
   enum class Step {
@@ -69,32 +71,34 @@ class Condition {
     either,
     negation,
     text,
-    unless_true,  ///< goes on at Instruction::field where the value so far is not 0, and makes it 1
-    unless_false  ///< the same where it is 0
+    unless_true,  ///< if the last value is not 0, makes it 1 and jumps to instruction Instruction::field
+    unless_false  ///< likewise if it is 0
   };
-  /// In the order of evaluation: values before what is made of them.
+  /// A step of a stack machine: operands come before their operator.
   struct Instruction {
     Step step;
     double number = 0;  ///< of Step::number
-    std::size_t field =
-        0;  ///< of Step::field: which of fields(); of Step::text: which of texts(); of others the next instruction
+    /// Step::field: index in fields(); Step::text: index in texts(); unless_true and unless_false: the next
+    /// instruction.
+    std::size_t field = 0;
   };
   const std::vector<Instruction>& instructions() const { return instructions_; }
-  /// As they were written: the columns, and what is compared with numbers, each once.
+  /// Returns the names as written, each once: the columns(), then the fields that are compared with numbers.
   const std::vector<std::string>& fields() const { return fields_; }
-  /// How many of them are wanted of each point.
+  /// Returns the number of columns that are requested for each point, the first of fields().
   std::size_t columns() const { return columns_.size(); }
   const WantedColumn& column(std::size_t i) const { return columns_[i]; }
-  /// The option that names a field: "--group-by" the key, "--alpha" the radius, that of columns() the others of these, "--where" all others.
+  /// Returns the option that names a field: "--group-by" for the key, "--alpha" for the radius, the option of columns()
+  /// for other columns, and "--where" for all other fields.
   std::string_view option_of(const std::string& field) const {
     if (field == of_groups_.key) return "--group-by";
     if (field == of_groups_.radius) return "--alpha";
     const auto is_it = [&](const WantedColumn& column) { return column.name == field; };
     return std::any_of(columns_.begin(), columns_.end(), is_it) ? std::string_view(option_) : "--where";
   }
-  /// Whether some points may not count.
+  /// Whether the condition may exclude points.
   bool selects() const { return selects_; }
-  /// Whether a field is a text.
+  /// A comparison of a field with a text.
   struct Text {
     std::string field, text;
   };
@@ -113,7 +117,7 @@ class Condition {
   bool selects_ = true;
 };
 
-/// Judges one point after the other, and counts.
+/// Evaluates a condition for one point after the other, and counts.
 class Selection {
  public:
   explicit Selection(const Condition& condition)
@@ -122,8 +126,9 @@ class Selection {
         selects_(condition.selects()),
         values_(condition.fields().size()) {}
 
-  /// number(i) is the value of the condition's field i, and is_text(i) whether its text i is as asked: they are called for what decides.
-  /// The second of `and` and `or` does not where the first does.
+  /// Returns whether the condition is true for a point. number(i) returns the value of the condition's field i, and
+  /// is_text(i) whether its comparison i of texts is true; they are called only as far as needed: the second operand of
+  /// `and` and `or` is not evaluated if the first decides.
   template <typename Number, typename IsText>
   bool holds(const Number& number, const IsText& is_text) {
     stack_.clear();
@@ -139,21 +144,21 @@ class Selection {
     }
     return count();
   }
-  /// Likewise for a point whose numbers are in values().
+  /// Returns whether the condition is true for a point whose numbers are in values().
   bool holds() {
     return holds([&](std::size_t i) { return values_[i]; }, [](std::size_t) { return false; });
   }
-  /// Where the values of the condition's fields belong, of the point that holds() judges.
+  /// Returns the place for the values of the condition's fields, before a call of holds().
   std::span<double> values() { return values_; }
 
   bool all_held() const { return selected_ == judged_; }
-  /// The condition's columns(), of the point that was judged last.
+  /// Returns the values of the condition's columns() for the last point.
   std::span<const double> column_values() const { return {values_.data(), columns_}; }
-  /// "2 of 3 points are as --where asks"; nothing where all count.
+  /// Adds the number of selected points to `remarks`, unless the condition selects all points anyway.
   void remark(std::string_view noun, std::vector<std::string>& remarks) const;
 
  private:
-  /// Makes one of the values so far; whether it passes over what follows.
+  /// Executes an instruction on the stack; returns whether to jump.
   bool decides(const Condition::Instruction& instruction);
   bool count();
 

@@ -13,7 +13,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// No comma, or one between digits.
+/// Whether the field has no comma, or one between digits.
 bool may_be_decimal(std::string_view field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string_view::npos) return true;
@@ -66,7 +66,7 @@ std::vector<std::string_view> split(std::string_view line, char separator, std::
 }
 
 const char* end_of_record(std::string_view line, const char* end, char separator) {
-  constexpr std::ptrdiff_t longest = std::ptrdiff_t{1} << 20U;  // of a text that goes on in other lines
+  constexpr std::ptrdiff_t longest = std::ptrdiff_t{1} << 20U;  // length of a text that spans lines
   const char* at = line.data();
   const char* line_end = at + line.size();
   const auto skip_blanks = [&] {
@@ -114,7 +114,7 @@ char separator_of(std::string_view line) {
 std::optional<char> separator_hint(std::string_view line) {
   line = without_quotes(line);
   if (!line.starts_with("sep=") || line.size() > 5) return std::nullopt;
-  return line.size() == 5 ? line.back() : '\t';  // which was trimmed
+  return line.size() == 5 ? line.back() : '\t';  // a tab was trimmed
 }
 
 bool is_number(std::string_view field) {

@@ -1,4 +1,4 @@
-// What: a line of a table as its fields: by which sign they are apart, what their texts are, decimal commas.
+// What: splits a line of a table into fields: separators, quoted texts, decimal commas.
 // Law:  all numbers of a table have a decimal point or a decimal comma, or are whole.
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace rbpa::app {
 
-constexpr char blanks = ' ';  ///< as a separator: any run of spaces and tabs
+constexpr char blanks = ' ';  ///< the separator that stands for any run of spaces and tabs
 
 inline std::string_view without_quotes(std::string_view field) {
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"') return field.substr(1, field.size() - 2);
   return field;
 }
 
-/// Behind the quote that ends the text in quotes at `quote`, in which two quotes are one (RFC 4180). Null where none
-/// does before `end`.
+/// Returns the position behind the quote that ends the quoted text at `quote`, in which two quotes stand for one (RFC
+/// 4180); null if it does not end before `end`.
 inline const char* end_of_quoted(const char* quote, const char* end) {
   for (const char* at = std::find(quote + 1, end, '"'); at != end; at = std::find(at + 2, end, '"'))
     if (at + 1 == end || at[1] != '"') return at + 1;
@@ -55,7 +55,7 @@ class Fields {
     return trimmed({first, static_cast<std::size_t>(last - first)});
   }
 
-  /// Passes over a field whose text has been read up to `behind`; false when there is more text in it.
+  /// Skips a field whose text the caller has read up to `behind`; returns false if there is more text in it.
   bool take_up_to(const char* behind) {
     if (separator_ == blanks) {
       if (behind != end_ && !is_blank(*behind)) return false;
@@ -88,7 +88,7 @@ class Fields {
   bool done_ = false;
 };
 
-/// Of a line; what is empty behind the others may be missing in other lines.
+/// The number of fields of a line, with and without empty fields at its end, which other lines may lack.
 struct FieldCount {
   std::size_t all = 0, to_last_text = 0;
 
@@ -96,72 +96,75 @@ struct FieldCount {
     ++all;
     if (!field.empty()) to_last_text = all;
   }
-  /// Whether lines of both are of one table: they differ in empty fields at the end alone.
+  /// Whether lines with both counts may be of one table: they differ only in empty fields at the end.
   bool fits(const FieldCount& first) const {
     return all >= first.to_last_text && (all <= first.all || to_last_text <= first.all);
   }
 };
 FieldCount count_fields(std::string_view line, char separator);
 
-/// The text of a field, in which two quotes are one; `room` holds it where it is not as in the line.
+/// Returns the text of a field, without quotes around it and with one quote for two; `room` holds it if it differs from
+/// the line.
 std::string_view text_of_field(std::string_view field, std::string& room);
 
-/// The texts of all fields; `room` holds those that are not as in the line.
+/// Returns the texts of all fields; `room` holds those that differ from the line.
 std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room);
 
-/// Where the record ends that begins as `line` does: at the end of that line, or of a later one before `end` where a
-/// text in quotes goes on. Null where such a text does not end, or goes on for more than a mebibyte.
+/// Returns the end of the record that begins with `line`: the end of that line, or of a later one, before `end`, if a
+/// quoted text spans lines. Null if such a text does not end, or is longer than a mebibyte.
 const char* end_of_record(std::string_view line, const char* end, char separator);
 
-/// Comma, semicolon, tab or blanks: the first of them that is in the line outside of quotes. A comma that stands
-/// between the digits of a number in every field that has one separates nothing.
+/// Returns comma, semicolon, tab or blanks: the first of these that is in the line outside of quotes. Commas are
+/// ignored if every one of them is between the digits of a number.
 char separator_of(std::string_view line);
 
-/// Whether `line`, apart at `separator`, has commas, and every one of them stands in a number of its own: "1,5;2".
+/// Whether `line`, split at `separator`, has commas, and every one of them is in a number of its own: "1,5;2".
 bool commas_are_decimal(std::string_view line, char separator);
 
-/// Returns the separator of a line "sep=;", which Excel may write before everything else.
+/// Returns the separator of a line "sep=;", which Excel may write as the first line.
 std::optional<char> separator_hint(std::string_view line);
 
-/// With a decimal point or comma.
+/// Whether the field is a number, with a decimal point or comma.
 bool is_number(std::string_view field);
 
-/// Whether it was meant to be one, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or has no
-/// letters but those of exponents.
+/// Whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or
+/// has no letters but those of exponents.
 bool is_nearly_number(std::string_view field);
 
-/// Whether it begins as well-known text does, and its brackets close.
+/// Whether the field begins like well-known text, and its brackets are closed.
 bool is_geometry(std::string_view field);
 
-/// Whether it has the name of a geometry, after which a bracket opens or there is EMPTY.
+/// Whether the text begins with the name of a geometry, followed by an opening bracket or EMPTY.
 bool begins_with_geometry(std::string_view text);
 
-/// What programs write where there is no value: "NA", nothing, and others.
+/// Whether the field stands for a missing value: "NA", nothing, and others.
 bool is_missing(std::string_view field);
 
-/// Whether a field of the header is called that, in letters of either case.
+/// Whether a field of the header has that name, in letters of either case.
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);
 
-/// Which field of the header, the current line of `lines`, is called that, by case or else without. Throws BadInput.
+/// Returns the index of the field with the name `wanted` in the header, the current line of `lines`; if none matches
+/// exactly, in letters of either case. Throws BadInput.
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
                         const std::string& name);
 
+/// Numbers with decimal commas, and the check that no other number of the table has a decimal point.
 class DecimalComma {
  public:
   bool is_used() const { return line_ > 0; }
 
-  /// The number that `field` is. Throws BadInput naming `here`, the place of its line.
+  /// Returns the number in `field`. Throws BadInput naming `here`, its file and line.
   double read(std::string_view field, const std::string& here) const;
 
-  /// The first number that has one, in `line`. Throws BadInput unless all numbers before were whole.
+  /// Notes the first number with a decimal comma, in `line`. Throws BadInput unless all numbers before it are whole.
   void begin(std::string_view field, std::size_t line, bool all_whole, const std::string& here,
              std::vector<std::string>& remarks);
 
-  /// Throws BadInput when `field` has a decimal point where commas are used.
+  /// Throws BadInput if `field` has a decimal point although commas are used.
   void refuse_point(std::string_view field, const std::string& here) const;
 
  private:
-  std::size_t line_ = 0;  // that has shown it
+  std::size_t line_ = 0;  // of the first decimal comma; 0: there is none
 };
 
 }  // namespace rbpa::app

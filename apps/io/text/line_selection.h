@@ -1,4 +1,4 @@
-// What: which lines of a table count: those that are as `--where` asks and, where others are left out, are what is read.
+// What: selects the lines of a table: by `--where`, and, with `--skip-invalid`, by whether they can be read.
 // Law:  every line with content is taken, deselected, or left out and counted.
 #pragma once
 
@@ -20,7 +20,7 @@
 namespace rbpa::app {
 
 constexpr std::string_view of_where =
-    " in a column that --where asks for (== \"...\" compares a text)";  ///< behind what a number is expected to be
+    " in a column that --where asks for (== \"...\" compares a text)";  ///< end of a message about a number
 
 class LineSelection {
  public:
@@ -28,20 +28,21 @@ class LineSelection {
       : where_(std::move(where)), skip_invalid_(skip_invalid) {}
 
   bool has_condition() const { return where_.has_value(); }
-  /// Of the condition's columns(), in the line that was judged last.
+  /// Returns the values of the condition's columns() in the last line.
   std::span<const double> column_values() const {
     return selection_ ? selection_->column_values() : std::span<const double>();
   }
 
-  /// The columns of the condition, by the header of the file `name`, in the current line. `names` are its fields; none
-  /// where there is no header, which is refused unless all columns are wanted only if they are there. Throws BadInput.
+  /// Finds the columns of the condition in the header of the file `name`, the current line, whose fields are `names`.
+  /// Without a header `names` is empty. Throws BadInput for a missing column that is not optional.
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
-  /// What the columns hold of which the first value decides, by the line, the first of data, and those behind it.
+  /// Decides which columns of kind by_value hold numbers and which texts, by the first line of data and those behind
+  /// it.
   void settle_kinds(std::string_view line, Lines behind, char separator);
 
-  /// Whether a line is as the condition asks. Of its fields read(fields) makes the requested numbers, those that decide, and
-  /// take_width(widths) judges how many there are.
+  /// Whether the condition is true for a line. read(fields) returns a number from the next field, and is called for the
+  /// fields that decide; take_width(count) checks the number of fields.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
@@ -67,7 +68,8 @@ class LineSelection {
     return true;
   }
 
-  /// Of each of the condition's columns that is of texts, these: column_values() has a number for each, from 0 on.
+  /// Returns for each of the condition's columns that holds texts the distinct texts, which column_values() numbers
+  /// from 0.
   std::vector<std::optional<std::vector<std::string>>> take_texts() {
     std::vector<std::optional<std::vector<std::string>>> all;
     for (std::size_t k = 0; k < kinds_.size(); ++k)
@@ -76,7 +78,7 @@ class LineSelection {
     return all;
   }
 
-  /// Takes a line; one that take() refuses is left out, or the refusal stands.
+  /// Calls take(), which reads the current line. If it throws BadInput, leaves the line out, or rethrows.
   template <typename Take>
   void attempt(const Take& take) {
     try {
@@ -86,22 +88,22 @@ class LineSelection {
     }
   }
 
-  /// For messages about a line that would be left out.
+  /// Returns the end of a message about a line that --skip-invalid would leave out.
   std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are no point)"; }
 
-  /// Leaves out the current line, if lines may be.
+  /// Leaves out and counts the current line, if lines may be left out; returns whether they may.
   bool leaves_out(const BadInput& refusal) {
     if (skip_invalid_ && skipped_++ == 0) first_skipped_ = refusal.what();
     return skip_invalid_;
   }
   bool skips() const { return skip_invalid_; }
-  std::size_t skipped() const { return skipped_; }  ///< so far
+  std::size_t skipped() const { return skipped_; }  ///< number of lines that are left out so far
 
-  /// What was selected, and what was left out. Throws BadInput when that is all there was.
+  /// Adds warnings about the lines that were selected and left out. Throws BadInput if all lines were left out.
   void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
 
  private:
-  /// NaN for what is none: that is for its group to say, and no reason to refuse the file.
+  /// Returns a radius; NaN for any other text, which concerns its group only and is no reason to refuse the file.
   static double radius_of(std::string_view text) {
     const ParsedNumber number = parse_whole_number(text);
     const bool is_one = number.fault == NumberFault::none || number.fault == NumberFault::not_finite;
@@ -113,10 +115,10 @@ class LineSelection {
 
   std::optional<Condition> where_;
   bool skip_invalid_;
-  std::vector<std::size_t> places_ = {};   // in the table, of the condition's fields and of its texts
-  std::vector<Fields> found_ = {};         // in a line, at each of these
-  std::vector<Kind> kinds_ = {};           // of its columns
-  std::vector<TextNumbers> numbers_ = {};  // of the texts in these
+  std::vector<std::size_t> places_ = {};   // columns of the table for the condition's fields and its texts
+  std::vector<Fields> found_ = {};         // the current line at each of these columns
+  std::vector<Kind> kinds_ = {};           // of the condition's columns
+  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of these
   std::optional<Selection> selection_ = std::nullopt;
   std::string room_ = {};
   std::size_t skipped_ = 0;

@@ -1,4 +1,4 @@
-// What: a text as its lines, and a line as its words.
+// What: splits a text into lines, and a line into words.
 #pragma once
 
 #include <algorithm>
@@ -22,16 +22,16 @@ inline std::string_view trimmed(std::string_view text) {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
-/// Whether two words are the same but for the case of their letters.
+/// Whether two words are equal but for the case of their letters.
 inline bool same_letters(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
     return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
   });
 }
 
-/// How often a line ends in `text`. Throws Cancelled.
+/// Returns the number of line ends (LF) in `text`. Throws Cancelled.
 inline std::size_t count_line_ends(std::string_view text) {
-  constexpr std::size_t block_size = 240;  // so that a count fits into a byte, and many lie in one register
+  constexpr std::size_t block_size = 240;  // a count fits into a byte, and many counts into one register
   std::size_t count = 0;
   for (std::size_t blocks = 0; !text.empty(); ++blocks) {
     if (blocks % 65536 == 0) stop_if_interrupted();
@@ -44,14 +44,14 @@ inline std::size_t count_line_ends(std::string_view text) {
   return count;
 }
 
-/// The lines of a text one after the other, without their ends (LF or CRLF) and without blanks around them.
+/// The lines of a text, one after the other, without their ends (LF or CRLF) and without blanks around them.
 class Lines {
  public:
-  /// `before` lines were there before `text`.
+  /// `before`: the number of lines before `text`.
   explicit Lines(std::string_view text, std::size_t before = 0)
       : at_(text.data()), end_(text.data() + text.size()), number_(before) {}
 
-  /// Goes to the next line; false when there is none. Throws Cancelled.
+  /// Goes to the next line; returns false if there is none. Throws Cancelled.
   bool next() {
     if (at_ == end_) return false;
     const auto left = static_cast<std::size_t>(end_ - at_);
@@ -59,17 +59,17 @@ class Lines {
     if (stop == nullptr) stop = end_;
     line_ = trimmed({at_, static_cast<std::size_t>(stop - at_)});
     at_ = stop == end_ ? end_ : stop + 1;
-    if (++number_ % 65536 == 0) stop_if_interrupted();  // also where line after line is passed over
+    if (++number_ % 65536 == 0) stop_if_interrupted();  // also while many lines are skipped
     return true;
   }
-  /// next(), passing over blank lines and lines that begin with '#'.
+  /// Goes to the next line that is not blank and does not begin with '#'; returns false if there is none.
   bool next_with_content() {
     while (next())
       if (!line_.empty() && line_.front() != '#') return true;
     return false;
   }
 
-  /// The next line was read elsewhere, up to `behind` its last character: goes to the line after its end.
+  /// Skips the next line, which the caller has read up to `behind`, the end of its last character.
   void pass_line(const char* behind) {
     at_ = behind == end_ ? end_ : behind + 1;
     ++number_;
@@ -86,7 +86,7 @@ class Lines {
   std::size_t number_;
 };
 
-/// Takes the first word from the front of `text`; empty when there is none left.
+/// Takes the first word from the front of `text`; empty if there is none left.
 inline std::string_view take_word(std::string_view& text) {
   std::size_t first = 0;
   while (first < text.size() && is_blank(text[first])) ++first;
@@ -97,11 +97,12 @@ inline std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// Where in `first`, of which `lines` reads, so many lines with content end; each that is not there takes two bytes more.
+/// Returns the offset in `first`, which `lines` reads, of the end of the next `count` lines with content; each line
+/// that is not there counts as two bytes.
 inline double end_of_lines(std::string_view first, Lines lines, double count) {
   std::size_t end = first.size() - lines.rest().size();
   for (; count > 0 && lines.next_with_content(); --count) {
-    if (lines.rest().empty() && first.back() != '\n') break;  // it may go on
+    if (lines.rest().empty() && first.back() != '\n') break;  // the line may continue behind `first`
     end = first.size() - lines.rest().size();
   }
   return static_cast<double>(end) + 2 * count;

@@ -1,4 +1,4 @@
-// What: text as it stands in XML and HTML.
+// What: text for XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace rbpa::app {
 
-/// The text with & < > " as entities, for elements and attributes. Control characters, which XML forbids, become spaces.
+/// Returns the text with & < > " as entities, for elements and attributes. Control characters, which XML forbids,
+/// become spaces.
 std::string markup_escaped(std::string_view text);
 
 }  // namespace rbpa::app

@@ -13,7 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// UTF-16 and UTF-32 begin with a mark, or have zeros in the places of ASCII; empty where it is neither.
+/// Returns the name of the encoding if it is UTF-16 or UTF-32, which begin with a mark or have zero bytes beside ASCII;
+/// empty otherwise.
 std::string_view other_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return "UTF-16";
@@ -24,7 +25,8 @@ std::string_view other_encoding(std::string_view bytes) {
   return little || big ? "UTF-16" : std::string_view();
 }
 
-/// The first CR that ends a line alone; one that ends the text may be half of an end, and is a blank then. Null: none.
+/// Returns the first CR that ends a line alone; null if there is none. A CR at the end of the text may be half of a
+/// CRLF, and counts as a blank.
 const char* lone_return(const char* at, const char* end) {
   constexpr std::ptrdiff_t at_once = std::ptrdiff_t{16} << 20U;  // so that a signal is noticed between two of them
   for (std::size_t steps = 0; at < end; ++steps) {
@@ -43,7 +45,8 @@ const char* lone_return(const char* at, const char* end) {
   return nullptr;
 }
 
-/// `bytes` with LF for CR that ends a line alone among the first `size`; in `room` where there is one.
+/// Returns `bytes` with LF in place of each CR that ends a line alone among the first `size` bytes; `room` holds them
+/// if there is one.
 std::string_view with_line_feeds(std::string_view bytes, std::size_t size, std::string& room) {
   const char* const found = lone_return(bytes.data(), bytes.data() + size);
   if (found == nullptr) return bytes;
@@ -55,7 +58,7 @@ std::string_view with_line_feeds(std::string_view bytes, std::size_t size, std::
   return room;
 }
 
-/// The first line that begins with `word`, as it is in the text up to its end; all of the text where there is none.
+/// Returns the end of the first line that begins with `word`, and that line; the end of the text if there is none.
 std::size_t end_of_line_with(std::string_view text, std::string_view word, std::string_view& line) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -67,8 +70,8 @@ std::size_t end_of_line_with(std::string_view text, std::string_view word, std::
   return text.size();
 }
 
-/// The same of a header, behind which there may be bytes. Where its first line ends in CR alone, LF is the first of
-/// these.
+/// Returns the end of the header, whose last line begins with `word` and may precede binary data. If the first line
+/// ends in CR alone, an LF behind the header belongs to the data.
 std::size_t end_of_header(std::string_view bytes, std::string_view word, std::string_view& line) {
   const std::size_t end = end_of_line_with(bytes, word, line);
   const std::string_view first_end = bytes.substr(std::min(bytes.find_first_of("\r\n"), bytes.size()), 2);
@@ -81,7 +84,7 @@ bool begins_with_solid(std::string_view text) {
   return same_letters(text.substr(0, 5), "solid");
 }
 
-/// How much of a file without its mark is text; a header may stand before bytes.
+/// Returns the size of the text in a file without its mark; in some formats only the header is text.
 std::size_t text_size(std::string_view bytes, Format format) {
   std::string_view line;
   if (format == Format::ply && bytes.starts_with("ply")) {
@@ -103,7 +106,8 @@ constexpr bool may_be_text(Format format) {
   return is_table(format) || std::find(std::begin(texts), std::end(texts), format) != std::end(texts);
 }
 
-/// The header of a binary STL may be anything, and the numbers behind it.
+/// Whether bytes that look like UTF-16 or UTF-32 are. In STL, whose binary header may have any bytes, only if they
+/// spell "soli" in UTF-16.
 bool is_in_other_encoding(std::string_view bytes, Format format) {
   return format != Format::stl || bytes.substr(0, 16).find("s\0o\0l\0i"sv) != std::string_view::npos;
 }

@@ -1,8 +1,7 @@
-// What: the text of a file as all readers of text take it: without the mark of its encoding, and with lines that end in
-//       LF.
-// Law:  bytes, or the same behind the mark of UTF-8, or with CR or CRLF at the end of any line, are one text. What is
-//       no text stays as it is. Lines keep their numbers.
-// Cost: one search for CR; where a line ends in CR alone, a copy.
+// What: the normal form of text for all readers: without a byte-order mark, and with lines that end in LF.
+// Law:  a byte-order mark of UTF-8, and CR or CRLF in place of LF, do not change the text. Bytes that are no text stay
+//       as they are. Lines keep their numbers.
+// Cost: one search for CR; a copy if a line ends in CR alone.
 #pragma once
 
 #include <string>
@@ -12,18 +11,18 @@
 
 namespace rbpa::app {
 
-/// The text that `bytes` are, or as far as they are text in a file of that format; in `room` where it is not among
-/// them. Throws BadInput where it is UTF-16 or UTF-32.
+/// Return the text of `bytes`, or of their part that is text in a file of that format; `room` holds it if it differs
+/// from the bytes. Throw BadInput for UTF-16 and UTF-32.
 std::string_view plain_text(std::string_view bytes, const std::string& name, std::string& room);
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room);
 
-/// Returns the text behind the mark of UTF-8, however often that stands there.
+/// Returns the text behind any byte-order marks of UTF-8.
 std::string_view without_mark(std::string_view text);
 
-/// Likewise for a piece of a text that begins with a line, as size_of_lines() cuts it, behind others.
+/// Returns the normal form of a later piece of a text, which begins with a line, as size_of_lines() cuts it.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 
-/// Returns how many bytes of `text` are whole lines: 0 where none ends in it for certain.
+/// Returns the size in bytes of the whole lines at the front of `text`; 0 if no line certainly ends in it.
 std::size_t size_of_lines(std::string_view text);
 
 }  // namespace rbpa::app

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Bytes that no text begins with.
+/// The first bytes of a binary format.
 struct Magic {
   std::string_view bytes, ending;
 };

@@ -1,4 +1,4 @@
-// What: the format of a file by its first bytes, where no name says it.
+// What: the format of standard input by its first bytes.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace rbpa::app {
 
-/// The ending that files of its kind have; empty where `bytes` have no signature that is known.
+/// Returns the usual ending of files with the signature that `bytes` begin with; empty if the signature is unknown.
 std::string_view ending_of_content(std::string_view bytes);
 
-/// The format of the content of standard input for a use, `otherwise` where it has no signature. Throws BadInput where
-/// the format is none of `known`, or nothing is known.
+/// Returns the format of the content of standard input for a use; `otherwise` if it has no known signature. Throws
+/// BadInput if the format is not among `known`, or if it is unknown and `otherwise` is absent.
 Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::string_view known,
                          std::optional<Format> otherwise);
 

@@ -1,4 +1,5 @@
-// What: texts numbered as they come, so that a column of texts is one of numbers, and a list of the texts.
+// What: numbers distinct texts in the order of their first occurrence, so that a column of texts becomes a column of
+//       numbers and a list of texts.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ class TextNumbers {
     if (is_new) texts_.emplace_back(text);
     return static_cast<double>(place->second);
   }
-  /// Returns the texts that were found, in the order of their numbers.
+  /// Returns the distinct texts in the order of their numbers. Call once.
   std::vector<std::string> take_texts() { return std::move(texts_); }
 
  private:

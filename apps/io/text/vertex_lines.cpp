@@ -12,7 +12,7 @@ void skip_blanks(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
 }
 
-/// Takes what lies before `end` when it is a word of its own.
+/// Removes the text before `end` from `rest` if a word ends there; returns whether it does.
 bool take_up_to(const char* end, std::string_view& rest) {
   const auto size = static_cast<std::size_t>(end - rest.data());
   if (size == 0 || (size < rest.size() && !is_blank(rest[size]))) return false;

@@ -1,6 +1,6 @@
-// What: coordinates and corners from the lines of ASCII mesh files.
-// Law:  each takes its words from the front of `rest`, the unread part of the current line of `lines`, and throws
-//       BadInput naming that line when they are something else.
+// What: reads coordinates and corners from the lines of ASCII mesh files.
+// Law:  each function takes its words from the front of `rest`, the unread part of the current line of `lines`, and
+//       throws BadInput naming that line if they do not fit.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@
 
 namespace rbpa::app {
 
-/// The next word as a finite number.
+/// Takes the next word, a finite number.
 double take_coordinate(std::string_view& rest, const Lines& lines, const std::string& name);
 
-/// The next three.
+/// Takes the next three words, finite numbers.
 std::array<double, 3> take_position(std::string_view& rest, const Lines& lines, const std::string& name);
 
-/// A length and so many vertex numbers below `points`, which become the content of `corners`.
+/// Takes a length n and n vertex numbers below `points`, which replace the content of `corners`.
 void take_corner_list(std::string_view& rest, const Lines& lines, const std::string& name, std::size_t points,
                       std::vector<std::uint32_t>& corners);
 
-/// A whole word as a number ≥ 0 without sign.
+/// Returns a word that is an unsigned whole number; nothing for any other word.
 std::optional<std::size_t> parse_count(std::string_view word);
 
-/// What a corner had to be: "a vertex number from 0 to 7".
+/// Returns what messages expect of a corner: "a vertex number from 0 to 7".
 std::string corner_expected(std::size_t points);
 
 }  // namespace rbpa::app
