@@ -298,7 +298,7 @@ def test_what_is_no_points_is_refused(given, sentence):
         ({"radius": [[1, 2]]}, r"radius: found \[\[1, 2\]\]"),
         ({"radius": [1, "2"]}, r"radius: found \[1, '2'\]"),
         ({"radius": [1, [2]]}, r"radius: found \[1, \[2\]\]"),
-        ({"radius": [2, 1]}, "radius 1 comes after 2, expected each to be above the one before"),
+        ({"radius": [2, 1]}, "radius 1 comes after 2, expected strictly ascending radii"),
         ({"radius": [1, 2], "normals": "none"}, "radius: found 2 radii with normals='none', expected one"),
         ({"radius": 1, "normals": "file"}, r"normals: found 'file', expected an array of shape \(n, 3\)"),
         ({"radius": 1, "normals": BALL[:5]}, "5 normals, expected one for each of 600 points"),

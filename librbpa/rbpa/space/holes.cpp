@@ -118,7 +118,7 @@ void explain(RimEdge& edge, const space::Agreement& agreement, const std::option
     }
     if (!is_blocked)
       throw meshops::ContractViolation("holes: triangle " + std::to_string(edge.triangle) +
-                                       " has a boundary side where the surface of these points goes on");
+                                       " has a boundary side where the surface of these points continues");
   }
 }
 
@@ -143,7 +143,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   space::check_normals(points, normals);
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
-                   "holes: expected a level of each triangle");
+                   "holes: expected a level for each triangle");
   const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
   std::vector<Hole> curves = surface_curves(points, surface, go_on);
   Steps step(go_on);

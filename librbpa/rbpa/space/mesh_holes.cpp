@@ -31,7 +31,7 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
     }
     if (h != first)
       throw meshops::ContractViolation("fill_holes: face " + std::to_string(f.idx()) +
-                                       " has other than three sides (meshops::triangulate_face() cuts it)");
+                                       " does not have three sides (meshops::triangulate_face() cuts it)");
   }
   return triangles;
 }
@@ -40,8 +40,7 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
 std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const meshops::BoundaryCurve& curve) {
   std::vector<std::uint32_t> loop;
   for (const meshops::Halfedge h : curve) {
-    meshops::require(meshops::is_live(mesh, h) && mesh.is_boundary(h),
-                     "fill_holes: found a curve that is not of the mesh");
+    meshops::require(meshops::is_live(mesh, h) && mesh.is_boundary(h), "fill_holes: expected curves of this mesh");
     loop.push_back(static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx()));
   }
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -69,7 +68,7 @@ void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
 
 FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                       std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options) {
-  meshops::require(places.size() >= mesh.n_vertices(), "fill_holes: expected a place of each vertex");
+  meshops::require(places.size() >= mesh.n_vertices(), "fill_holes: expected a place for each vertex");
   const std::vector<Triangle> triangles = triangles_of(mesh);
   std::vector<std::vector<std::uint32_t>> loops;
   for (const meshops::BoundaryCurve& curve : curves) loops.push_back(loop_of(mesh, curve));

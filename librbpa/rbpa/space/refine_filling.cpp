@@ -375,7 +375,7 @@ class Refining {
 RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
                               const SurfaceOptions& options) {
   space::check_points(points);
-  meshops::require(is_new.size() == surface.triangles.size(), "refine_filling: expected a flag of each triangle");
+  meshops::require(is_new.size() == surface.triangles.size(), "refine_filling: expected a flag for each triangle");
   return Refining(points, surface, is_new, options).run();
 }
 
@@ -384,7 +384,8 @@ std::vector<Point3> normals_between(std::span<const Point3> normals, std::span<c
   for (const Triangle& corners : between) {
     Point3 sum = {0, 0, 0}, first = {0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
-      meshops::require(corners[k] < normals.size() + added.size(), "normals_between: expected points of less number");
+      meshops::require(corners[k] < normals.size() + added.size(),
+                       "normals_between: expected points with lower numbers");
       const Point3& n = corners[k] < normals.size() ? normals[corners[k]] : added[corners[k] - normals.size()];
       const double length = std::hypot(n.x, n.y, n.z);
       const Point3 unit = {n.x / length, n.y / length, n.z / length};

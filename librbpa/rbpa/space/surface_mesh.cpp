@@ -45,7 +45,7 @@ SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, Give
   for (const auto& t : surface.triangles)
     for (const std::uint32_t i : t)
       if (i >= points.size())
-        throw meshops::ContractViolation("surface_mesh: corner " + std::to_string(i) + " of " +
+        throw meshops::ContractViolation("surface_mesh: corner " + std::to_string(i) + " is not one of " +
                                          std::to_string(points.size()) + " points");
   SplitFans fans = split_fans(surface);
   const meshops::Patch patch = patch_of(surface, fans);
@@ -76,7 +76,7 @@ SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface) {
 }
 
 SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places) {
-  meshops::require(places.size() >= mesh.n_vertices(), "surface_of: expected a place of each vertex");
+  meshops::require(places.size() >= mesh.n_vertices(), "surface_of: expected a place for each vertex");
   std::vector<std::array<std::uint32_t, 3>> triangles, neighbors;
   std::vector<std::uint32_t> face, number(mesh.n_faces());
   for (const meshops::Face f : meshops::live_faces(mesh)) {
@@ -95,7 +95,7 @@ SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const
     }
     if (h != first)
       throw meshops::ContractViolation("surface_of: face " + std::to_string(f) +
-                                       " has other than three sides (meshops::triangulate_face() cuts it)");
+                                       " does not have three sides (meshops::triangulate_face() cuts it)");
   }
   SurfaceOfTriangles surface = surface_of(places.first(mesh.n_vertices()), triangles, neighbors);
   for (std::uint32_t& given : surface.given) given = face[given];

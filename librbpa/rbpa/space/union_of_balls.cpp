@@ -181,7 +181,8 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
                             Point3{high.x, high.y, high.z + far}})
       more.push_back(p);
     if (!std::isfinite(high.x + far) || !std::isfinite(high.y + far) || !std::isfinite(high.z + far))
-      throw InvalidInput("the points are in a plane, and too far apart or balls too large for doubles beyond them");
+      throw InvalidInput(
+          "the points are in a plane, and are too far apart, or the balls too large, to add points beyond them");
     delaunay = solid(more, infinity, with_neighbors);
   }
   const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);

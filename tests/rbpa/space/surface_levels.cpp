@@ -208,8 +208,8 @@ TEST_CASE("radii that do not ascend are refused") {
     return "";
   };
   CHECK(refusal({}) == "no radius, expected at least one");
-  CHECK(refusal({1, 1}) == "radius 1 comes after 1, expected each to be above the one before");
-  CHECK(refusal({2, 1}) == "radius 1 comes after 2, expected each to be above the one before");
+  CHECK(refusal({1, 1}) == "radius 1 comes after 1, expected strictly ascending radii");
+  CHECK(refusal({2, 1}) == "radius 1 comes after 2, expected strictly ascending radii");
   for (const double bad :
        {-1.0, 0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     CHECK(refusal({1, bad}).find("expected a finite number above 0") != std::string::npos);

@@ -35,7 +35,7 @@ void check_radii(std::span<const double> radii) {
     check_radius(radii[i]);
     if (i > 0 && !(radii[i - 1] < radii[i]))
       throw InvalidInput("radius " + text(radii[i]) + " comes after " + text(radii[i - 1]) +
-                         ", expected each to be above the one before");
+                         ", expected strictly ascending radii");
   }
 }
 

@@ -295,8 +295,7 @@ inline void Insertion::make(std::uint32_t t, const Locals& locals) {
 std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
   const std::size_t first = tetrahedra_.size();
   if (first + count > max_tetrahedra)
-    throw InvalidInput("more than " + std::to_string(max_tetrahedra) +
-                       " tetrahedra at a time, which cannot be numbered");
+    throw InvalidInput("more than " + std::to_string(max_tetrahedra) + " tetrahedra at a time cannot be numbered");
   tetrahedra_.resize(first + count);
   error_.resize(first + count);
   return static_cast<std::uint32_t>(first);

@@ -44,8 +44,8 @@ double view_certainty(const Point3& p, const Point3& from, const Point3& n) {
 
 void check_viewpoints(std::span<const Point3> points, std::span<const Point3> viewpoints) {
   if (viewpoints.size() != 1 && viewpoints.size() != points.size())
-    throw InvalidInput(std::to_string(viewpoints.size()) + " viewpoints of " + std::to_string(points.size()) +
-                       " points, expected one, or one of each");
+    throw InvalidInput(std::to_string(viewpoints.size()) + " viewpoints for " + std::to_string(points.size()) +
+                       " points, expected one, or one for each point");
   for (std::size_t i = 0; i < viewpoints.size(); ++i)
     if (!is_finite(viewpoints[i]))
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
@@ -108,8 +108,8 @@ EstimatedNormals estimate(std::span<const Point3> points, const NormalOptions& o
 
 void turn_toward(std::span<const Point3> points, std::span<const Point3> viewpoints, std::span<Point3> normals) {
   if (normals.size() != points.size())
-    throw InvalidInput(std::to_string(normals.size()) + " normals of " + std::to_string(points.size()) +
-                       " points, expected one of each");
+    throw InvalidInput(std::to_string(normals.size()) + " normals for " + std::to_string(points.size()) +
+                       " points, expected one for each");
   check_viewpoints(points, viewpoints);
   for (std::size_t i = 0; i < points.size(); ++i) {
     Point3& n = normals[i];

@@ -45,8 +45,8 @@ Outliers outliers_of(const std::vector<Point3>& points, int exponent, const Outl
 
 Outliers outliers(std::span<const Point3> points, const OutlierOptions& options) {
   space::check_points(points);
-  if (!(options.factor >= 1)) throw InvalidInput("outliers by a factor that is not 1 or more");
-  if (options.neighbors < 1) throw InvalidInput("outliers by no neighbor, expected at least 1");
+  if (!(options.factor >= 1)) throw InvalidInput("the outlier factor is below 1 or not a number, expected at least 1");
+  if (options.neighbors < 1) throw InvalidInput("outliers from 0 neighbors, expected at least 1");
   std::vector<Point3> scaled(points.begin(), points.end());
   const std::optional<int> exponent = space::fit_double(scaled);
   return exponent ? outliers_of<double>(scaled, *exponent, options) : outliers_of<long double>(scaled, 0, options);

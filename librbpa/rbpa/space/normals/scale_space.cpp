@@ -58,7 +58,7 @@ double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const
 ScaleSpace scale_space(std::span<const Point3> points, const ScaleSpaceOptions& options) {
   space::check_points(points);
   if (options.neighbors < 2)
-    throw InvalidInput("scale space of " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
+    throw InvalidInput("scale space from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
   ScaleSpace result{.points = {points.begin(), points.end()}, .steps = 0};
   if (points.empty()) return result;
   const std::function<void()> go_on = asking(options.progress, points.size());

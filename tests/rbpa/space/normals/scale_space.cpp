@@ -129,7 +129,7 @@ TEST_CASE("neither the order of the points nor the threads nor a power of two ch
 TEST_CASE("bad input is refused, and the work can be cancelled") {
   CHECK_THROWS_WITH_AS(scale_space({{{0, 0, 0}, {0, std::nan(""), 0}}}),
                        "point 1 is (0, nan, 0), expected finite coordinates", rbpa::InvalidInput);
-  CHECK_THROWS_WITH_AS(scale_space({}, {.neighbors = 1}), "scale space of 1 neighbors, expected at least 2",
+  CHECK_THROWS_WITH_AS(scale_space({}, {.neighbors = 1}), "scale space from 1 neighbors, expected at least 2",
                        rbpa::InvalidInput);
   const Points3 points = sphere(20'000, 0.4);
   std::size_t left = 5;
