@@ -1,13 +1,13 @@
-// What:   Lo's mesher as a policy of the advancing-front engine: the shortest edge of the front gets a triangle, whose apex
-//         is a point of the front or a new one.
-// Law:    every triangle is empty: nothing of the front reaches into it or lies on it but its corners, which is decided
-//         exactly. For every edge of the front there is such a triangle (docs/fill.md, section 3), so that none is ever
-//         frozen, and the run ends.
+// What:   Lo's mesher as a policy of the advancing-front engine: the shortest edge of the front gets a triangle, whose
+//         apex is a point of the front or a new one.
+// Law:    every triangle is empty: nothing of the front reaches into it or lies on it except its corners, which is
+//         decided exactly. For every edge of the front there is such a triangle (docs/fill.md, section 3), so no edge
+//         is ever frozen, and the run ends.
 // Cost:   for each triangle a search of the corners visible from an edge; and triangles that are detached again. On the
 //         whole about 200 triangles of the unfilled region are crossed or made for each edge of the boundary and each
-//         triangle of the result: ordinary fronts need thirty.
-// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front mesh
-//         generation method revisited (1994).
+//         triangle of the result; ordinary fronts need thirty.
+// Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front
+//         mesh generation method revisited (1994).
 #pragma once
 
 #include <array>
@@ -34,25 +34,25 @@ using meshops::Site;
 
 class LoFront {
  public:
-  /// `rings` are the front, behind each edge of which the mesh has one face, and `places` of its sites; of sites that are on no
-  /// ring any. Keeps a reference to the field.
-  /// Throws: Cancelled, where go_on returns false.
+  /// Takes the rings of the front, behind each edge of which the mesh has one face, and the places of its sites; places
+  /// of sites on no ring are arbitrary. Keeps a reference to the field.
+  /// Throws: Cancelled, when go_on returns false.
   LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
           const std::function<bool()>& go_on);
   LoFront(const LoFront&) = delete;
   LoFront& operator=(const LoFront&) = delete;
 
-  /// Where the sites are, those that were placed as well.
+  /// Returns the places of all sites, including those that the mesher added.
   const std::vector<Point>& places() const { return places_; }
   std::size_t retreats() const { return retreated_; }
-  /// How many triangles of the unfilled region were crossed or made: the work of finding empty ones.
+  /// Returns the number of triangles of the unfilled region that were crossed or made: the work of finding empty ones.
   std::size_t passed() const { return unfilled_.passed(); }
 
-  /// Shortest first.
+  /// Returns the length of an edge: the shortest is first.
   double key(const Front& front, Halfedge h) const;
-  /// The front begins at the boundary.
+  /// Returns nothing, as the front begins at the boundary.
   std::optional<std::array<Site, 3>> seed(const Front&) const { return std::nullopt; }
-  /// The apex for an edge; or the triangle behind it is detached, if no apex makes a good one.
+  /// Proposes the apex for an edge; detaches the triangle behind the edge if no apex makes a good one.
   meshops::Proposal propose(const Front& front, Halfedge h);
 
   /// Updates the unfilled region after a change of the front.
@@ -65,10 +65,10 @@ class LoFront {
     Point a, b;
     Site from, to;
     double length;                      ///< of the edge
-    double side;                        ///< that the others should have
-    Point ideal;                        ///< where the apex would be best
-    std::vector<Site> candidates = {};  ///< that make empty triangles
-    bool is_all = false;                ///< nothing lies outside of the last search
+    double side;                        ///< target length of the other two edges
+    Point ideal;                        ///< the best place of the apex
+    std::vector<Site> candidates = {};  ///< sites that make empty triangles
+    bool is_all = false;                ///< whether nothing lies outside of the last search
   };
   struct Choice {
     Site apex;
@@ -87,16 +87,16 @@ class LoFront {
   std::optional<meshops::Face> behind(const Front& front, Halfedge h) const;
 
   std::vector<Point> places_;
-  std::size_t given_faces_ = 0;  // of the mesh, outside of the polygons: they stay
+  std::size_t given_faces_ = 0;  // number of faces of the mesh outside of the polygons: they stay
   const SizeField& field_;
   Unfilled unfilled_;
-  Box bounds_;                  // of the front
+  Box bounds_;                  // box of the front
   double least_reach_ = 0;      // the least radius of a second search
-  double least_clearance_ = 0;  // so far from the front is every new point
+  double least_clearance_ = 0;  // least distance of a new point from the front
   std::size_t retreats_left_ = 0;
   std::size_t retreated_ = 0;
   std::unordered_set<std::uint64_t> retreated_from_;  // pairs of sites
-  std::size_t kept_ = 0;                              // triangles that were attached and are there
+  std::size_t kept_ = 0;                              // number of triangles that were attached and not detached
 };
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: rings of a user's, noded, with which lies in which; or why they are no rings of polygons, and where.
+// What: nests the user's rings, noded, or tells why and where they are no rings of polygons.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,12 @@
 
 namespace rbpa {
 
-/// What is wrong with rings that meet, in the words of the input: the vertices are those of `rings`.
+/// Returns what is wrong with rings that meet, in terms of the input: the vertices are those of `rings`.
 std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::span<const Ring> rings,
                     const NodedRings& noded, const RingName& name);
 
-/// Which ring lies in which. Throws: InvalidInput when they cross, overlap, or one passes a place twice; Cancelled.
+/// Returns which ring lies in which.
+/// Throws: InvalidInput when rings cross, overlap, or one passes a place twice; Cancelled.
 std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
                                    const RingName& name, const std::function<bool()>& go_on);
 

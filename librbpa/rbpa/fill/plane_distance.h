@@ -1,4 +1,4 @@
-// What: distances in the plane; rounded.
+// What: distances in the plane, rounded.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ inline double distance(const Point& a, const Point& b) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-/// Of a point from a segment.
+/// Returns the distance of a point from a segment.
 inline double distance(const Point& p, const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double along = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
@@ -21,7 +21,7 @@ inline double distance(const Point& p, const Point& a, const Point& b) {
   return distance(p, {a.x + share * dx, a.y + share * dy});
 }
 
-/// The point is farther than that from the box of the segment.
+/// Returns whether the point is farther than `reach` from the box of the segment.
 inline bool is_surely_clear(const Point& p, const Point& a, const Point& b, double reach) {
   return p.x - std::max(a.x, b.x) > reach || std::min(a.x, b.x) - p.x > reach || p.y - std::max(a.y, b.y) > reach ||
          std::min(a.y, b.y) - p.y > reach;

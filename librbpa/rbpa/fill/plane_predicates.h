@@ -1,6 +1,7 @@
-// What: the exact predicates of the plane on any finite coordinates, in double wherever the three or four points allow it.
-// Why:  what the filter leaves goes to expansions there, and to integers of any length in long double, which are ten times
-//       as slow; points of fills are often nearly on a line, as those on one edge are.
+// What: the exact predicates of the plane on any finite coordinates, in double wherever the three or four points allow
+//       it.
+// Why:  in double, expansions decide what the filter leaves; in long double, integers of any length do, which are ten
+//       times as slow. Points of fillings are often nearly on a line, such as those on one edge.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace rbpa {
 
-/// The coordinate is as fits_double() has it: of 53 bits, none of which is lower than 2^least_in_double.
+/// Returns whether a coordinate satisfies fits_double(): with all its 53 bits, none is lower than 2^least_in_double.
 inline bool fits_double(double x) {
   constexpr double least = 0x1p-97, most = 0x1p150;
   static_assert(least_in_double <= -97 - 52 && largest_in_double >= 150);
@@ -26,22 +27,22 @@ inline int plane_orientation(const Point& a, const Point& b, const Point& c) {
                                                             : Predicates<long double>::orientation(a, b, c);
 }
 
-/// The same, sooner where it is plain, as it is in nearly all cases.
+/// Returns the orientation of (a, b, c), faster in nearly all cases, which are clear.
 inline int quick_orientation(const Point& a, const Point& b, const Point& c) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
-  // More than differences, products and their difference can be off; the last for what underflows.
+  // A bound above the errors of differences, products and their difference; the last term is for underflow.
   constexpr double epsilon = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::min();
   const double doubt = 8 * epsilon * (std::abs(left) + std::abs(right)) + least;
   if (left - right > doubt) return 1;
   return right - left > doubt ? -1 : plane_orientation(a, b, c);
 }
 
-/// Whether the closed triangle, which turns left, holds the point.
+/// Returns whether the closed triangle, which turns left, contains the point.
 inline bool holds(const Point& a, const Point& b, const Point& c, const Point& p) {
   return quick_orientation(a, b, p) >= 0 && quick_orientation(b, c, p) >= 0 && quick_orientation(c, a, p) >= 0;
 }
 
-/// Requires (a, b, p) to turn left.
+/// Returns in_circle() on any finite coordinates. Requires: (a, b, p) turns left.
 inline int plane_in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
   return fits_double(a) && fits_double(b) && fits_double(p) && fits_double(q)
              ? Predicates<double>::in_circle(a, b, p, q)

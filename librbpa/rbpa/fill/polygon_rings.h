@@ -1,4 +1,4 @@
-// What: the rings of polygons, checked: valid under OGC Simple Features.
+// What: the rings of polygons, checked for validity under OGC Simple Features.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,24 @@
 
 namespace rbpa {
 
-/// Where a ring of the input is: the shell of a polygon, or one of its holes.
+/// The role of an input ring: the shell of a polygon, or one of its holes.
 struct RingRole {
   std::size_t polygon;
   std::optional<std::size_t> hole;
 };
 
-/// The rings of all polygons, a polygon's one behind the other, the shell first.
+/// The rings of all polygons, one polygon after the other, the shell first.
 struct PolygonRings {
   std::vector<Ring> input = {};
   std::vector<RingRole> roles = {};
-  std::vector<std::size_t> groups = {};  ///< for each ring, ascending
+  std::vector<std::size_t> groups = {};  ///< the group of each ring, ascending
   NodedRings noded = {};
   std::vector<RingPlace> places = {};
 };
 
-/// The polygons of each group, which begin at the positions in `groups` (fill.h), are a valid multipolygon. Whether a group
-/// meets others is not checked; but vertices of others on its edges become its own.
+/// Returns the rings after checking that the polygons of each group, which begin at the positions in `groups` (fill.h),
+/// are a valid multipolygon. Different groups may meet, which is not checked; but vertices of other groups on the edges
+/// of a group become its own.
 /// Throws: InvalidInput that names what is not valid, and where; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
                             std::span<const std::size_t> groups, const std::function<bool()>& go_on);

@@ -1,11 +1,11 @@
-// What: how good a triangle is, from 0 to 1.
+// What: the quality of a triangle, from 0 to 1.
 #pragma once
 
 #include "rbpa/base/point.h"
 
 namespace rbpa {
 
-/// 1 for a triangle of equal sides, 0 for a flat one, negative for one that turns right; rounded.
+/// Returns 1 for an equilateral triangle, 0 for a flat one, a negative number for one that turns right; rounded.
 /// Source: Lo (1985): the area over the sum of the squared sides.
 inline double shape_quality(const Point& a, const Point& b, const Point& c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;

@@ -1,11 +1,11 @@
-// What:   an estimate of the number of triangles that fill polygons, before one is made.
-// Law:    the sum over the groups of max(∫ 4 / (√3 h²) over the polygons, ∫ 1 / h along their edges, at least 1 for each),
-//         where h is the size field. The integrals over all of them are off by no more than a tenth where 2¹⁷ pieces, and 64
-//         for each edge and triangle, suffice for that: around the middle of each, h is bounded by its slope.
-//         Where they do not, as in slivers, the lower bounds of the pieces are added up, and the estimate may be far too low.
-//         fill() makes between half and three times as many where sizes change little
-//         within one triangle (docs/fill.md); short edges of the boundary that no grade respects make more.
-// Cost:   that of the constrained Delaunay triangulations, and a query of the field for each edge, triangle and piece.
+// What: estimates the number of triangles that fill polygons, before the first is made.
+// Law:  the estimate is the sum over the groups of max(∫ 4 / (√3 h²) over the polygons, ∫ 1 / h along their edges, at
+//       least 1 for each), where h is the size field. The integrals are computed from pieces; around the middle of each
+//       piece, h is bounded by its slope. Their errors are at most a tenth if 2¹⁷ pieces, and 64 for each edge and
+//       triangle, suffice for that. If not, as in slivers, the lower bounds of the pieces are added up, and the
+//       estimate may be far too low. fill() makes between half and three times as many triangles if sizes change little
+//       within one triangle (docs/fill.md); short edges of the boundary that no grade respects make more.
+// Cost: that of the constrained Delaunay triangulations, and a query of the field for each edge, triangle and piece.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,8 @@
 
 namespace rbpa {
 
-/// Of outlines before they are cut. Throws Cancelled, where go_on returns false.
+/// Returns the estimate for outlines before they are cut.
+/// Throws: Cancelled, when go_on returns false.
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const std::function<bool()>& go_on);
 

@@ -1,7 +1,7 @@
-// What:   the size that edges are to have, anywhere in the plane.
-// Law:    the greatest function that is at most `most` everywhere and at most sources[i].size at sources[i].at, and whose
-//         slope is at most `grade`.
-// Cost:   n log n to build; a query costs about the logarithm, and the sources whose value is close to the least.
+// What: the target size of edges, anywhere in the plane.
+// Law:  the greatest function that is at most `most` everywhere and at most sources[i].size at sources[i].at, with a
+//       slope of at most `grade`.
+// Cost: n log n to build; a query costs about the logarithm, and the sources whose value is close to the least.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@ class SizeField {
 
   double at(const Point& p) const;
 
-  /// No value is less.
+  /// Returns a lower bound of all values.
   double least() const { return least_; }
-  /// Nor greater; and the slope.
+  /// Returns an upper bound of all values, and of the slope.
   double most() const { return most_; }
   double grade() const { return grade_; }
 
  private:
-  /// Sources of a range, in a tree whose node k has the children 2 k + 1 and 2 k + 2.
+  /// A range of sources, in a tree whose node k has the children 2 k + 1 and 2 k + 2.
   struct Node {
     double left, right, bottom, top;
     double least;

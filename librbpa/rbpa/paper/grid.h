@@ -1,7 +1,9 @@
-// What:   the uniform grid of the method: cells of side 2α, and what lies in the nine around a place.
-// Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together with
-//         both ends of an edge is in those around the middle of the edge. For any exponents: docs/paper.md, section 2.
-// Cost:   linear to build, without sorting; a look costs what the nine cells hold, #V_p, which grows with α².
+// What:   the uniform grid of the method: cells of side 2α, and the sites in the nine cells around a place.
+// Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together
+//         with both ends of an edge is in those around the middle of the edge. For any exponents: docs/paper.md,
+//         section 2.
+// Cost:   linear to build, without sorting; a query costs the number of sites in the nine cells, #V_p, which grows with
+//         α².
 // Source: Restricted BPA, section 3.1, "Data structure", and section 3.2: 9 pixels instead of 27 voxels.
 #pragma once
 
@@ -20,11 +22,11 @@
 namespace rbpa::paper {
 
 using meshops::Site;
-using Real = long double;  ///< one arithmetic for all of the method: its exponents fit any input
+using Real = long double;  ///< one arithmetic for the whole method: its exponents fit any input
 
 class Grid {
  public:
-  /// Holds the given sites. Refers to the points, of which a site is the index.
+  /// Builds the grid of the given sites. Refers to the points, of which a site is the index.
   Grid(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
       : points_(points), side_(alpha.is_infinite() ? infinity : 2 * Real(alpha.value()) * widened) {
     for (const Site s : sites) cells_[cell_at(Real(points[s].x), Real(points[s].y))].push_back(s);
@@ -36,7 +38,7 @@ class Grid {
     for_each_in_nine(cell_at(Real(points_[v].x), Real(points_[v].y)), visit);
   }
 
-  /// The same around the middle of the edge ab.
+  /// Calls visit(Site) for each site in the nine cells around the middle of the edge ab.
   template <typename Visit>
   void for_each_near(Site a, Site b, Visit visit) const {
     const Point &p = points_[a], &q = points_[b];
@@ -45,9 +47,9 @@ class Grid {
 
  private:
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  static constexpr Real widened = 1 + 0x1p-6L;  // by more than cells are misnumbered
+  static constexpr Real widened = 1 + 0x1p-6L;  // more than the error of cell numbers
 
-  /// Numbered from the origin, in whole numbers of any size.
+  /// A cell, numbered from the origin, in whole numbers of any size.
   struct Cell {
     Real column, row;
     friend bool operator==(const Cell&, const Cell&) = default;
@@ -61,7 +63,8 @@ class Grid {
 
   Cell cell_at(Real x, Real y) const { return {std::floor(x / side_), std::floor(y / side_)}; }
 
-  /// From 2⁵⁴ on a number stands for one coordinate, to which no other double is as near as 2α.
+  /// Returns the number of neighboring cells on each side. From 2⁵⁴ on a number stands for a single coordinate, and no
+  /// other double is within 2α of it.
   static int neighbours(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
 
   template <typename Visit>

@@ -17,7 +17,7 @@ struct Box {
   long double width, height;
 };
 
-/// The least box around points, at least one.
+/// Returns the least box around points. Requires: at least one.
 Box box_of(std::span<const Point> points);
 
 /// A square that is not cut.
@@ -27,13 +27,13 @@ struct Leaf {
   std::size_t points;
 };
 
-/// The leaves of a quadtree. The root is the least square that begins at the lower left corner of the points' box and
-/// covers it; a square with more points than `capacity` is cut in four, unless it is so small that long double has no
-/// corner between its own. A point on a cut is in the upper or right square.
+/// Returns the leaves of a quadtree. The root is the least square that begins at the lower left corner of the points'
+/// box and covers it. A square with more points than `capacity` is cut into quarters, unless it is so small that long
+/// double has no corner between its own. A point on a cut is in the upper or right square.
 /// Requires: distinct points, at least one; capacity ≥ 1.
 std::vector<Leaf> quadtree(std::span<const Point> points, std::size_t capacity);
 
-/// The minimal radius α₀: half the side of the smallest leaf, as a double above 0.
+/// Returns the minimal radius α₀: half the side of the smallest leaf, as a double above 0.
 double minimal_radius(std::span<const Leaf> leaves);
 
 }  // namespace rbpa::paper
