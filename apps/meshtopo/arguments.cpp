@@ -21,7 +21,7 @@ MeshSource parse_source(const std::string& path, const std::optional<std::string
   refuse_ending(path, mesh_formats, "--format");
 }
 
-/// As in rbpa, the name decides where the ending does not.
+/// Returns the target of a mesh; as in rbpa, --output-format decides if the ending does not.
 TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
   const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
@@ -39,7 +39,7 @@ TopologyTarget parse_generator_target(const std::string& path) {
                    std::string(polyline_formats));
 }
 
-/// By the ending, or by --json.
+/// Returns the target of a report, with its format by the ending or by --json.
 TopologyTarget parse_report_target(const std::string& path, bool json) {
   if (path == "-") return {path, json ? Format::json : Format::text};
   const std::string_view name = ending(path);
@@ -75,7 +75,7 @@ double parse_length(const std::string& option, const std::string& text) {
   throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, such as 2.5");
 }
 
-/// The first of those that are given.
+/// Returns the first option on the command line that changes the mesh.
 std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld           ? "--weld"
          : arguments.keep_largest ? "--keep-largest"
@@ -85,7 +85,7 @@ std::string change_option(const TopologyArguments& arguments) {
                                   : "--close-tunnels-below";
 }
 
-/// Whether -o names the mesh: that of --repair without a name of its own, or one that is changed and not repaired.
+/// Whether -o names the mesh and not the report: with --repair without OUT, or if the mesh is changed and not repaired.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
@@ -93,7 +93,7 @@ bool writes_mesh(const TopologyArguments& arguments) {
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
-/// Of several meshes there are reports, and nothing else: one OUT is one file.
+/// Throws WrongUsage if an option would write a mesh or generators: for several meshes only reports are written.
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
     throw WrongUsage(std::string(option) + ": found " + std::to_string(arguments.meshes.size()) +
@@ -117,7 +117,7 @@ std::vector<std::string> TopologyPlan::outputs() const {
 }
 
 TopologyPlan plan(TopologyArguments arguments) {
-  // `--repair MESH -o OUT`: what stands behind --repair is the mesh, as long as there is no other.
+  // `--repair MESH -o OUT`: the argument of --repair is the mesh if there is no other.
   if (arguments.meshes.empty() && arguments.output && !arguments.repaired.empty())
     arguments.meshes = {std::exchange(arguments.repaired, std::string())};
   if (arguments.meshes.empty())

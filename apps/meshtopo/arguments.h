@@ -1,4 +1,4 @@
-// What: the command line of `meshtopo`, from text to meaning.
+// What: parses the command line of `meshtopo`.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace rbpa::app {
 
-/// As given.
+/// The arguments as texts.
 struct TopologyArguments {
   std::vector<std::string> meshes;
   std::optional<std::string> format;
@@ -28,25 +28,25 @@ struct TopologyArguments {
   std::optional<std::string> fill_holes;
   std::optional<std::string> close_tunnels_below;
   bool repair = false;
-  std::string repaired;  ///< OUT of --repair; empty where it has none, and -o names the file
+  std::string repaired;  ///< OUT of --repair; empty if -o names the file
   std::optional<std::string> generators;
   bool shortest = false;
-  std::vector<std::string> checks;  ///< lists
+  std::vector<std::string> checks;  ///< comma-separated lists
   std::string max_defects = "20";
   bool quiet = false;
 };
 
-/// A file to write; of a report as text or as json.
+/// A file to write; the format of a report is text or json.
 struct TopologyTarget {
   std::string path;  ///< "-" is standard output
   Format format;
 };
 
-/// What a run reads and writes.
+/// The inputs, actions and outputs of a run.
 struct TopologyPlan {
-  std::vector<MeshSource> sources;  ///< several: a report of each, and nothing else is written
+  std::vector<MeshSource> sources;  ///< if there are several, only reports are written
   std::size_t max_defects;
-  bool quiet;  ///< no progress
+  bool quiet;  ///< show no progress
   std::vector<Check> checks = {};
   Edits edits = {};
   bool repair = false;
@@ -54,16 +54,16 @@ struct TopologyPlan {
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
-  std::optional<Shift> shift = std::nullopt;             ///< of that mesh, as STL
+  std::optional<Shift> shift = std::nullopt;             ///< of that mesh, for STL
   std::optional<TopologyTarget> generators = std::nullopt;
-  bool shortest = false;  ///< generators
+  bool shortest = false;  ///< write shortest generators
 
-  /// Whether there is a mesh to write that is not the one of a repair alone.
+  /// Whether an option other than --repair changes the mesh.
   bool changes() const { return edits.any() || fill || tunnels_below; }
-  std::vector<std::string> outputs() const;  ///< of all three, in the order of writing
+  std::vector<std::string> outputs() const;  ///< paths of the three targets, in the order of writing
 };
 
-/// Throws WrongUsage naming the value.
+/// Parses and checks the arguments. Throws WrongUsage naming the value.
 TopologyPlan plan(TopologyArguments arguments);
 
 }  // namespace rbpa::app

@@ -53,7 +53,7 @@ Check parse_check(const std::string& text) {
 
 long value_of(std::size_t number) { return static_cast<long>(number); }
 
-/// Absent: there is no genus.
+/// Returns a number of the report; nothing if the mesh has no genus.
 std::optional<long> count_of(std::string_view name, const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
   if (name == "euler") return t.euler();
@@ -71,7 +71,7 @@ std::optional<long> count_of(std::string_view name, const Examined& mesh) {
       std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& n) { return n.first == name; })->second);
 }
 
-/// "2 non-manifold edges and 1 pinch"; empty without any.
+/// Returns "2 non-manifold edges and 1 pinch"; an empty text if there is no defect of these kinds.
 std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefectKind> kinds) {
   std::vector<std::string> parts;
   for (const SoupDefectKind kind : kinds) {

@@ -1,5 +1,5 @@
-// What: the properties that a mesh is to have, as --check names them, and whether it has them.
-// Law:  every property is read off the report and the list of defects: what the report says decides, and nothing else.
+// What: the properties that --check requires of a mesh, and their evaluation.
+// Law:  every property is computed from the report and the list of defects alone.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace rbpa::app {
 
-/// Of "closed,genus=0": two. Throws WrongUsage that lists the properties there are.
+/// Parses a comma-separated list of properties: "closed,genus=0" has two. Throws WrongUsage with the known properties.
 std::vector<Check> parse_checks(const std::string& list);
 
 CheckResult evaluate(const Check& check, const Examined& mesh);
 
-/// "found 1 boundary curve, expected none", of a check that does not hold.
+/// Returns "closed: found 1 boundary curve, expected none" for a check that does not hold.
 std::string failure_of(const CheckResult& result);
 
 }  // namespace rbpa::app

@@ -10,7 +10,7 @@
 namespace rbpa::app {
 
 KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice) {
-  // In a repaired surface all faces agree, which takes no piece apart.
+  // The repair makes the faces of each component agree, and splits no component.
   const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
   const FaceFans fans(repaired, mesh.positions);
   const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());

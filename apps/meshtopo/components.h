@@ -1,7 +1,7 @@
-// What: the components of a mesh that are kept: --keep-largest and --drop-small.
-// Law:  a component is a piece of surface connected through edges, as the report has it, and its size that of `rbpa surface`: a
-//       face of n corners counts as the n − 2 triangles of a fan. None of it depends on the order of vertices and faces.
-// Cost: that of a repair, and n log n.
+// What: chooses the components of a mesh to keep: --keep-largest and --drop-small.
+// Law:  components are connected through edges, as in the report. Their size is that of `rbpa surface`: a face of n
+//       corners counts as the n − 2 triangles of a fan. The choice does not depend on the order of vertices and faces.
+// Cost: that of a repair, plus n log n.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 namespace rbpa::app {
 
 struct KeptComponents {
-  std::vector<bool> faces;  ///< of each, whether it is kept; what is degenerate or repeats another is not
-  std::size_t dropped = 0;  ///< components
+  std::vector<bool> faces;  ///< whether each face is kept; degenerate and repeated faces are not
+  std::size_t dropped = 0;  ///< number of dropped components
 };
 
-/// Requires: the choice is of all shells. Throws Cancelled.
+/// Returns the faces of the chosen components. Requires: `choice` is not restricted to outer shells. Throws Cancelled.
 KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice);
 
 }  // namespace rbpa::app

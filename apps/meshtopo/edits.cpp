@@ -18,7 +18,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Lexicographic, and −0 before +0, so that equal places have a least one.
+/// Compares lexicographically, with −0 before +0, so that one of equal positions is the least.
 bool is_before(const Position& a, const Position& b) {
   const auto key = [](const Position& p) {
     return std::tuple(p[0], p[1], p[2], !std::signbit(p[0]), !std::signbit(p[1]), !std::signbit(p[2]));
@@ -62,7 +62,7 @@ void drop(EditedMesh& edited, const ComponentChoice& choice) {
   renumber(edited, part);
 }
 
-/// The faces of each piece, one after the other, as triangles.
+/// Returns the faces of each component as triangles.
 std::vector<std::vector<Triangle>> triangles_by_piece(const MeshFile& mesh, const meshops::Orientation& orientation) {
   std::vector<std::vector<Triangle>> triangles(orientation.pieces.size());
   for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {

@@ -1,7 +1,6 @@
-// What: the changes of a mesh that the command line asks for, before a repair: --weld, --keep-largest and --drop-small, --orient,
-//       in this order.
-// Law:  positions are those of the file, and no face is added; the result does not depend on the order of vertices and faces,
-//       but for their numbers, and for the direction of an open component of which as many faces run one way as the other.
+// What: the changes of a mesh before a repair: --weld, --keep-largest and --drop-small, --orient, in this order.
+// Law:  positions stay as in the file, and no face is added. The result does not depend on the order of vertices and
+//       faces, except for their numbers, and for the direction of an open component half of whose faces run either way.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 namespace rbpa::app {
 
 struct Edits {
-  std::optional<double> weld = {};  ///< the distance
+  std::optional<double> weld = {};  ///< distance of --weld
   ComponentChoice components = {};
   bool orient = false;
 
@@ -25,19 +24,19 @@ struct Edits {
 
 struct Dropped {
   std::size_t components = 0;
-  std::size_t faces = 0;     ///< of them, and those that are no part of a surface: degenerate, or repeating another
-  std::size_t vertices = 0;  ///< that no face has any more, or had before
+  std::size_t faces = 0;     ///< faces of dropped components, and degenerate and repeated faces
+  std::size_t vertices = 0;  ///< vertices without a face, now or before
 };
 
 struct Oriented {
-  std::size_t faces = 0;                         ///< that are reversed
+  std::size_t faces = 0;                         ///< reversed faces
   std::size_t outward = 0;                       ///< closed components that enclose a volume, and face outward
-  std::size_t inward = 0;                        ///< those in an odd number of others, the walls of cavities
-  std::size_t nested = 0;                        ///< those in one or more others
-  std::vector<std::size_t> not_orientable = {};  ///< the first face of each component, as the file numbers it
+  std::size_t inward = 0;                        ///< closed components in an odd number of others: walls of cavities
+  std::size_t nested = 0;                        ///< closed components within one or more others
+  std::vector<std::size_t> not_orientable = {};  ///< first face of each such component, by its number in the file
 };
 
-/// Absent: not asked for.
+/// The effects of the changes; absent if a change was not requested.
 struct EditReport {
   std::optional<Welded> weld = {};
   std::optional<Dropped> drop = {};
@@ -47,13 +46,13 @@ struct EditReport {
 };
 
 struct EditedMesh {
-  MeshFile mesh;                         ///< without lines
-  std::vector<std::uint32_t> point_was;  ///< of each vertex: its number in the file, the least where several became one
-  std::vector<std::size_t> face_was;     ///< of each face: its number in the file
+  MeshFile mesh;                         ///< without line numbers
+  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the file, the least of merged vertices
+  std::vector<std::size_t> face_was;     ///< number of each face in the file
   EditReport report;
 };
 
-/// Cost: that of near_vertices(), kept_components(), orient(). Throws Cancelled.
+/// Applies the requested changes. Cost: that of near_vertices(), kept_components(), orient(). Throws Cancelled.
 EditedMesh edit(const MeshFile& mesh, const Edits& edits);
 
 }  // namespace rbpa::app

@@ -13,17 +13,17 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// Every finite double is a whole number of 2^exponent, for one small enough.
+/// Returns an exponent e such that the finite double x is an integer multiple of 2^e; the greatest int for 0.
 int unit_exponent(double x) { return x == 0 ? std::numeric_limits<int>::max() : std::ilogb(x) - 52; }
 
 Integer in_units(double x, int exponent) {
   if (x == 0) return 0;
   int own = 0;
   const auto digits = static_cast<std::int64_t>(std::scalbn(std::frexp(x, &own), 53));
-  return Integer(digits) << static_cast<unsigned>(own - 53 - exponent);  // not negative: `exponent` is the least of all
+  return Integer(digits) << static_cast<unsigned>(own - 53 - exponent);  // not negative, as `exponent` is the least
 }
 
-/// Exact, but slow.
+/// Returns the sign of the volume by integers: exact, but slow.
 int volume_sign_in_integers(std::span<const Position> positions, std::span<const Triangle> triangles) {
   int exponent = std::numeric_limits<int>::max();
   for (const Triangle& triangle : triangles)
@@ -43,10 +43,11 @@ int volume_sign_in_integers(std::span<const Position> positions, std::span<const
   return sum.sign();
 }
 
-/// Where it is certain. Coordinates are scaled into [−1, 1], which changes those that underflow by less than 2^−1074, and
-/// differences to the first corner have a relative error of ε = 2^−53. Of a determinant of three such differences the error is
-/// below 8ε times the sum of its products, of the sum of n of them below (n + 8)ε times the sum of all (Higham, Accuracy and
-/// Stability of Numerical Algorithms, section 4.2); where products underflow below 100 · 2^−1074 more for each triangle.
+/// Returns the sign of the volume by rounded numbers; nothing if it is not certain. Coordinates are scaled into [−1,
+/// 1], which changes those that underflow by less than 2^−1074, and differences to the first corner have a relative
+/// error of ε = 2^−53. The error of a determinant of three such differences is below 8ε times the sum of its products,
+/// and the error of the sum of n determinants is below (n + 8)ε times the sum of all products (Higham, Accuracy and
+/// Stability of Numerical Algorithms, section 4.2); if products underflow, below 100 · 2^−1074 more for each triangle.
 std::optional<int> rounded_volume_sign(std::span<const Position> positions, std::span<const Triangle> triangles) {
   double greatest = 0;
   for (const Triangle& triangle : triangles)
@@ -74,7 +75,7 @@ std::optional<int> rounded_volume_sign(std::span<const Position> positions, std:
     }
   }
   const auto n = 3 * static_cast<double>(triangles.size());
-  const double error = 2 * (n + 16) * 0x1p-53 * products + n * 0x1p-1060;  // twice what is needed
+  const double error = 2 * (n + 16) * 0x1p-53 * products + n * 0x1p-1060;  // twice the bound
   if (std::abs(sum) > error) return sum > 0 ? 1 : -1;
   return std::nullopt;
 }
@@ -94,7 +95,7 @@ bool are_within(const Position& a, const Position& b, double distance) {
   constexpr double error = 1e-14, least = 1e-280;
   if (limit > least && std::isfinite(limit)) {
     if (squares < limit * (1 - error)) return true;
-    if (squares > limit * (1 + error)) return false;  // also where it is infinite
+    if (squares > limit * (1 + error)) return false;  // also if it is infinite
   }
   int exponent = unit_exponent(distance);
   for (std::size_t k = 0; k < 3; ++k) exponent = std::min({exponent, unit_exponent(a[k]), unit_exponent(b[k])});

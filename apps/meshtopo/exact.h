@@ -1,7 +1,6 @@
-// What: questions about positions, answered exactly: which way a closed surface faces, and whether two places
-//       are near.
-// Law:  the answer is that of the real numbers, at any magnitude: rounded numbers decide where they certainly can, and
-//       whole numbers of any length elsewhere.
+// What: exact predicates of positions: the direction that a closed surface faces, and whether two positions are near.
+// Law:  the answer is that of real numbers, at any magnitude: rounded numbers decide if their error bound allows it,
+//       and integers of any length otherwise.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +13,11 @@ namespace rbpa::app {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The sign of the volume that a closed surface encloses: 1 where its triangles face outward, on the whole, −1 where they
-/// face what they enclose, 0 where that is nothing. Cost: linear. Throws Cancelled.
+/// Returns the sign of the volume that a closed surface encloses: 1 if its triangles on the whole face outward, −1 if
+/// they face inward, 0 if the volume is 0. Cost: linear. Throws Cancelled.
 int volume_sign(std::span<const Position> positions, std::span<const Triangle> triangles);
 
-/// Whether two places are at most `distance` from each other. Requires: 0 ≤ distance < ∞.
+/// Whether two positions are at most `distance` apart. Requires: 0 ≤ distance < ∞.
 bool are_within(const Position& a, const Position& b, double distance);
 
 }  // namespace rbpa::app

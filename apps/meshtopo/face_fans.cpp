@@ -11,9 +11,9 @@
 namespace rbpa::app {
 namespace {
 
-/// A side of a triangle that is one of its face too; across it from corner `corner` lies a neighbor.
+/// A side of a triangle that is also a side of its face, opposite to corner `corner`.
 struct FanSide {
-  std::uint32_t low, high;  // its ends
+  std::uint32_t low, high;  // vertices at its ends
   std::uint32_t triangle, corner;
   friend auto operator<=>(const FanSide&, const FanSide&) = default;
 };
@@ -40,7 +40,8 @@ FaceFans::FaceFans(const meshops::Repair& repaired, std::span<const std::array<d
         const std::uint32_t a = surface.triangles[t][(corner + 1) % 3], b = surface.triangles[t][(corner + 2) % 3];
         sides.push_back({std::min(a, b), std::max(a, b), t, corner});
       };
-      // Corner 0 is that of the fan: within it one triangle lies across corner 1 from the next, across corner 2 from the one before.
+      // Corner 0 is the center of the fan: the next triangle is opposite to corner 1, the one before opposite to corner
+      // 2.
       surface.neighbors.push_back(
           {Surface::none, t + 1 < end ? t + 1 : Surface::none, t > first ? t - 1 : Surface::none});
       side_of(0);

@@ -1,5 +1,5 @@
-// What: the faces of a surface as triangles, glued as the faces are.
-// Why:  what the library knows about surfaces of triangles then holds for faces of any number of corners.
+// What: splits the faces of a surface into triangles that are glued as the faces are.
+// Why:  the library's functions for triangle surfaces then apply to faces of any number of corners.
 // Cost: a sort of the sides.
 #pragma once
 
@@ -15,11 +15,11 @@
 namespace rbpa::app {
 
 struct FaceFans {
-  Surface surface = {};                ///< of vertices of the repaired soup; one fan of triangles around each
-  std::vector<Point3> points = {};     ///< of each vertex
-  std::vector<std::size_t> face = {};  ///< of each triangle, by number in the repaired soup
+  Surface surface = {};                ///< on the vertices of the repaired soup; one fan of triangles around each
+  std::vector<Point3> points = {};     ///< position of each vertex
+  std::vector<std::size_t> face = {};  ///< face of each triangle, by its number in the repaired soup
 
-  /// Requires: the repair of a mesh with these positions. Throws Cancelled.
+  /// Requires: `repaired` is the repair of a mesh with these positions. Throws Cancelled.
   FaceFans(const meshops::Repair& repaired, std::span<const std::array<double, 3>> positions);
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The mean of some points, in whatever order they come.
+/// Returns the mean of points, which does not depend on their order.
 Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> points) {
   const auto mean = [&](double Point3::*coordinate) {
     std::vector<double> shares;
@@ -31,7 +31,7 @@ Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> p
   return {mean(&Point3::x), mean(&Point3::y), mean(&Point3::z)};
 }
 
-/// What new triangles must not cross: the faces as triangles of the same vertices, and of their means.
+/// The obstacles to new triangles: the faces as triangles of their vertices, and of the means of larger faces.
 struct Obstacles {
   std::vector<Point3> points;
   std::vector<Triangle> triangles;
@@ -54,7 +54,7 @@ Obstacles obstacles_of(const meshops::PolygonSoup& soup, const std::vector<Point
   return obstacles;
 }
 
-/// The boundary curves that are chosen, as vertices; counts the others.
+/// Returns the chosen boundary curves as lists of vertices; counts the others.
 std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::span<const std::uint32_t> stands_on,
                                                      const CurveChoice& choice,
                                                      std::array<std::size_t, 3>& not_chosen) {
@@ -118,7 +118,7 @@ FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
   result.report.merged = merged.merged;
   result.mesh.soup = std::move(merged.soup);
   result.point_was = std::move(merged.point_was);
-  // Vertices that have become one may have edges in common, which then have too many faces.
+  // Merged vertices may have edges in common, which then have more than two faces.
   if (!is_surface(result.mesh.soup)) {
     meshops::Repair again = meshops::repair(result.mesh.soup, until_interrupted());
     result.mesh.soup = std::move(again.soup);

@@ -1,9 +1,9 @@
-// What: holes of a mesh filled: --fill-holes.
-// Law:  no face is moved, and no vertex is added but where vertices that become one would get an edge of more than two
-//       faces in common: there edges are cut, as a repair does it, and the result is a surface again. The new faces are
-//       triangles, as those of `rbpa surface` are: they turn least against the faces around the hole, and cross
-//       nothing, which is decided exactly. A face of more than three corners counts there as triangles around the mean
-//       of its corners. Which holes are filled, and how, does not depend on the order of vertices and faces.
+// What: fills holes of a mesh: --fill-holes.
+// Law:  no face moves, and no vertex is added, except where merged vertices would give an edge more than two faces:
+//       there edges are cut as by a repair, so that the result is a surface again. The new faces are triangles, as in
+//       `rbpa surface`: they turn least against the faces around the hole and intersect nothing, which is decided
+//       exactly. For this decision a face of more than three corners counts as triangles around the mean of its
+//       corners. The filled holes and their triangles do not depend on the order of vertices and faces.
 // Cost: that of a repair and of rbpa::fill_holes().
 #pragma once
 
@@ -24,20 +24,20 @@ namespace rbpa::app {
 
 struct Filled {
   FillingCounts counts = {};
-  std::array<std::size_t, 3> not_chosen = {};  ///< boundary curves, by CurveKind
-  std::size_t merged = 0;                      ///< vertices, at equal places along a hole, that became one with another
+  std::array<std::size_t, 3> not_chosen = {};  ///< number of boundary curves that stay, by CurveKind
+  std::size_t merged = 0;                      ///< vertices along a hole merged with one at an equal position
 };
 
 struct FilledMesh {
-  MeshFile mesh;                         ///< without lines; the new faces are the last ones
-  std::vector<std::uint32_t> point_was;  ///< of each vertex: its number in the mesh that was given
+  MeshFile mesh;                         ///< without line numbers; the new faces are the last ones
+  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the given mesh
   Filled report;
 };
 
-/// Whether to fill a boundary curve: with its kind, and the points of the mesh along it.
+/// Decides whether to fill a boundary curve, by its kind and the points of the mesh along it.
 using CurveChoice = std::function<bool(const Hole&, CurveKind, std::span<const std::uint32_t>)>;
 
-/// Requires: a surface: no defects but pinches. Throws Cancelled.
+/// Fills the chosen holes. Requires: a surface without defects other than pinches. Throws Cancelled.
 FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice);
 inline FilledMesh fill(const MeshFile& mesh, const HoleChoice& choice) {
   return fill(mesh, [&](const Hole& curve, CurveKind kind, const auto&) { return choice.has(curve, kind); });

@@ -1,4 +1,4 @@
-// What: everything a run has to report of one mesh.
+// What: everything that a run reports about one mesh.
 #pragma once
 
 #include <optional>
@@ -17,17 +17,17 @@
 
 namespace rbpa::app {
 
-/// A property that holds or not, or one that is a number.
+/// A property that holds or does not, or a number that is required.
 struct Check {
   std::string name;
-  std::optional<long> number;  ///< absent: holds or not
+  std::optional<long> number;  ///< the required number; absent for a property that holds or does not
 };
 
 struct CheckResult {
   Check check;
   bool holds;
   std::string found, expected;  ///< in words
-  std::optional<long> number;   ///< found; absent where there is none, such as the genus of what is not orientable
+  std::optional<long> number;  ///< the found number; absent if there is none, as for the genus of a non-orientable mesh
 };
 
 struct Examined {
@@ -40,14 +40,14 @@ struct Examined {
 struct Findings {
   const MeshFile& mesh;
   Examined given;
-  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< none: not requested
+  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< absent if not requested
   EditReport edits = {};
-  std::optional<Filled> fill = std::nullopt;            ///< none: not requested
-  std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< the same
+  std::optional<Filled> fill = std::nullopt;            ///< absent if not requested
+  std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< absent if not requested
 
   bool has_changes() const { return edits.any() || fill || tunnels; }
 
-  std::optional<Examined> result = std::nullopt;  ///< of the mesh that comes out, where it is not the one given
+  std::optional<Examined> result = std::nullopt;  ///< the resulting mesh, if it differs from the given one
   std::vector<CheckResult> checks = {};
 };
 

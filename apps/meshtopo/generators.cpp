@@ -17,7 +17,7 @@ namespace {
 
 using meshops::Connectivity;
 
-/// Coordinates times the power of two are in [−1, 1], so that no length and no sum of lengths overflows.
+/// Returns the exponent of the power of two that scales coordinates into [−1, 1], so that no sum of lengths overflows.
 int scale_of(std::span<const std::array<double, 3>> positions) {
   double greatest = 0;
   for (const auto& p : positions)
@@ -25,7 +25,7 @@ int scale_of(std::span<const std::array<double, 3>> positions) {
   return greatest > 0 ? -(std::ilogb(greatest) + 1) : 0;
 }
 
-/// By edge index.
+/// Returns the lengths of the edges, by edge index.
 std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::uint32_t> point_of,
                                  std::span<const std::array<double, 3>> positions, int exponent) {
   std::vector<double> lengths(mesh.n_edges(), 0);
@@ -41,11 +41,11 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
   return lengths;
 }
 
-/// A mesh of the surface, with the lengths of its edges.
+/// The surface as a mesh with lengths of edges.
 struct Measured {
   OpenMesh::PolyConnectivity mesh;
-  std::vector<std::uint32_t> point_of;  // of each vertex
-  int exponent;                         // of the scale of lengths
+  std::vector<std::uint32_t> point_of;  // point of each vertex
+  int exponent;                         // of the scale of the lengths
   std::vector<double> lengths;
 
   Measured(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions)
@@ -71,7 +71,7 @@ Generators generators(const meshops::PolygonSoup& soup, std::span<const std::arr
   const std::vector<meshops::Loop> loops =
       shortest ? meshops::shortest_homology_basis(of.mesh, of.lengths, until_interrupted())
                : meshops::homology_generators(of.mesh, of.lengths, until_interrupted());
-  std::vector<std::array<double, 3>> places;  // of vertices
+  std::vector<std::array<double, 3>> places;  // position of each vertex
   for (const std::uint32_t point : of.point_of) {
     auto& place = places.emplace_back(positions[point]);
     for (double& coordinate : place) coordinate = std::scalbn(coordinate, of.exponent);

@@ -1,5 +1,5 @@
-// What: what is wrong with where a mesh has its vertices, beside its topology.
-// Law:  exact: no face and no vertex is reported because it nearly is so.
+// What: finds geometric defects of a mesh: faces without area, and vertices at equal positions.
+// Law:  exact: no near miss is reported.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +18,15 @@ enum class GeometryKind {
 
 struct GeometricDefect {
   GeometryKind kind;
-  std::vector<std::uint32_t> points;  ///< the corners of the face; all vertices at the place, ascending
-  std::vector<std::size_t> faces;     ///< the face
+  std::vector<std::uint32_t> points;  ///< the corners of the face; all vertices at the position, ascending
+  std::vector<std::size_t> faces;     ///< the face; empty for vertices
 };
 
 std::string_view name(GeometryKind kind);
 
-/// Faces first, in their order, then places in the order of their first vertices. A face with fewer than three corners,
-/// or with one vertex twice, is a defect of topology and is passed over. Cost: linear. Throws Cancelled.
+/// Returns the faces without area in their order, then the shared positions in the order of their first vertices.
+/// Ignores faces with fewer than three corners or with a vertex twice, which are topological defects. Cost: linear.
+/// Throws Cancelled.
 std::vector<GeometricDefect> find_geometric_defects(const MeshFile& mesh);
 
 }  // namespace rbpa::app

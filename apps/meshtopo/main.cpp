@@ -1,4 +1,4 @@
-// The program `meshtopo`: its command line, and what its exit codes mean.
+// What: the program `meshtopo`: its command line and exit codes.
 #include <CLI/App.hpp>
 #include <memory>
 #include <sstream>
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Memory may run out while options are declared.
+  // Within run(), as memory may run out while options are declared.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

@@ -1,5 +1,5 @@
-// What: how large a mesh is: area, volume, box.
-// Law:  rounded numbers, of sums with compensation; whether there is a volume is decided by the topology.
+// What: measures of a mesh: area, volume, bounding box.
+// Law:  numbers are rounded, by compensated sums; the topology decides whether there is a volume.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 namespace rbpa::app {
 
 struct Measures {
-  double area = 0;  ///< of all faces, as for_each_fan_triangle() parts them
-  /// What pieces enclose that are closed and oriented: of one whose faces look at what they enclose less than 0. None:
-  /// there is no such piece.
+  double area = 0;  ///< of all faces, as the triangles of for_each_fan_triangle()
+  /// The sum of the volumes of the closed and oriented components, negative for one that faces inward; absent if there
+  /// is no such component.
   std::optional<double> volume = std::nullopt;
-  std::optional<std::array<std::array<double, 3>, 2>> box = std::nullopt;  ///< of all vertices; none: there are none
+  std::optional<std::array<std::array<double, 3>, 2>> box = std::nullopt;  ///< of all vertices; absent without vertices
 };
 
-/// Cost: that of meshops::orient(). Throws Cancelled.
+/// Measures a mesh. Cost: that of meshops::orient(). Throws Cancelled.
 Measures measure(const MeshFile& mesh);
 
 }  // namespace rbpa::app

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 Json or_null(const std::optional<long>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// "non_manifold_edge" for "non-manifold edge".
+/// Returns "non_manifold_edge" for "non-manifold edge".
 std::string identifier(std::string_view words) {
   std::string text(words);
   std::replace_if(
@@ -22,7 +22,7 @@ std::string identifier(std::string_view words) {
   return text;
 }
 
-/// What is wrong, or a step of a repair.
+/// Returns a defect, or a step of a repair, as JSON.
 template <typename Item>
 Json listed(const Item& item, const MeshFile& mesh) {
   return {{"kind", identifier(name(item.kind))}, {"where", as_json({item.points, item.faces}, mesh)}};
@@ -34,7 +34,8 @@ Json piece(const meshops::ComponentReport& p) {
           {"orientable", p.orientable}, {"genus", or_null(p.genus())}, {"betti", p.betti()}};
 }
 
-/// One object, a member a line, and of a list an item a line: one after the other, as there may be millions.
+/// Writes one object with a line for each member and for each item of a list, one after the other, as there may be
+/// millions.
 class Object {
  public:
   explicit Object(OutputFile& file) : file_(file) {}

@@ -47,7 +47,7 @@ std::string numbers(const Examined& mesh) {
       {"geometric defects", std::to_string(mesh.geometric_defects.size())}};
   std::size_t width = 0;
   for (const auto& row : rows)
-    if (row.first != "genus") width = std::max(width, row.second.size());  // which may be words
+    if (row.first != "genus") width = std::max(width, row.second.size());  // the genus may be words
   std::string text;
   for (const auto& [label, value] : rows) {
     text += label;
@@ -56,7 +56,7 @@ std::string numbers(const Examined& mesh) {
   return text + sizes(mesh.measures);
 }
 
-/// "  ... and 5 more".
+/// Returns "  ... and 5 more", or nothing if all are shown.
 std::string rest(std::size_t all, std::size_t shown) {
   return all > shown ? "  ... and " + std::to_string(all - shown) + " more\n" : "";
 }
@@ -82,7 +82,7 @@ std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t
   return text + rest(all.size(), shown);
 }
 
-/// What is wrong, or steps of a repair.
+/// Returns defects, or steps of a repair, one per line.
 template <typename Item>
 std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::size_t most) {
   std::string text;
@@ -94,7 +94,7 @@ std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::si
   return text + rest(items.size(), shown);
 }
 
-/// For what counted() cannot put into the plural.
+/// Returns a count with a noun whose plural is not formed with s.
 std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
@@ -165,7 +165,7 @@ std::string checks(const std::vector<CheckResult>& results) {
 
 }  // namespace
 
-/// A piece has one side only, or else three faces meet in an edge.
+/// Without a genus, some component is not orientable, or else an edge has more than two faces.
 std::string genus_text(const meshops::TopologyReport& topology) {
   if (topology.genus) return std::to_string(*topology.genus);
   const bool orientable = std::all_of(topology.per_component.begin(), topology.per_component.end(),

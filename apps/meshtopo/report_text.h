@@ -1,4 +1,4 @@
-// What: the report of meshtopo for people.
+// What: the report of meshtopo as text, for people.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace rbpa::app {
 
-/// The genus as a number, or why there is none.
+/// Returns the genus as a number, or why there is none.
 std::string genus_text(const meshops::TopologyReport& topology);
 
-/// One number a line; pieces of surface when there are several; defects of topology and of geometry, and what repair
-/// did, each up to `most` of them and how many more there are; which checks hold.
+/// Returns the report: one number per line; the components if there are several; topological and geometric defects, and
+/// steps of the repair, up to `most` of each and the number of the others; and which checks hold.
 std::string report_text(const Findings& findings, std::size_t most);
 
 }  // namespace rbpa::app

@@ -20,14 +20,15 @@ namespace {
 
 std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
 
-/// Numbers of an edited mesh become those of the file.
+/// Replaces the numbers of an edited mesh by those of the file.
 template <typename Item>
 void number_as_in_file(Item& item, const EditedMesh& edited) {
   for (std::uint32_t& p : item.points) p = edited.point_was[p];
   for (std::size_t& f : item.faces) f = edited.face_was[f];
 }
 
-/// Loops and fillings need a surface: pinches come apart by themselves, anything else is refused.
+/// Throws BadInput unless the mesh is a surface, as `option` requires: its only defects are pinches, which are split
+/// automatically.
 void require_surface(const std::string& option, const Findings& findings,
                      const std::vector<meshops::SoupDefect>& defects, const MeshSource& source) {
   const auto defect = std::find_if(defects.begin(), defects.end(), [](const meshops::SoupDefect& d) {
@@ -40,7 +41,7 @@ void require_surface(const std::string& option, const Findings& findings,
             "a surface for " + option + ", or --repair");
 }
 
-/// The parts of a run, each with its line on the terminal, and what is passed from one to the next.
+/// The steps of a run, each with its progress line, and the data that they share.
 class Run {
  public:
   explicit Run(const TopologyPlan& plan) : plan_(plan) {}
@@ -55,7 +56,7 @@ class Run {
   }
 
  private:
-  /// Reads, changes, writes and checks one mesh. Calls report(findings) last.
+  /// Reads, changes, writes and checks one mesh, then calls report(findings).
   template <typename Report>
   void examine_mesh(const MeshSource& source, Report report) {
     const MeshFile mesh = read(source);
@@ -119,14 +120,14 @@ class Run {
     report(findings);
   }
 
-  /// Examines what a reader of the file will find, and says what that has lost. Returns whether to write it.
+  /// Examines the mesh as a reader of the STL file will find it, and warns about losses. Returns whether to write it.
   bool keep_in_stl(const MeshFile& mesh, bool is_wanted, Findings& findings) {
     const std::string& name = plan_.written->path;
     const TriangulatedFaces faces(mesh.positions, mesh.soup);
     const std::string why = why_not_kept(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     const SinglePositions positions = single_positions(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     const MeshFile kept = as_stl_mesh(positions, faces.triangles);
-    const bool joins = kept.positions.size() < mesh.positions.size();  // also where a vertex has no face
+    const bool joins = kept.positions.size() < mesh.positions.size();  // also if a vertex has no face
     if (is_wanted || joins) findings.result = examine(kept);
     if (joins && why.empty()) {
       const auto count = [&](meshops::SoupDefectKind kind) {
@@ -166,7 +167,7 @@ class Run {
     });
   }
 
-  /// One mesh after the other: of the reports none is kept.
+  /// Reports one mesh after the other, and keeps no report in memory.
   void report_all() {
     OutputFile* const file = plan_.report ? &outputs_.add(plan_.report->path) : nullptr;
     const bool as_json = plan_.report && plan_.report->format == Format::json;
@@ -195,7 +196,7 @@ class Run {
     file->finish();
   }
 
-  /// Says what does not hold of the mesh that comes out.
+  /// Evaluates the checks for the resulting mesh, and prints those that do not hold.
   void check(Findings& findings, const MeshSource& source) {
     for (const Check& wanted : plan_.checks) {
       findings.checks.push_back(evaluate(wanted, findings.result ? *findings.result : findings.given));
@@ -205,7 +206,7 @@ class Run {
     }
   }
 
-  /// Shown unless quiet, and unless it would be in the way of what is read or written at the terminal.
+  /// Returns a progress line; it is hidden with --quiet, and if the terminal is used for input or output.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"meshtopo", !plan_.quiet && !in_the_way, doing};
   }

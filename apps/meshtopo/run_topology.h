@@ -1,5 +1,5 @@
 // What: one run of meshtopo.
-// Law:  its files appear when all are complete, and the report went out.
+// Law:  output files appear once all are complete and the report is written.
 #pragma once
 
 #include "meshtopo/arguments.h"
@@ -7,9 +7,9 @@
 
 namespace rbpa::app {
 
-/// Of several meshes those that cannot be read are named on standard error, and the others reported; so is every check
-/// that does not hold. Returns the worst that was found: bad_input_given, else check_failed, else done.
-/// Throws WrongUsage, BadInput (of a single mesh), Failure, Cancelled.
+/// Runs the program. Reports every check that does not hold on standard error; of several meshes also those that cannot
+/// be read, and continues with the others. Returns the worst result: bad_input_given, check_failed or done. Throws
+/// WrongUsage, BadInput (for a single mesh), Failure, Cancelled.
 ExitCode run_topology(const TopologyArguments& arguments);
 
 }  // namespace rbpa::app

@@ -16,7 +16,7 @@ namespace {
 
 using meshops::PolygonSoup;
 
-/// Whether each face has one of the points.
+/// Returns for each face whether it has one of the points of the loop.
 std::vector<bool> faces_at(const PolygonSoup& soup, const Polyline& loop) {
   std::vector<bool> is_on_loop(soup.points, false), at(soup.faces(), false);
   for (const std::uint32_t p : loop) is_on_loop[p] = true;
@@ -49,13 +49,13 @@ class Closing {
   }
 
  private:
-  /// Loops of a round that have no face in common do not change each other. Returns: whether one was closed.
+  /// Closes loops that have no face in common, so that they do not change each other. Returns whether one was closed.
   bool round() {
     result_.report.left = 0;
     std::size_t closed = 0;
-    std::vector<bool> is_taken(result_.mesh.soup.points, false);  // points of faces that are gone in this round
+    std::vector<bool> is_taken(result_.mesh.soup.points, false);  // points of faces that this round removed
     for (const Polyline& loop : shortest_generators(result_.mesh.soup, result_.mesh.positions, below_)) {
-      std::vector<std::uint32_t> places;  // numbers that no round changes
+      std::vector<std::uint32_t> places;  // original numbers, which no round changes
       for (const std::uint32_t p : loop) places.push_back(result_.point_was[p]);
       std::sort(places.begin(), places.end());
       const bool is_free = std::none_of(loop.begin(), loop.end(), [&](std::uint32_t p) { return is_taken[p]; });
@@ -85,12 +85,12 @@ class Closing {
       if (gone[f])
         for (const std::uint32_t p : soup.face(f)) is_around[p] = true;
     }
-    // A hole that is left by the faces has points of theirs only; one that was there before has others, or is unchanged.
+    // The new holes have only points of the removed faces; an older hole has other points, or is unchanged.
     FilledMesh filled = fill(open, [&](const Hole&, CurveKind, std::span<const std::uint32_t> points) {
       return std::all_of(points.begin(), points.end(), [&](std::uint32_t p) { return is_around[p]; });
     });
     if (filled.report.counts.left() > 0 || filled.report.merged > 0) return false;
-    if (filled.mesh.soup.points != soup.points) return false;  // fans came apart
+    if (filled.mesh.soup.points != soup.points) return false;  // a vertex was split
     meshops::TopologyReport topology = meshops::report(filled.mesh.soup, until_interrupted());
     if (!is_simpler(topology)) return false;
     topology_ = std::move(topology);
@@ -107,7 +107,7 @@ class Closing {
            topology.boundary_curves == topology_.boundary_curves && topology.pinches <= topology_.pinches;
   }
 
-  /// Those that have lost all their faces.
+  /// Removes points that have lost all their faces.
   void drop_points() {
     meshops::SoupPart part =
         meshops::keep_faces(result_.mesh.soup, std::vector<bool>(result_.mesh.soup.faces(), true), until_interrupted());

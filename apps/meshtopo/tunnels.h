@@ -1,9 +1,11 @@
-// What: handles cut and tunnels closed around which a short loop goes: --close-tunnels-below.
-// How:  the shortest generators are the loops. Of one the faces at its points are removed, which leaves a hole on either side, and
-//       both are filled as --fill-holes fills them: a thin bridge is gone then, or a small tunnel closed, and nothing crosses.
-// Law:  each that is closed makes the genus less by one, and no component, boundary curve or pinch more; where that cannot be,
-//       the mesh stays there as it is.
-// Cost: for each round that closes some, that of shortest_generators(); for each loop, that of a report and of rbpa::fill_holes().
+// What: cuts handles and closes tunnels that have a short loop around them: --close-tunnels-below.
+// How:  the loops are the shortest generators. Removing the faces at the points of a loop leaves a hole on either side,
+//       and both are filled as by --fill-holes. This removes a thin bridge, or closes a small tunnel, without
+//       intersections.
+// Law:  each closed loop reduces the genus by one and adds no component, boundary curve or pinch; if that is
+//       impossible, the mesh stays as it is there.
+// Cost: for each round that closes a loop, that of shortest_generators(); for each loop, that of a report and of
+//       rbpa::fill_holes().
 #pragma once
 
 #include <cstddef>
@@ -15,18 +17,18 @@
 namespace rbpa::app {
 
 struct ClosedTunnels {
-  std::size_t closed = 0, left = 0;    ///< loops below the length
+  std::size_t closed = 0, left = 0;    ///< loops shorter than the bound
   std::size_t removed = 0, added = 0;  ///< faces
 };
 
 struct SimplerMesh {
-  MeshFile mesh;                         ///< without lines
-  std::vector<std::uint32_t> point_was;  ///< of each vertex: its number in the mesh that was given
+  MeshFile mesh;                         ///< without line numbers
+  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the given mesh
   ClosedTunnels report;
 };
 
-/// Those around which a generator goes that is shorter than `below`.
-/// Requires: a surface: no defects but pinches. Throws Cancelled.
+/// Cuts handles and closes tunnels along generators shorter than `below`. Requires: a surface without defects other
+/// than pinches. Throws Cancelled.
 SimplerMesh close_tunnels(const MeshFile& mesh, double below);
 
 }  // namespace rbpa::app

@@ -28,10 +28,10 @@ std::vector<std::uint32_t> at_equal_places(const Positions& positions) {
   return least;
 }
 
-/// Vertices in cells of a side a little over half the distance, and eight of these in a block: what is in one cell is near,
-/// and what is near is in blocks that touch. Positions are scaled by a power of two, so that nothing overflows, and only
-/// choose what is compared: a decision is that of are_within(). Where the distance is tiny beside the box, 2⁴⁰ cells span it
-/// all the same; then vertices of one cell are compared too.
+/// A grid of cells with a side a little over half the distance, eight of them in a block: vertices in one cell are near
+/// each other, and near vertices are in blocks that touch. Positions are scaled by a power of two, so that nothing
+/// overflows, and only choose the pairs to compare: are_within() decides. If the distance is tiny beside the box, the
+/// cells are larger, 2⁴⁰ along the box; then vertices of one cell are compared, too.
 class NearVertices {
  public:
   NearVertices(const Positions& positions, double distance)
@@ -43,7 +43,7 @@ class NearVertices {
 
   std::vector<std::uint32_t> operator()() {
     for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) join_within(b);
-    // Half of the 26 blocks around one: blocks ascend, so that each neighbor is found by going on.
+    // Only half of the 26 neighbors of a block, those behind it in the order of blocks, have to be searched.
     for (std::int64_t x = 0; x <= 1; ++x)
       for (std::int64_t y = -1; y <= 1; ++y)
         for (std::int64_t z = -1; z <= 1; ++z)
@@ -72,7 +72,7 @@ class NearVertices {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], std::scalbn(p[k], -exponent));
     for (const Position& p : positions_)
       for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::scalbn(p[k], -exponent) - low[k]);
-    // A quotient is off by less than 2⁻¹², which the 256th more than half the distance makes good.
+    // The error of a quotient is below 2⁻¹², which the extra 1/256 of the side covers.
     double side = std::scalbn(distance_, -exponent) / 2 * (1 + 1.0 / 256);
     is_near_within_ = side >= size / most_cells && side > 0x1p-1000;
     if (!is_near_within_) side = std::max({side, size / most_cells, 0x1p-1000});
@@ -100,7 +100,7 @@ class NearVertices {
     return end;
   }
 
-  /// The vertices from one to another place in `vertices_`, of one cell.
+  /// The vertices of one cell, as a range of `vertices_`.
   struct Range {
     std::size_t begin, end;
   };
@@ -139,7 +139,7 @@ class NearVertices {
     }
   }
 
-  /// A cell with all cells of a block from `begin` on.
+  /// Joins a cell with the cells of a block that begins at `begin`.
   void join_from(const Range& cell, std::size_t begin, std::size_t end) {
     for (Range other{begin, 0}; other.begin < end; other.begin = other.end) {
       other.end = end_of_cell(other.begin, end);
@@ -147,7 +147,7 @@ class NearVertices {
     }
   }
 
-  /// One pair joins all of two cells, where what is in one cell is near.
+  /// Joins two cells if a pair of their vertices is near; compares all pairs if vertices of one cell need not be near.
   void join(const Range& cell, const Range& other) {
     if (is_near_within_ && sets_.find(vertices_[cell.begin].vertex) == sets_.find(vertices_[other.begin].vertex))
       return;
@@ -165,9 +165,9 @@ class NearVertices {
   const Positions& positions_;
   const double distance_;
   meshops::DisjointSets sets_;
-  bool is_near_within_ = true;       // what is in one cell is near
-  std::vector<Placed> vertices_;     // ascending
-  std::vector<std::size_t> blocks_;  // where each begins, and the end
+  bool is_near_within_ = true;       // vertices in one cell are near each other
+  std::vector<Placed> vertices_;     // in the order of blocks and cells
+  std::vector<std::size_t> blocks_;  // first vertex of each block, and the end
 };
 
 }  // namespace
