@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MeshFile mesh = mesh_in(bytes, "FILE", format);
     is_sound(mesh);
   } catch (const BadInput& refusal) {
-    fuzz::require(std::string(refusal.what()).starts_with("FILE"), "a message says where");
+    fuzz::require(std::string(refusal.what()).starts_with("FILE"), "a message names the place");
     fuzz::is_a_sentence(refusal.what());
   }
   return 0;

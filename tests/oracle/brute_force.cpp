@@ -13,8 +13,8 @@ namespace {
 template <typename Number>
 struct Lifted {
   Number x, y, lift;        ///< lift = x² + y²
-  std::uint32_t index = 0;  ///< of the input point
-  std::size_t epsilon = 0;  ///< rank by coordinates: of two points the larger rank has the infinitely larger ε
+  std::uint32_t index = 0;  ///< index of the input point
+  std::size_t epsilon = 0;  ///< rank by coordinates: the point of the larger rank has the infinitely larger ε
 };
 
 template <typename Number>
@@ -22,15 +22,15 @@ int sign(const Number& value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// (b − a) × (c − a).
+/// Returns (b − a) × (c − a).
 template <typename Number>
 Number area(const Lifted<Number>& a, const Lifted<Number>& b, const Lifted<Number>& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Sign of the determinant with rows (x, y, lift + ε) of a − d, b − d, c − d: positive when d is inside the circle of
-/// the counter-clockwise triangle (a, b, c). Linear in the lifts, with these cofactors:
-///   of a: [d b c]   of b: −[d a c]   of c: [d a b]   of d: −[a b c],   [p q r] = area(p, q, r).
+/// Returns the sign of the determinant with rows (x, y, lift + ε) of a − d, b − d, c − d: positive when d is inside the
+/// circle of the counter-clockwise triangle (a, b, c). It is linear in the lifts, with these cofactors:
+///   for a: [d b c]   for b: −[d a c]   for c: [d a b]   for d: −[a b c],   [p q r] = area(p, q, r).
 template <typename Number>
 int perturbed_in_circle(const Lifted<Number>& a, const Lifted<Number>& b, const Lifted<Number>& c,
                         const Lifted<Number>& d) {

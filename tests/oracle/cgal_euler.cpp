@@ -18,7 +18,7 @@ using Halfedge = Mesh::Halfedge_index;
 
 struct CgalEuler::Impl {
   Mesh mesh;
-  std::vector<Vertex> vertex;  // of each label
+  std::vector<Vertex> vertex;  // for each label
   Mesh::Property_map<Vertex, int> label;
 
   void set_label(Vertex v, int l) {
@@ -49,7 +49,7 @@ CgalEuler::~CgalEuler() = default;
 void CgalEuler::split_edge(int from, int to, int label) {
   Mesh& mesh = impl_->mesh;
   const Halfedge h = impl_->between(from, to);
-  const Halfedge half = CGAL::Euler::split_edge(h, mesh);  // ends at the new vertex, where h begins now
+  const Halfedge half = CGAL::Euler::split_edge(h, mesh);  // ends at the new vertex, at which h begins now
   impl_->set_label(mesh.target(half), label);
   if (!mesh.is_border(h)) CGAL::Euler::split_face(half, mesh.next(h), mesh);
   const Halfedge back = mesh.opposite(h);

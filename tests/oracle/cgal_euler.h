@@ -1,4 +1,4 @@
-// What: CGAL's Euler operations on its Surface_mesh, addressed by labels of vertices.
+// What: runs CGAL's Euler operations on its Surface_mesh, addressed by labels of vertices.
 #pragma once
 
 #include <array>
@@ -8,16 +8,16 @@
 
 namespace rbpa_test {
 
-/// A face as the labels of its corners, from the least on.
+/// Face as the labels of its corners, from the least on.
 using LabelledFace = std::vector<int>;
 
 class CgalEuler {
  public:
-  /// Labels are 0 to vertices − 1.
+  /// Builds a mesh. Labels are 0 to vertices − 1.
   CgalEuler(int vertices, const std::vector<LabelledFace>& faces);
   ~CgalEuler();
 
-  // The new vertex gets the label. The mesh is one of triangles where these are used.
+  // The new vertex gets the label. These require a triangle mesh.
   void split_edge(int from, int to, int label);
   void split_face(const LabelledFace& face, int label);
   void flip(int from, int to);

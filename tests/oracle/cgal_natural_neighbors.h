@@ -9,7 +9,7 @@
 
 namespace rbpa_test {
 
-/// The share of each point in a query, which is inside of the convex hull of distinct points.
+/// Returns the share of each point at a query, which must be inside the convex hull of distinct points.
 std::map<std::uint32_t, double> natural_neighbor_coordinates(std::span<const rbpa::Point> points,
                                                              const rbpa::Point& query);
 

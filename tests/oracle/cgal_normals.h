@@ -7,7 +7,8 @@
 
 namespace rbpa_test {
 
-/// Unit normals on either side, each of a point and its `neighbors` nearest others. Requires: distinct points.
+/// Returns unit normals of either sign, each fitted to a point and its `neighbors` nearest others. Requires: distinct
+/// points.
 Points3 normals_by_cgal(const Points3& points, std::size_t neighbors);
 
 }  // namespace rbpa_test

@@ -1,5 +1,5 @@
 // What: Delaunay tetrahedra of points in a cube that repeats, by CGAL's Periodic_3_Delaunay_triangulation_3.
-// Law:  shares nothing with the library.
+// Law:  shares no code with the library.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace rbpa_test {
 
-/// A corner: the point, and how many boxes it is away from where it was given.
+/// Corner: the point, and the number of boxes along each axis from its given position.
 using PeriodicCorner = std::array<int, 4>;
 
-/// One of all images of each: corners ascending by points, the first in the box; sorted.
-/// Requires: distinct points of the cube from 0 to `side`, the latter excluded, whose images one side away are doubles.
+/// Returns one of all images of each tetrahedron: corners ascending by points, the first in the box; sorted.
+/// Requires: distinct points of the cube from 0 to `side`, excluding `side`, whose images one side away are doubles.
 std::vector<std::array<PeriodicCorner, 4>> periodic_by_cgal(std::span<const rbpa::Point3> points, double side);
 
 }  // namespace rbpa_test

@@ -21,7 +21,7 @@ using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 template <typename K>
 using VertexWithIndex = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, K>;
 
-/// The distinct points with the lowest index of each.
+/// Returns the distinct points with the lowest index of each.
 template <typename K>
 std::vector<std::pair<typename K::Point_3, std::uint32_t>> distinct(std::span<const rbpa::Point3> points) {
   std::map<rbpa::Point3, std::uint32_t> lowest;
@@ -36,30 +36,30 @@ Triangle from_least(Triangle t) {
   return t;
 }
 
-/// The closed alpha complex, as far as triangles and tetrahedra go.
+/// The closed alpha complex, limited to triangles and tetrahedra.
 class AlphaComplex {
  public:
   using Triangulation = CGAL::Delaunay_triangulation_3<
       Inexact, CGAL::Triangulation_data_structure_3<VertexWithIndex<Inexact>,
                                                     CGAL::Delaunay_triangulation_cell_base_3<Inexact>>>;
   using Cell = Triangulation::Cell_handle;
-  using Facet = Triangulation::Facet;  // of a cell, across from its vertex i
+  using Facet = Triangulation::Facet;  // facet of a cell, across from its vertex i
 
   AlphaComplex(std::span<const rbpa::Point3> points, double radius) : square_(Exact::FT(radius) * Exact::FT(radius)) {
     const auto sites = distinct<Inexact>(points);
     delaunay_.insert(sites.begin(), sites.end());
   }
 
-  /// A side of a triangle: where the ball is. In the plane, the first or the second.
+  /// Side of a triangle on which the ball lies. In the plane, the first or the second.
   struct Side {
     Cell cell;
     int i;
     bool first;
   };
 
-  /// All exposed sides, and what they are glued to.
+  /// Returns all exposed sides, and the sides to which they are glued.
   ExposedByCgal exposed() const {
-    std::map<Triangle, Triangle> at;  // of each exposed triangle, the three that are across from its corners
+    std::map<Triangle, Triangle> at;  // for each exposed triangle, the three across from its corners
     const auto add = [&](const Side& side) {
       const Triangle t = corners(side);
       std::array<Triangle, 3> mates;
@@ -105,7 +105,7 @@ class AlphaComplex {
   static Exact::Point_3 exact(const Inexact::Point_3& p) { return {p.x(), p.y(), p.z()}; }
   Exact::Point_3 at(Cell c, int i) const { return exact(c->vertex(i)->point()); }
 
-  /// The circumradius of the facet is at most the radius.
+  /// Returns whether the circumradius of the facet is at most the radius.
   bool fits(const Facet& f) const {
     const auto& [c, i] = f;
     return compare_(at(c, (i + 1) & 3), at(c, (i + 2) & 3), at(c, (i + 3) & 3), square_) != CGAL::LARGER;
@@ -118,7 +118,7 @@ class AlphaComplex {
     return has(f.first) || has(delaunay_.mirror_facet(f).first) || (fits(f) && delaunay_.is_Gabriel(f));
   }
 
-  /// Counter-clockwise from the side.
+  /// Returns the corners, counter-clockwise as seen from the side.
   Triangle corners(const Side& s) const {
     const auto index = [&](int j) { return s.cell->vertex(j)->info(); };
     if (delaunay_.dimension() == 2) {
@@ -139,7 +139,7 @@ class AlphaComplex {
     return from_least({index(j[0]), index(j[1]), index(j[2])});
   }
 
-  /// Around the edge across from corner k, through what is not in the complex.
+  /// Returns the side to which the ball rolls around the edge across from corner k, through the outside of the complex.
   Side rolled(const Side& s, const Triangle& t, int k) const {
     int apex = 0;
     while (delaunay_.is_infinite(s.cell->vertex(apex)) || apex == s.i ||
@@ -148,7 +148,7 @@ class AlphaComplex {
     if (delaunay_.dimension() == 2) {
       const Cell next = s.cell->neighbor(apex);
       if (delaunay_.is_infinite(next, 3) || !fits({next, 3})) return {s.cell, 3, !s.first};
-      // On the same side: where the common edge runs the other way.
+      // The ball is on the same side if the common edge runs the other way.
       const std::uint32_t from = t[static_cast<std::size_t>((k + 1) % 3)],
                           to = t[static_cast<std::size_t>((k + 2) % 3)];
       for (const bool first : {true, false}) {
@@ -157,13 +157,13 @@ class AlphaComplex {
           if (u[i] == to && u[(i + 1) % 3] == from) return {next, 3, first};
       }
     }
-    Facet entered(s.cell, s.i);  // with the cell that the ball is in
-    int other = apex;            // the vertex of that facet that is not on the edge
+    Facet entered(s.cell, s.i);  // with the cell that contains the ball
+    int other = apex;            // the vertex of that facet off the edge
     while (true) {
       const auto& [c, i] = entered;
-      const Facet wall(c, other);  // has the edge too
+      const Facet wall(c, other);  // also has the edge
       if (has(wall)) return {c, other, true};
-      const auto beyond = c->vertex(i);  // is on the wall, and not on the edge
+      const auto beyond = c->vertex(i);  // on the wall, off the edge
       entered = delaunay_.mirror_facet(wall);
       other = entered.first->index(beyond);
     }
@@ -223,7 +223,7 @@ std::vector<Triangle> exposed_by_alpha_shape(std::span<const rbpa::Point3> point
   for (Shape::Facet f : shape.finite_facets()) {
     const auto type = shape.classify(f);
     if (type != Shape::REGULAR && type != Shape::SINGULAR) continue;
-    // Counter-clockwise from where the apex of the cell is.
+    // Counter-clockwise as seen from the apex of the cell.
     if (shape.is_infinite(f.first)) f = shape.mirror_facet(f);
     const auto point = [&](int j) { return f.first->vertex(j & 3)->point(); };
     const auto index = [&](int j) { return f.first->vertex(j & 3)->info(); };

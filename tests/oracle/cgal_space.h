@@ -1,6 +1,6 @@
-// What: the exposed triangles by CGAL: its Delaunay triangulation in space, with the closed alpha complex by exact
-//       radii; and its own Fixed alpha shape.
-// Law:  shares nothing with the library: the definition by the complex, not by balls.
+// What: the exposed triangles by CGAL: by its Delaunay triangulation in space, with the closed alpha complex by exact
+//       radii; and by its own Fixed alpha shape.
+// Law:  shares no code with the library, and defines exposed triangles by the complex, not by balls.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@
 
 namespace rbpa_test {
 
-/// E_r, and how its triangles are glued: canonical triangles by the lowest input indices; of each, neighbor k is the one
-/// across from corner k.
+/// The exposed triangles E_r, and how they are glued: canonical triangles by the lowest input indices; neighbor k of a
+/// triangle is the one across from corner k.
 struct ExposedByCgal {
-  /// What stands for a neighbor where there is none.
+  /// Stands for a missing neighbor.
   static constexpr std::uint32_t none = 0xffffffff;
   std::vector<Triangle> triangles, neighbors;
 };
 
-/// Of the closed alpha complex in the Delaunay triangulation. Requires: finite points.
+/// Returns the exposed triangles of the closed alpha complex in the Delaunay triangulation. Requires: finite points.
 ExposedByCgal exposed_by_delaunay(std::span<const rbpa::Point3> points, double radius);
 
-/// Of these triangles those that agree with the normals of all points at their corners, and what is glued among them.
+/// Returns those of the exposed triangles that agree with the normals at all their corners, and how these are glued.
 ExposedByCgal agreeing(const ExposedByCgal& exposed, std::span<const rbpa::Point3> points,
                        std::span<const rbpa::Point3> normals);
 
-/// The exposed triangles that Fixed_alpha_shape_3 calls regular (once, oriented outward) and singular (twice).
+/// Returns the exposed triangles that Fixed_alpha_shape_3 calls regular (once, oriented outward) and singular (twice).
 std::vector<Triangle> exposed_by_alpha_shape(std::span<const rbpa::Point3> points, double radius);
 
 }  // namespace rbpa_test

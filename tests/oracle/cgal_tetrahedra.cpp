@@ -37,7 +37,7 @@ Vector cross(const Vector& u, const Vector& v) {
 Vector times(const Rational& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
 
-/// The center solves c · u = u²/2 for each edge u at a.
+/// Decides in rational numbers. The center solves c · u = u²/2 for each edge u at a.
 bool is_within(const std::array<rbpa::Point3, 4>& p, double alpha) {
   const Vector u = from(p[0], p[1]), v = from(p[0], p[2]), w = from(p[0], p[3]);
   const Rational volume = dot(cross(u, v), w);
@@ -47,7 +47,7 @@ bool is_within(const std::array<rbpa::Point3, 4>& p, double alpha) {
   return dot(sum, sum) <= 4 * volume * volume * radius * radius;
 }
 
-/// Decides by doubles where these are far apart.
+/// Decides in doubles if the values are far apart. Returns: whether they are.
 bool is_clear(const std::array<rbpa::Point3, 4>& p, double alpha, bool& within) {
   using V = std::array<long double, 3>;
   const auto edge = [&](std::size_t k) {
@@ -65,7 +65,7 @@ bool is_clear(const std::array<rbpa::Point3, 4>& p, double alpha, bool& within) 
     squares += c * c;
   }
   const long double sizes = std::sqrt(uu * vv * ww), right = 4 * volume * volume * alpha * alpha;
-  // Crude: a sliver's volume and center have errors of some 2^-60 of the edges' products.
+  // A crude bound: the volume and center of a sliver have errors of some 2^-60 of the products of its edges.
   const long double size = std::sqrt(uu) + std::sqrt(vv) + std::sqrt(ww);
   const long double slack = 0x1p-50L * sizes * sizes * (size * size + (long double)alpha * alpha);
   if (!std::isfinite(slack) || !(slack > 0x1p-9000L)) return false;

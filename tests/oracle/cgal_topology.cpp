@@ -30,7 +30,7 @@ Polygons polygons_of(const meshops::PolygonSoup& soup) {
   return polygons;
 }
 
-/// Places distinguish the points; the topology does not depend on them.
+/// Returns places that distinguish the points; the topology does not depend on them.
 std::vector<Point> places(std::size_t points) {
   std::vector<Point> result;
   for (std::size_t p = 0; p < points; ++p) result.emplace_back(static_cast<double>(p), 0, 0);
@@ -39,7 +39,7 @@ std::vector<Point> places(std::size_t points) {
 
 std::size_t point_at(const Mesh& mesh, Mesh::Vertex_index v) { return static_cast<std::size_t>(mesh.point(v).x()); }
 
-/// Points without a face are left out.
+/// Builds CGAL's mesh of a soup, without points that have no face.
 Mesh mesh_of(const meshops::PolygonSoup& soup) {
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(places(soup.points), polygons_of(soup), mesh);
@@ -66,7 +66,7 @@ meshops::PolygonSoup cgal_oriented(const meshops::PolygonSoup& soup) {
 std::vector<std::vector<std::uint32_t>> cgal_kept_faces(const meshops::PolygonSoup& soup) {
   std::vector<Point> points = places(soup.points);
   Polygons polygons = polygons_of(soup);
-  pmp::repair_polygon_soup(points, polygons);  // leaves points without a face out
+  pmp::repair_polygon_soup(points, polygons);  // removes points without a face
   std::vector<std::vector<std::uint32_t>> faces;
   for (const std::vector<std::size_t>& polygon : polygons) {
     faces.emplace_back();

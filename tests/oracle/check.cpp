@@ -17,7 +17,7 @@ namespace {
 
 std::string at(std::string what, std::size_t index) { return what.append(" ").append(std::to_string(index)); }
 
-/// The faces of the mesh as input indices; a face that is not a triangle leaves nothing behind.
+/// Returns the faces of the mesh as input indices; a face that is not a triangle is left out.
 std::vector<Triangle> faces(const rbpa::SolidAlphaComplex& complex) {
   std::vector<Triangle> triangles;
   for (const auto face : complex.mesh.faces()) {
@@ -29,7 +29,7 @@ std::vector<Triangle> faces(const rbpa::SolidAlphaComplex& complex) {
   return canonical(std::move(triangles));
 }
 
-/// How many vertices and edges a mesh of the triangles has in which each fan has a vertex of its own.
+/// The numbers of vertices and edges of a mesh of the triangles in which each fan has a vertex of its own.
 struct Size {
   std::size_t vertices = 0, edges = 0;
 };

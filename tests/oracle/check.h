@@ -1,4 +1,4 @@
-// What: everything that must be true of a solid alpha complex, given the triangles that an oracle expects.
+// What: checks every law of a solid alpha complex, given the triangles that an oracle expects.
 #pragma once
 
 #include <span>
@@ -10,19 +10,20 @@
 
 namespace rbpa_test {
 
-/// The first thing that is wrong, "" when nothing is:
+/// Returns the first broken law, "" when there is none. A law is broken when
 ///   the mesh has defects, is not the expected triangles, leaves edges of theirs unglued, glues fans that only touch;
 ///   an input index, an isolated point or a duplicate does not agree with the points.
 std::string wrong_with(const rbpa::SolidAlphaComplex& complex, std::span<const rbpa::Point> points,
                        const std::vector<Triangle>& expected);
 
-/// rbpa() or paper::rbpa().
+/// Type of rbpa() and paper::rbpa().
 using Rbpa = rbpa::SolidAlphaComplex (*)(std::span<const rbpa::Point>, double, const rbpa::Options&);
 
-/// The first thing that is wrong with compute(points, alpha) according to CGAL; an exception counts.
+/// Returns the first fault of compute(points, alpha) according to CGAL; an exception counts.
 std::string wrong_with_rbpa(std::span<const rbpa::Point> points, double alpha, Rbpa compute = rbpa::rbpa);
 
-/// What to print of a failure: the complaint, and the smallest set of points found in a minute that still fails.
+/// Returns the text to print for a failure: the complaint, and the smallest set of points found in a minute that still
+/// fails.
 std::string report(const std::string& complaint, const Points& points, double alpha, Rbpa compute = rbpa::rbpa);
 
 }  // namespace rbpa_test

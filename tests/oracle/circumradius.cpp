@@ -9,7 +9,7 @@
 namespace rbpa_test {
 namespace {
 
-/// |ab|²|bc|²|ca|² − 4 alpha² (ab × ac)².
+/// Returns |ab|²|bc|²|ca|² − 4 alpha² (ab × ac)².
 template <typename Number>
 Number excess(const Number& ax, const Number& ay, const Number& bx, const Number& by, const Number& cx,
               const Number& cy, const Number& alpha) {

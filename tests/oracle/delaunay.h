@@ -10,13 +10,14 @@
 
 namespace rbpa_test {
 
-/// The arithmetic that CGAL decides with.
+/// Arithmetic in which CGAL decides.
 enum class Kernel {
   filtered,  ///< Exact_predicates_inexact_constructions_kernel
   rational   ///< a kernel on rational numbers: slow, and right whatever the exponents
 };
 
-/// `filtered` unless an exponent is so large or small that a product of coordinates might leave the range of double.
+/// Returns `filtered`, unless an exponent is so large or small that a product of coordinates might leave the range of
+/// double.
 Kernel fitting_kernel(std::span<const rbpa::Point> points);
 
 class DelaunayOracle {
@@ -24,7 +25,7 @@ class DelaunayOracle {
   explicit DelaunayOracle(std::span<const rbpa::Point> points) : DelaunayOracle(points, fitting_kernel(points)) {}
   DelaunayOracle(std::span<const rbpa::Point> points, Kernel kernel);
 
-  /// Canonical triangles of circumradius ≤ alpha; an index stands for the lowest index of a point equal to it.
+  /// Returns canonical triangles of circumradius ≤ alpha; an index stands for the lowest index of a point equal to it.
   std::vector<Triangle> triangles(double alpha) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace rbpa_test {
 namespace {
 
-/// One context for the whole test, which has one thread.
+/// Returns the one context of the test, which has one thread.
 GEOSContextHandle_t context() {
   static const std::unique_ptr<GEOSContextHandle_HS, decltype(&GEOS_finish_r)> handle(GEOS_init_r(), GEOS_finish_r);
   return handle.get();
@@ -36,7 +36,7 @@ struct GeosGeometry::Inside {
   Inside(const Inside&) = delete;
   Inside& operator=(const Inside&) = delete;
 
-  std::shared_ptr<Inside> owner = nullptr;  // of a part
+  std::shared_ptr<Inside> owner = nullptr;  // of a part, the whole
   GEOSGeometry* whole = nullptr;
   const GEOSGeometry* at;
 };

@@ -1,4 +1,4 @@
-// What: polygons as GEOS sees them.
+// What: polygons as GEOS geometries.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace rbpa_test {
 
-/// A geometry of GEOS: a polygon, or a collection of them.
+/// Geometry of GEOS: a polygon, or a collection of polygons.
 class GeosGeometry {
  public:
-  /// A multipolygon.
+  /// Makes a multipolygon.
   static GeosGeometry of(const std::vector<rbpa::Polygon>& polygons, std::span<const rbpa::Point> points);
-  /// Throws std::runtime_error when GEOS cannot read the text.
+  /// Parses WKT. Throws std::runtime_error when GEOS cannot read the text.
   static GeosGeometry from_wkt(const std::string& text);
   static GeosGeometry from_geojson(const std::string& text);
 
   std::size_t parts() const;
   GeosGeometry part(std::size_t i) const;
-  std::size_t holes() const;  ///< of a polygon
+  std::size_t holes() const;  ///< number of holes of a polygon
 
-  /// Why and where the geometry is invalid under OGC Simple Features; "" when it is valid.
+  /// Returns why and where the geometry is invalid under OGC Simple Features; "" when it is valid.
   std::string invalid() const;
   double area() const;
   double perimeter() const;
-  /// The shell of a polygon is counter-clockwise, and no hole is.
+  /// Returns whether the shell of a polygon is counter-clockwise, and every hole clockwise.
   bool runs_as_it_should() const;
-  /// The same rings in the same order with the same coordinates, to the last bit.
+  /// Returns whether both have the same rings in the same order with the same coordinates, to the last bit.
   bool is_exactly(const GeosGeometry& other) const;
 
  private:

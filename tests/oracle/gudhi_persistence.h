@@ -1,4 +1,4 @@
-// What: the persistence of the alpha complex as GUDHI computes it.
+// What: the persistence of the alpha complex, by GUDHI.
 // How:  its Alpha_complex on CGAL's exact kernel, exact squared radii rounded to double; cohomology with coefficients
 //       in Z/2.
 #pragma once
@@ -18,7 +18,7 @@ struct SquaredPair {
   double death = std::numeric_limits<double>::infinity();
 };
 
-/// All pairs with birth < death after rounding. Requires: squares of radii are in the range of double.
+/// Returns all pairs with birth < death after rounding. Requires: squares of radii are in the range of double.
 std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points);
 std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points);
 

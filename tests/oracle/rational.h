@@ -9,7 +9,7 @@ namespace rbpa_test {
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// The exact value of a finite double.
+/// Returns the exact value of a finite double.
 inline Rational rational(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);

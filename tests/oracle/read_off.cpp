@@ -17,7 +17,7 @@ std::vector<MeshFile> mesh_files(const std::filesystem::path& folder) {
 }
 
 meshops::PolygonSoup read_off(const MeshFile& file) {
-  // Without comments the rest is words.
+  // After comments are removed, the rest is words.
   std::ifstream stream(file.path);
   std::stringstream words;
   for (std::string line; std::getline(stream, line);) words << line.substr(0, line.find('#')) << '\n';

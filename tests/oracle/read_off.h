@@ -1,4 +1,4 @@
-// What: the faces of an OFF file.
+// What: reads the faces of an OFF file.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ struct MeshFile {
   std::filesystem::path path;
 };
 
-/// The .off files of a folder, sorted by name; none when there is no such folder.
+/// Returns the .off files of a folder, sorted by name; none when there is no such folder.
 std::vector<MeshFile> mesh_files(const std::filesystem::path& folder);
 
-/// Throws std::runtime_error that names the file when it is not complete.
+/// Reads a file. Throws std::runtime_error that names the file when it is incomplete.
 meshops::PolygonSoup read_off(const MeshFile& file);
 
 }  // namespace rbpa_test

@@ -1,4 +1,4 @@
-// dangling_faces() against CGAL's Alpha_shape_3.
+// Compares dangling_faces() with CGAL's Alpha_shape_3.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Points3 distinct(Points3 points) {
   return points;
 }
 
-/// At some radii of tetrahedra as floats, whose squares are doubles. Returns: how much dangles.
+/// Checks some radii of tetrahedra as floats, whose squares are doubles. Returns: the number of dangling simplices.
 std::size_t check(const Points3& points) {
   const rbpa::Solid delaunay = rbpa::solid(points, infinity);
   if (delaunay.simplices.empty()) return 0;
@@ -55,7 +55,7 @@ std::size_t check(const Points3& points) {
 
 }  // namespace
 
-TEST_CASE("small sets of every kind: what dangles is singular in CGAL's alpha shape") {
+TEST_CASE("dangling simplices of small sets of every kind are singular in CGAL's alpha shape") {
   const std::uint64_t sets = argument("count", 200) / space_kinds;
   std::size_t dangling = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -67,7 +67,7 @@ TEST_CASE("small sets of every kind: what dangles is singular in CGAL's alpha sh
   CHECK(dangling > 10 * sets);
 }
 
-TEST_CASE("larger sets of every shape") {
+TEST_CASE("dangling simplices of larger sets of every shape are singular in CGAL's alpha shape") {
   std::size_t dangling = 0;
   for (const SolidSet& set : solid_sets(argument("points", 150))) {
     CAPTURE(set.name);

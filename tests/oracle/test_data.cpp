@@ -1,4 +1,4 @@
-// rbpa() on point sets that nobody of the project made.
+// Checks rbpa() on point sets from outside the project.
 //   --smallest=N, --largest=N   only sets with at least, at most that many points
 #include <doctest/doctest.h>
 
@@ -41,7 +41,7 @@ void check_set(const std::string& name, const Points& points) {
   CHECK_MESSAGE(wrong.empty(), "shuffled: ", wrong);
 }
 
-TEST_CASE("bundled point files: the complex is the Delaunay triangles of circumradius at most alpha") {
+TEST_CASE("the complex of bundled point files is the Delaunay triangles of circumradius at most alpha") {
   std::size_t sets = 0;
   for (const PointFile& file : point_files(bundled_data())) {
     const Points points = read_points(file);
@@ -51,7 +51,7 @@ TEST_CASE("bundled point files: the complex is the Delaunay triangles of circumr
   CHECK(sets >= 30);
 }
 
-TEST_CASE("further point files: the complex is the Delaunay triangles of circumradius at most alpha") {
+TEST_CASE("further point files have the complex of Delaunay triangles of circumradius at most alpha") {
   const std::vector<PointFile> files = point_files(further_data());
   CHECK(files.empty() != has_further_data());
   std::set<std::string> bundled;

@@ -1,4 +1,4 @@
-// Operators of libmeshops against CGAL's Euler operations: the same faces after every step of random sequences.
+// Compares operators of libmeshops with CGAL's Euler operations: the same faces after every step of random sequences.
 #include <doctest/doctest.h>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -27,7 +27,7 @@ struct TestMesh : OpenMesh::PolyMesh_ArrayKernelT<> {
   }
 };
 
-/// A grid of squares cut in two; its sides are one where it wraps.
+/// Returns a grid of squares cut in two; opposite sides are one where it wraps.
 std::vector<LabelledFace> grid(int columns, int rows, bool wrap_x, bool wrap_y) {
   const int nx = wrap_x ? columns : columns + 1, ny = wrap_y ? rows : rows + 1;
   const auto at = [&](int x, int y) { return (y % ny) * nx + x % nx; };
@@ -40,7 +40,7 @@ std::vector<LabelledFace> grid(int columns, int rows, bool wrap_x, bool wrap_y) 
   return faces;
 }
 
-/// The same operators on a mesh of ours and one of CGAL's. Labels are our vertex numbers.
+/// Runs the same operators on a mesh of ours and one of CGAL's. Labels are our vertex numbers.
 class Pair {
  public:
   Pair(int vertices, const std::vector<LabelledFace>& faces, unsigned seed) : cgal_(vertices, faces), random_(seed) {
@@ -160,10 +160,10 @@ TEST_CASE("random sequences of operators leave the faces that CGAL's Euler opera
   CHECK(holes > 100);
 }
 
-TEST_CASE("down to the smallest: collapses are refused exactly where CGAL's link condition fails") {
+TEST_CASE("collapses of small meshes are refused exactly where CGAL's link condition fails") {
   int refusals = 0;
   for (unsigned round = 0; round < 40; ++round) {
-    // A tetrahedron, an octahedron, a disc; then random operators that keep them small.
+    // Begin with a tetrahedron, an octahedron and a disc; then apply random operators that keep them small.
     const std::vector<LabelledFace> tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     const std::vector<LabelledFace> octahedron = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1},
                                                   {1, 5, 2}, {2, 5, 3}, {3, 5, 4}, {1, 4, 5}};

@@ -1,5 +1,5 @@
-// fill() as GEOS sees it: what is accepted is valid, and the triangles have its area.
-//   --count=N   so many random sets of rings
+// Checks fill() by GEOS: accepted polygons are valid, and the triangles have their area.
+//   --count=N   number of random sets of rings
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TEST_CASE("generated polygons are valid, and their triangles have their area") {
     INFO(made.name);
     const GeosGeometry geometry = GeosGeometry::of(made.polygons, made.points);
     CHECK(geometry.invalid() == "");
-    // GEOS works with coordinates as they are: far from the origin it has fewer digits.
+    // GEOS works with coordinates as they are: far from the origin, it has fewer digits.
     double extent = 1;
     for (const rbpa::Point& p : made.points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
     const rbpa::Filling filling = rbpa::fill(made.points, made.polygons, {.size = made.size});
@@ -42,7 +42,7 @@ TEST_CASE("generated polygons are valid, and their triangles have their area") {
   }
 }
 
-TEST_CASE("rings that are accepted make valid polygons; what GEOS calls invalid is refused") {
+TEST_CASE("rings that are accepted make valid polygons, and rings that GEOS calls invalid are refused") {
   Random random(2);
   const auto count = static_cast<std::size_t>(argument("count", 3000));
   std::size_t accepted = 0, invalid = 0;
@@ -59,7 +59,7 @@ TEST_CASE("rings that are accepted make valid polygons; what GEOS calls invalid 
       CHECK(std::abs(geometry.area() - area_of(filling)) <= 1e-11);
       ++accepted;
     } catch (const rbpa::InvalidInput&) {
-      // One by one GEOS sees them as they are.
+      // GEOS judges each polygon by itself.
       bool all_valid = true;
       for (const rbpa::Polygon& polygon : made.polygons)
         all_valid = all_valid && GeosGeometry::of({polygon}, made.points).invalid().empty();

@@ -1,4 +1,4 @@
-// fill() without a size as CGAL's constrained Delaunay triangulation.
+// Compares fill() without a size with CGAL's constrained Delaunay triangulation.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -46,7 +46,7 @@ std::set<Triangle> peer_triangles(const PolygonCase& polygon) {
   return triangles;
 }
 
-/// Four points of two neighbors lie on one circle: then there is more than one triangulation.
+/// Returns whether the four points of two neighbors lie on one circle: then there is more than one triangulation.
 bool has_ties(const rbpa::Filling& filling) {
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
     for (const std::uint32_t other : filling.neighbors[t]) {
@@ -72,7 +72,7 @@ TEST_CASE("without ties the triangles inside are those of CGAL's constrained Del
         rbpa::fill(polygon.points, polygon.polygons, {.size = std::numeric_limits<double>::infinity()});
     if (has_ties(filling)) continue;
     ++compared;
-    // Both triangulate the same set, so that it is enough that CGAL has each of ours.
+    // Both triangulate the same set, so that it is enough to find each of our triangles in CGAL's.
     const std::set<Triangle> peer = peer_triangles(polygon);
     std::size_t missing = 0;
     for (const Triangle& triangle : filling.triangles) missing += peer.count(triangle) == 0;

@@ -1,6 +1,6 @@
-// `rbpa fill` of whole files: whatever `rbpa shape` writes, and polygons that others drew. Nothing that GEOS calls valid is
-// refused; areas are those of GEOS, and every edge of the file is a row of edges of triangles.
-//   --largest=N   files with at most so many points
+// Checks `rbpa fill` on whole files: on all output of `rbpa shape`, and on polygons from elsewhere. No polygon that
+// GEOS calls valid is refused; areas are those of GEOS, and every edge of the file is a row of edges of triangles.
+//   --largest=N   only files with at most that many points
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -43,13 +43,13 @@ std::string shortest(double value) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// Exactly.
+/// Decides exactly.
 bool are_on_a_line(const Point& a, const Point& b, const Point& c) {
   return (rational(b.x) - rational(a.x)) * (rational(c.y) - rational(a.y)) ==
          (rational(b.y) - rational(a.y)) * (rational(c.x) - rational(a.x));
 }
 
-/// What a run has written.
+/// Output of a run.
 struct Triangles {
   Points points;
   std::vector<std::array<std::uint32_t, 3>> corners = {};
@@ -76,12 +76,12 @@ struct Triangles {
   }
 };
 
-/// The edges of triangles, and ways along them.
+/// The edges of triangles, and paths along them.
 class Edges {
  public:
   explicit Edges(const Triangles& triangles) {
     std::vector<std::uint32_t> number;
-    for (const Point& p : triangles.points) {  // several may be at one place
+    for (const Point& p : triangles.points) {  // several points may be at one place
       const auto [at, is_new] = number_.emplace(p, static_cast<std::uint32_t>(places_.size()));
       if (is_new) places_.push_back(p);
       number.push_back(at->second);
@@ -95,8 +95,8 @@ class Edges {
       }
   }
 
-  /// Whether edges lead from one place straight to the other. Points on the way lie exactly on the line, or where edges
-  /// were cut so near to it as doubles are.
+  /// Returns whether edges lead straight from one place to the other. The points between lie exactly on the line, or,
+  /// where edges were cut, as near to it as doubles allow.
   bool lead(const Point& a, const Point& b, bool exactly) const {
     const auto from = number_.find(a), to = number_.find(b);
     if (from == number_.end() || to == number_.end()) return false;
@@ -128,7 +128,7 @@ class Edges {
 /// The features of a file that GEOS calls valid, and their area.
 struct Valid {
   std::vector<Polygon> polygons = {};
-  std::size_t left_out = 0;  // features
+  std::size_t left_out = 0;  // number of features
   double area = 0, perimeter = 0;
 
   explicit Valid(const PolygonFile& file) {
@@ -164,7 +164,7 @@ std::size_t count_of(const std::string& report, const std::string& what) {
   return std::stoul(report.substr(at + what.size() + 3));
 }
 
-/// With a size, which GEOS does not have; infinity as "inf".
+/// Checks a run with a size, which GEOS does not have; infinity is "inf".
 void check_fill(const Folder& folder, const std::string& path, const PolygonFile& file, const Valid& valid,
                 const std::string& size) {
   INFO("size ", size);
@@ -175,7 +175,7 @@ void check_fill(const Folder& folder, const std::string& path, const PolygonFile
   const Triangles triangles(folder.content("m.off"));
   double far = 0;
   for (const Point& p : file.vertices.points) far = std::max({far, std::abs(p.x), std::abs(p.y)});
-  // Where an area is small for the coordinates, theirs is not more precise than these.
+  // If an area is small compared with the coordinates, GEOS is not more precise than this.
   CHECK(std::abs(triangles.area() - valid.area) <= std::max(1e-9 * valid.area, 0x1p-50 * far * valid.perimeter));
   const Edges edges(triangles);
   const auto check_ring = [&](const Ring& ring) {
@@ -198,7 +198,7 @@ PolygonFile read(const std::string& path) {
                                   *rbpa::app::find_format(rbpa::app::Use::polygons, rbpa::app::input_ending(path)));
 }
 
-/// Without new points, and with few inside.
+/// Checks runs without new points, and with few points inside.
 void check_file(const Folder& folder, const std::string& path) {
   const PolygonFile file = read(path);
   const Valid valid(file);
@@ -234,13 +234,16 @@ std::size_t check_shapes(const std::filesystem::path& folder_of_points) {
   return shapes;
 }
 
-TEST_CASE("bundled point files: what rbpa shape writes, rbpa fill fills") { CHECK(check_shapes(bundled_data()) > 40); }
+TEST_CASE("rbpa fill fills the shapes that rbpa shape writes of bundled point files") {
+  CHECK(check_shapes(bundled_data()) > 40);
+}
 
-TEST_CASE("further point files: what rbpa shape writes, rbpa fill fills") {
+TEST_CASE("further point files have shapes that rbpa fill fills") {
   CHECK((check_shapes(further_data()) > 0) == has_further_data());
 }
 
-/// Lines in a polygon that bound no hole, of a .poly file, are left out; they are no polygons for GEOS either.
+/// Returns whether a .poly file has lines in a polygon that bound no hole. fill leaves them out; for GEOS they are no
+/// polygons either.
 bool has_lines_inside(const std::string& path) {
   try {
     read(path);
@@ -251,7 +254,7 @@ bool has_lines_inside(const std::string& path) {
   return false;
 }
 
-TEST_CASE("further polygons are filled but for those that GEOS calls invalid") {
+TEST_CASE("further polygons are filled, except those that GEOS calls invalid") {
   const auto largest = argument("largest", 1500);
   if (!has_further_data()) return;
   for (const auto& entry : std::filesystem::directory_iterator(further_data())) {

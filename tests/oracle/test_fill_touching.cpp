@@ -1,6 +1,7 @@
-// Which polygons fill() accepts, by GEOS: those that are valid, also where they touch; their area, their boundary.
-//   --count=N     so many random polygons; more, until a quarter of so many touch
-//   --largest=N   of point files those with at most so many points
+// Checks by GEOS which polygons fill() accepts: exactly the valid ones, also if they touch; and their area and
+// boundary.
+//   --count=N     number of random polygons; more, until a quarter of that number touch
+//   --largest=N   only point files with at most that many points
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ void for_each_ring(const std::vector<Polygon>& polygons, Visit visit) {
   }
 }
 
-/// On a small grid, so that rings touch and share edges; vertices come twice; one or more polygons.
+/// Returns one or more polygons on a small grid, so that rings touch and share edges, and vertices repeat.
 Made random_polygons(Random& random) {
   Made made;
   const int side = random.integer(4, 12);
@@ -82,7 +83,7 @@ Made random_polygons(Random& random) {
   return made;
 }
 
-/// A vertex of one ring is at a place of another.
+/// Returns whether a vertex of one ring is at a place of another.
 bool touches(const Filling& filling) {
   std::set<std::pair<double, double>> passed;
   bool twice = false;
@@ -93,7 +94,7 @@ bool touches(const Filling& filling) {
   return twice;
 }
 
-/// Area and boundary; "" when they are right. The boundary is the sides without a neighbor.
+/// Checks area and boundary; returns "" when they are right. The boundary is the sides without a neighbor.
 std::string wrong_with(const Filling& filling, const GeosGeometry& geometry, const Points& points) {
   double twice = 0, extent = 1;
   std::set<std::pair<std::uint32_t, std::uint32_t>> open, rings;
@@ -138,7 +139,7 @@ TEST_CASE("random polygons, many of which touch, are accepted exactly if GEOS ca
   CHECK(refused > 0);
 }
 
-/// Every polygon of an alpha shape, and all of them together.
+/// Fills every polygon of an alpha shape, and all of them together.
 void fill_shape(const std::string& name, const Points& points, double alpha) {
   INFO(name, ", ", points.size(), " points, alpha ", alpha);
   const std::vector<Polygon> polygons = rbpa::polygons(rbpa::rbpa(points, alpha));
@@ -164,11 +165,11 @@ std::size_t fill_shapes(const std::filesystem::path& folder) {
   return sets;
 }
 
-TEST_CASE("bundled point files: no polygon of an alpha shape that GEOS calls valid is refused") {
+TEST_CASE("no polygon of an alpha shape of bundled point files that GEOS calls valid is refused") {
   CHECK(fill_shapes(bundled_data()) > 3);
 }
 
-TEST_CASE("further point files: no polygon of an alpha shape that GEOS calls valid is refused") {
+TEST_CASE("further point files have no alpha shape with a polygon that GEOS calls valid and fill() refuses") {
   CHECK((fill_shapes(further_data()) > 0) == has_further_data());
 }
 

@@ -1,4 +1,4 @@
-// The filtration against GUDHI's persistence and CGAL's optimal alpha.
+// Compares the filtration with GUDHI's persistence and CGAL's optimal alpha.
 //   --largest=N   only sets with at most that many points
 #include <doctest/doctest.h>
 
@@ -31,7 +31,7 @@ struct Set {
   Points points;
 };
 
-/// Generated, bundled and random sets of the given size whose squared radii are far from the ends of double.
+/// Returns generated, bundled and random sets of the given size whose squared radii are far from the ends of double.
 std::vector<Set> sets() {
   std::vector<Set> all;
   const auto add = [&](std::string name, Points points) {
@@ -52,7 +52,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 using Ranked = std::tuple<int, std::size_t, std::size_t>;
 
-/// Pairs with every squared radius replaced by its rank, where values that roundings can confuse have one rank.
+/// Pairs with every squared radius replaced by its rank; values that rounding can confuse have one rank.
 class Ranks {
  public:
   explicit Ranks(std::vector<double> values) {
@@ -95,7 +95,7 @@ TEST_CASE("the persistence of the full alpha complex is GUDHI's") {
   std::size_t compared = 0, holes = 0;
   for (const Set& set : sets()) {
     const Points& points = set.points;
-    if (points.empty()) continue;  // GUDHI refuses
+    if (points.empty()) continue;  // GUDHI refuses empty sets
     INFO(set.name, ", ", points.size(), " points");
     const auto delaunay = delaunay_arrays(points);
     const auto ours =
@@ -139,7 +139,7 @@ TEST_CASE("smallest_covering is CGAL's optimal alpha, or a smaller one that its 
       }
       ++smaller;
       CHECK(*ours < cgal.optimal[i]);
-      // Ours is a solution, and no radius below it at which the complex changes is one.
+      // Our value is a solution, and no smaller radius at which the complex changes is one.
       const auto solves = [&](double alpha) {
         const auto complex = rbpa::rbpa(points, alpha);
         return complex.isolated.empty() && rbpa::count(complex).solid_components <= bounds[i];

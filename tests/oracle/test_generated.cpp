@@ -1,4 +1,4 @@
-// rbpa() on every generated set: against CGAL, against itself.
+// Checks rbpa() on every generated set, against CGAL and against itself.
 //   --largest=N   only sets with at most that many points
 //   --paper=N     the paper's method, which is slow, only on sets with at most that many points
 #include <doctest/doctest.h>
@@ -42,7 +42,7 @@ TEST_CASE("the solid alpha complex is the Delaunay triangles of circumradius at 
       CHECK_MESSAGE(wrong.empty(), report(wrong, points, alpha));
     }
   }
-  // The sets and radii are worth their time only if they are of all three sorts.
+  // The sets and radii are worth their time only if all three sorts occur.
   CHECK(empty > 30);
   CHECK(whole > 30);
   CHECK(between > 60);
@@ -71,7 +71,7 @@ TEST_CASE("the paper's RBPA finds the same complex") {
     if (!of_asked_size(points) || points.size() > argument("paper", 1000000)) continue;
     const DelaunayOracle oracle(points);
     for (const double alpha : all_alphas(set, points)) {
-      // Cells of side 2α hold all points then.
+      // Cells of side 2α hold all points in this case.
       if (std::isinf(alpha) && points.size() > 1000) continue;
       INFO(set.name, ", ", points.size(), " points, alpha ", literal(alpha));
       const std::string wrong = wrong_with(rbpa::paper::rbpa(points, alpha), points, oracle.triangles(alpha));

@@ -1,4 +1,4 @@
-// hrbpa() against CGAL: the final complex, and the mesh after every level, for leaf capacities from 1 to 64.
+// Compares hrbpa() with CGAL: the final complex, and the mesh after every level, for leaf capacities from 1 to 64.
 //   --largest=N   only sets with at most that many points
 //   --paper=N     the paper's method, which is slow, only on sets with at most that many points
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@
 namespace rbpa_test {
 namespace {
 
-constexpr std::size_t max_levels = 5;  // of a set with many, those looked at
+constexpr std::size_t max_levels = 5;  // number of levels checked in a set with many
 
 template <typename Compute>
 void check_set(Compute compute, const std::string& name, const Points& points, std::vector<double> alphas,
@@ -45,7 +45,7 @@ void check_set(Compute compute, const std::string& name, const Points& points, s
 
 bool of_asked_size(const Points& points) { return points.size() <= argument("largest", 20000); }
 
-TEST_CASE("generated sets: after every level the mesh is the Delaunay triangles within its radius") {
+TEST_CASE("after every level of generated sets the mesh is the Delaunay triangles within its radius") {
   Random random(21);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
@@ -53,7 +53,7 @@ TEST_CASE("generated sets: after every level the mesh is the Delaunay triangles 
   }
 }
 
-TEST_CASE("generated sets: the same of the paper's HRBPA") {
+TEST_CASE("after every level of the paper's HRBPA the mesh is the Delaunay triangles within its radius") {
   Random random(23);
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
@@ -75,11 +75,11 @@ std::size_t check_files(const std::filesystem::path& folder) {
   return sets;
 }
 
-TEST_CASE("bundled point files: after every level the mesh is the Delaunay triangles within its radius") {
+TEST_CASE("after every level of bundled point files the mesh is the Delaunay triangles within its radius") {
   CHECK(check_files(bundled_data()) >= 14);
 }
 
-TEST_CASE("further point files: after every level the mesh is the Delaunay triangles within its radius") {
+TEST_CASE("further point files have after every level the Delaunay triangles within its radius") {
   CHECK((check_files(further_data()) > 0) == has_further_data());
 }
 

@@ -1,4 +1,4 @@
-// Natural neighbor interpolation against CGAL's coordinates.
+// Compares natural neighbor interpolation with CGAL's coordinates.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace rbpa_test {
 namespace {
 
-TEST_CASE("generated sets: values are the sums of CGAL's coordinates times those of the points") {
+TEST_CASE("values of generated sets are the sums of CGAL's coordinates times the values of the points") {
   Random random(51);
   std::size_t compared = 0;
   for (const NamedSet& set : generated_sets()) {

@@ -17,7 +17,7 @@ double sine(const Point3& m, const Point3& n) {
   return std::hypot(m.y * n.z - m.z * n.y, m.z * n.x - m.x * n.z, m.x * n.y - m.y * n.x);
 }
 
-/// The share of our normals that are a degree and more from CGAL's.
+/// Returns the share of our normals that differ from CGAL's by a degree or more.
 double others(const Points3& points, std::size_t neighbors, std::size_t of_cgal) {
   const Points3 ours = rbpa::estimate_normals(points, {.neighbors = neighbors});
   const Points3 theirs = normals_by_cgal(points, of_cgal);
@@ -36,9 +36,9 @@ Points3 distinct(SpaceKind kind, std::size_t count, std::uint64_t seed) {
 
 }  // namespace
 
-// Where no distances are equal and no two directions fit alike. CGAL's own iteration ends when it is near;
-// tests/rbpa/space/normals/fit_plane.cpp is exacting.
-TEST_CASE("the planes are CGAL's") {
+// The sets have no equal distances and no two directions that fit equally well. CGAL's own iteration ends when it is
+// near; tests/rbpa/space/normals/fit_plane.cpp is exact.
+TEST_CASE("the fitted planes are those of CGAL") {
   for (const std::size_t neighbors : {6u, 16u, 40u}) {
     CAPTURE(neighbors);
     CHECK(others(distinct(SpaceKind::near_sphere, 2000, 31), neighbors, neighbors) < 0.005);
@@ -48,7 +48,7 @@ TEST_CASE("the planes are CGAL's") {
   }
 }
 
-TEST_CASE("another number of neighbors is seen") {
+TEST_CASE("the comparison detects another number of neighbors") {
   const Points3 points = distinct(SpaceKind::noisy_sphere, 500, 35);
   CHECK(others(points, 15, 16) > 0.2);
 }

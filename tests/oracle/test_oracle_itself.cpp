@@ -1,4 +1,4 @@
-// The oracles against each other: before they judge the library, they have to agree.
+// Compares the oracles with each other: they must agree before they judge the library.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A set of at most `most` points on a small grid, wide enough that it is not full.
+/// Returns at most `most` points on a small grid, which is too wide to be full.
 Points small_grid(Random& random, int most) {
   const int columns = random.integer(2, 6);
   return random_grid(columns, static_cast<std::size_t>(random.integer(3, most)), random.chance(0.2), random.bits());
@@ -69,7 +69,7 @@ TEST_CASE("brute force and CGAL agree where exponents are extreme") {
   }
 }
 
-TEST_CASE("both kernels of CGAL agree where both may be used") {
+TEST_CASE("both kernels of CGAL agree if both can be used") {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     for (const Points& points : {random_grid(12, 80, false, seed), uniform(100, seed), clusters(10, seed)})
       CHECK(DelaunayOracle(points, Kernel::filtered).triangles(infinity) ==
@@ -106,14 +106,14 @@ TEST_CASE("intervals and rational numbers decide circumradii alike") {
 }
 
 TEST_CASE("the four points of a square are split from the lexicographically largest") {
-  // The largest point is lifted most, so it is cut off: the diagonal joins the other two of its square.
+  // The largest point is lifted most, so that it is cut off: the diagonal joins the other two corners of its square.
   const Points square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Triangle> expected = {{0, 1, 3}, {1, 2, 3}};
   CHECK(brute_force(square, infinity) == expected);
   CHECK(DelaunayOracle(square).triangles(infinity) == expected);
 }
 
-TEST_CASE("of equal points the lowest index stands for all") {
+TEST_CASE("the lowest index stands for all equal points") {
   const Points points = {{5, 5}, {0, 0}, {-0.0, 0}, {1, 0}, {0, -0.0}, {0, 1}, {1, 0}};
   const std::vector<Triangle> expected = {{1, 3, 5}, {0, 5, 3}};
   CHECK(brute_force(points, infinity) == canonical(expected));
@@ -122,7 +122,7 @@ TEST_CASE("of equal points the lowest index stands for all") {
 
 TEST_CASE("a shrunk set still fails and no point can be left out of it") {
   const Points points = uniform(200, 7);
-  const auto fails = [&](const Points& some) {  // needs points 17 and 171
+  const auto fails = [&](const Points& some) {  // fails exactly with points 17 and 171
     return std::count(some.begin(), some.end(), points[17]) + std::count(some.begin(), some.end(), points[171]) == 2;
   };
   CHECK(shrink(points, fails) == Points{points[17], points[171]});

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// For people: points and sides as doubles that read back.
+/// Returns a text for people: points and sides as doubles that read back.
 std::string text(const PeriodicSet& set) {
   std::ostringstream out;
   out << std::hexfloat << set.name << ", box " << set.box.x << " " << set.box.y << " " << set.box.z << ", points";
@@ -57,7 +57,7 @@ using Vertices = std::vector<rbpa::PeriodicVertex>;  // ascending
 using Boxes = std::array<int, 3>;
 
 Boxes boxes_of(const rbpa::PeriodicVertex& vertex) { return {vertex.offset[0], vertex.offset[1], vertex.offset[2]}; }
-/// The image whose first corner is in the box.
+/// Returns the image whose first corner is in the box.
 Vertices in_box(Vertices corners) {
   const auto first = corners[0].offset;
   for (auto& corner : corners)
@@ -84,9 +84,9 @@ std::size_t rank(const std::vector<Boxes>& vectors) {
   return most;
 }
 
-/// Of each void of the full complex its tetrahedra and its directions, sorted: by CGAL's triangulation of 27 images and
-/// its classification of their triangles, and by union–find over the cells in the box, each with its place. Requires:
-/// tetrahedra that fill the box.
+/// Returns for each void of the full complex the numbers of its tetrahedra and of the directions in which it
+/// percolates, sorted: by CGAL's triangulation of 27 images and its classification of their triangles, and by
+/// union–find over the cells in the box, each with its place. Requires: tetrahedra that fill the box.
 std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, double alpha) {
   const auto named = [&](const auto& corners) {
     Vertices vertices;
@@ -101,7 +101,7 @@ std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, do
     if (const Vertices corners = named(row); is_in_box(corners)) filled.insert(corners);
   for (const auto& triangle : dangling_by_cgal(all.positions, alpha).triangles)
     if (const Vertices corners = named(triangle); is_in_box(corners)) walls.insert(corners);
-  std::vector<Vertices> cells;  // that are left out
+  std::vector<Vertices> cells;  // cells outside the complex
   std::map<Vertices, std::vector<std::pair<std::size_t, Boxes>>> at_face;
   for (const auto& row : delaunay.within(infinity).simplices) {
     const Vertices corners = named(row);
@@ -123,7 +123,7 @@ std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, do
     if (both.size() != 2) continue;  // beside a tetrahedron of the complex
     const auto& [a, at_a] = both[0];
     const auto& [b, at_b] = both[1];
-    Boxes step{};  // from where b is to where it meets a
+    Boxes step{};  // from the place of b to the place where it meets a
     for (std::size_t axis = 0; axis < 3; ++axis) step[axis] = place[a][axis] + at_a[axis] - at_b[axis] - place[b][axis];
     const std::size_t from = set[b], to = set[a];
     if (from == to) {
@@ -150,7 +150,7 @@ std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, do
 
 }  // namespace
 
-TEST_CASE("cubes that repeat have CGAL's periodic Delaunay tetrahedra") {
+TEST_CASE("periodic cubes have CGAL's periodic Delaunay tetrahedra") {
   const std::uint64_t sets = argument("count", 100);
   std::size_t compared = 0, tetrahedra = 0;
   for (std::uint64_t trial = 0; trial < sets; ++trial) {
@@ -175,7 +175,7 @@ TEST_CASE("cubes that repeat have CGAL's periodic Delaunay tetrahedra") {
   CHECK(tetrahedra > 200 * compared);
 }
 
-TEST_CASE("boxes that repeat have those of CGAL's Delaunay tetrahedra of 27 images that are within alpha") {
+TEST_CASE("periodic boxes have those of CGAL's Delaunay tetrahedra of 27 images that are within alpha") {
   const std::uint64_t sets = argument("count", 100);
   std::size_t tetrahedra = 0;
   for (std::uint64_t trial = 0; trial < sets; ++trial) {
@@ -196,7 +196,7 @@ TEST_CASE("boxes that repeat have those of CGAL's Delaunay tetrahedra of 27 imag
   CHECK(tetrahedra > 20 * sets);
 }
 
-TEST_CASE("voids of full complexes that repeat are those of CGAL's triangles of 27 images, with their directions") {
+TEST_CASE("voids of periodic full complexes are those of CGAL's triangles of 27 images, with their directions") {
   const std::uint64_t sets = argument("count", 100);
   std::array<std::size_t, 4> dimensions{};
   std::size_t compared = 0, only_full = 0;
@@ -217,7 +217,7 @@ TEST_CASE("voids of full complexes that repeat are those of CGAL's triangles of 
     for (const double share : {0.1, 0.3, 0.6, 0.9}) {
       std::vector<double> sorted = radii;
       std::sort(sorted.begin(), sorted.end());
-      // A square that is a double, for CGAL.
+      // The square is a double, as CGAL requires.
       const double alpha = std::round(256 * sorted[static_cast<std::size_t>(share * double(sorted.size()))]) / 256;
       if (!(alpha > 0)) continue;
       std::vector<std::array<std::size_t, 2>> found;

@@ -1,4 +1,4 @@
-// delaunay(), by which the remainder is completed, against CGAL.
+// Compares delaunay(), which completes the remainder, with CGAL.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ std::vector<Triangle> triangles_of(const Points& points) {
 
 }  // namespace
 
-TEST_CASE("the triangles are CGAL's and those of rbpa() without a radius: generated sets") {
+TEST_CASE("the triangles of generated sets are those of CGAL, and of rbpa() without a radius") {
   int sets = 0;
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
@@ -46,7 +46,7 @@ TEST_CASE("the triangles are CGAL's and those of rbpa() without a radius: genera
   CHECK(sets > 40);
 }
 
-TEST_CASE("the triangles are CGAL's: tens of thousands of points") {
+TEST_CASE("the triangles of tens of thousands of points are those of CGAL") {
   for (const Points& points : {uniform(50000, 1), jittered_grid(200, 0.5, 2), perfect_grid(200, 1), clusters(3000, 3),
                                along_curves(8000), rounded_concentric(10000), lidar_lines(100, 300, 4)})
     CHECK(difference(DelaunayOracle(points).triangles(INFINITY), triangles_of(points)) == "");

@@ -1,6 +1,6 @@
-// polygons() as GEOS sees them: valid under OGC Simple Features, with the same areas and perimeters.
+// Checks polygons() by GEOS: valid under OGC Simple Features, with the same areas and perimeters.
 //   --largest=N   only point files with at most that many points
-//   --count=N     so many random pictures and grids
+//   --count=N     number of random pictures and grids
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 namespace rbpa_test {
 namespace {
 
-/// The first thing that GEOS finds wrong, "" when there is nothing. Areas in double lose digits far from the origin.
+/// Returns the first fault that GEOS finds, "" when there is none. Areas in double lose digits far from the origin.
 std::string wrong_by_geos(const std::vector<rbpa::Polygon>& polygons, std::span<const rbpa::Point> points) {
   const GeosGeometry all = GeosGeometry::of(polygons, points);
   if (all.parts() != polygons.size()) return "GEOS counts other parts";
@@ -57,7 +57,7 @@ void check(const std::string& name, const Points& points, double alpha) {
     wrong = wrong_with_polygons(polygons, triangles(complex), points);
     CHECK_MESSAGE(wrong.empty(), wrong);
   }
-  // Filtered as a user might: by a few triangles, and by a share of the largest.
+  // Filters as a user might: by a few triangles, and by a share of the largest polygon.
   const double spacing = mean_spacing(points);
   double largest = 0;
   for (const rbpa::Polygon& p : polygons) largest = std::max(largest, p.area);
@@ -72,11 +72,11 @@ void check_file(const PointFile& file, const Points& points) {
   if (points.size() > argument("largest", 200000)) return;
   std::vector<double> alphas = usual_alphas(points);
   const double spacing = mean_spacing(points);
-  alphas.insert(alphas.end(), {0.7 * spacing, 1.4 * spacing});  // where most pinches are
+  alphas.insert(alphas.end(), {0.7 * spacing, 1.4 * spacing});  // radii with most pinches
   for (const double alpha : alphas) check(file.name, points, alpha);
 }
 
-TEST_CASE("bundled point files: valid, one by one and together, with the area that GEOS finds") {
+TEST_CASE("polygons of bundled point files are valid, one by one and together, with the area that GEOS finds") {
   std::size_t sets = 0;
   for (const PointFile& file : point_files(bundled_data())) {
     ++sets;
@@ -85,7 +85,7 @@ TEST_CASE("bundled point files: valid, one by one and together, with the area th
   CHECK(sets >= 30);
 }
 
-TEST_CASE("further point files: valid, one by one and together, with the area that GEOS finds") {
+TEST_CASE("further point files have valid polygons, one by one and together, with the area that GEOS finds") {
   const std::vector<PointFile> files = point_files(further_data());
   CHECK(files.empty() != has_further_data());
   std::set<std::string> bundled;
@@ -94,7 +94,7 @@ TEST_CASE("further point files: valid, one by one and together, with the area th
     if (!bundled.contains(file.name)) check_file(file, read_points(file));
 }
 
-TEST_CASE("random pictures, full of pinches") {
+TEST_CASE("polygons of random pictures, full of pinches, are valid") {
   Random random(1);
   const std::uint64_t count = argument("count", 300);
   for (std::uint64_t run = 0; run < count; ++run) {
@@ -103,7 +103,7 @@ TEST_CASE("random pictures, full of pinches") {
   }
 }
 
-TEST_CASE("random grids, full of pinches") {
+TEST_CASE("polygons of random grids, full of pinches, are valid") {
   Random random(2);
   const std::uint64_t count = argument("count", 300);
   for (std::uint64_t run = 0; run < count; ++run) {
@@ -114,7 +114,7 @@ TEST_CASE("random grids, full of pinches") {
   }
 }
 
-TEST_CASE("generated sets of every kind whose products GEOS can hold") {
+TEST_CASE("polygons of generated sets are valid, if GEOS can hold the products of coordinates") {
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     bool fits = true;

@@ -1,4 +1,4 @@
-// What `rbpa shape` writes, as GEOS reads it: the polygons of the library, to the last bit.
+// Reads the output of `rbpa shape` by GEOS: it is the polygons of the library, to the last bit.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -45,7 +45,7 @@ void check(const std::string& name, const Points& points, double alpha) {
   for (std::size_t i = 0; i < polygons.size(); ++i) CHECK(geojson.part(i).is_exactly(expected.part(i)));
 }
 
-TEST_CASE("bundled point files") {
+TEST_CASE("GEOS reads the polygons of bundled point files to the last bit") {
   std::size_t sets = 0;
   for (const PointFile& file : point_files(bundled_data())) {
     const Points points = read_points(file);
@@ -56,7 +56,7 @@ TEST_CASE("bundled point files") {
   CHECK(sets >= 20);
 }
 
-TEST_CASE("random pictures, full of pinches") {
+TEST_CASE("GEOS reads the polygons of random pictures, full of pinches, to the last bit") {
   Random random(1);
   for (int run = 0; run < 20; ++run)
     check("picture", points_of(random_picture(15, 15, random.between(0.4, 0.9), random)), picture_alpha);

@@ -1,5 +1,6 @@
-// rbpa() and hrbpa() on tiny sets of integer points, where nearly everything is a tie: against brute force and CGAL.
-//   --count=N    how many random sets (2,000)
+// Compares rbpa() and hrbpa() with brute force and CGAL on tiny sets of integer points, where nearly everything is a
+// tie.
+//   --count=N    number of random sets (2,000)
 //   --first=N    the number of the first of them (0): a failure names its number
 //   --rows=N     all subsets of a grid of 4 columns and N rows (3)
 #include <doctest/doctest.h>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr std::size_t max_for_brute_force = 12;
 
-/// The circumradius of three of the points, or the double before or after it.
+/// Returns the circumradius of three of the points, or the double before or after it.
 double circumradius_of_some(const Points& points, Random& random) {
   const auto some = [&] { return points[random.below(points.size())]; };
   const rbpa::Point a = some(), b = some(), c = some();
@@ -58,11 +59,11 @@ Points some_points(Random& random) {
   return random_grid(columns, count, random.chance(0.2), random.bits());
 }
 
-/// A map of the plane that keeps integers exact, and what it does to radii.
+/// Map of the plane that keeps integers exact, and its factor for radii.
 struct Map {
   double xx = 1, xy = 0, yx = 0, yy = 1;  ///< a quarter turn, or its mirror image
   double dx = 0, dy = 0;
-  int exponent = 0;  ///< of a power of two, after the rest
+  int exponent = 0;  ///< exponent of a power of two, applied last
 
   rbpa::Point operator()(const rbpa::Point& p) const {
     return {std::ldexp(xx * p.x + xy * p.y + dx, exponent), std::ldexp(yx * p.x + yy * p.y + dy, exponent)};
@@ -92,7 +93,7 @@ void check_against_cgal(const Points& points, double alpha, Rbpa compute = rbpa:
   REQUIRE_MESSAGE(wrong.empty(), report(wrong, points, alpha, compute));
 }
 
-/// The final complex, and the mesh after every level. Returns how many there were.
+/// Checks the final complex, and the mesh after every level. Returns: the number of levels.
 template <typename Compute>
 std::size_t check_hierarchy(Compute compute, const Points& points, double alpha, std::size_t capacity,
                             const DelaunayOracle& oracle) {
@@ -149,7 +150,7 @@ TEST_CASE("sets that were once wrong stay right") {
       {{{-5, 3}, {-5, 5}, {-6, 4}, {-4, 4}, {-3, 3}, {-5, 2}}, 1},
       {{{0, 2}, {1, 0}, {1, 1}, {1, 3}, {2, 2}, {3, 1}}, 1},
       {{{0, 0}, {0, 3}, {1, 1}, {1, 3}, {3, 0}, {3, 2}}, 1.25},
-      // Points in line with the edge that is pivoted.
+      // Points are collinear with the edge that is pivoted.
       {{{0, -5}, {3, 0}, {0, -3}, {0, -4}, {3, -4}}, 3.8645399530840949},
       {{{2, 3}, {0, 1}, {2, 4}, {2, 0}}, 2.5},
   };
@@ -159,28 +160,29 @@ TEST_CASE("sets that were once wrong stay right") {
   }
 }
 
-TEST_CASE("random sets on small grids: the complex is that of the definition") {
+TEST_CASE("the complex of random sets on small grids is that of the definition") {
   for_random_sets(1, [](const Points& points, double alpha, Random&) { check_against_brute_force(points, alpha); });
 }
 
-TEST_CASE("random sets on small grids: the paper's RBPA finds the same complex") {
+TEST_CASE("the paper's RBPA finds the same complex of random sets on small grids") {
   for_random_sets(
       2, [](const Points& points, double alpha, Random&) { check_against_cgal(points, alpha, rbpa::paper::rbpa); });
 }
 
-TEST_CASE("random sets on small grids: after every level of hrbpa() the mesh is the complex of its radius") {
+TEST_CASE("after every level of hrbpa() of random sets on small grids the mesh is the complex of its radius") {
   for_random_sets(7, [](const Points& points, double alpha, Random& random) {
     check_hierarchy(hierarchy, points, alpha, random.below(5) + 1, DelaunayOracle(points));
   });
 }
 
-TEST_CASE("random sets on small grids: the same after every level of the paper's HRBPA") {
+TEST_CASE(
+    "after every level of the paper's HRBPA of random sets on small grids the mesh is the complex of its radius") {
   for_random_sets(8, [](const Points& points, double alpha, Random& random) {
     check_hierarchy(hierarchy_by_paper, points, alpha, random.below(5) + 1, DelaunayOracle(points));
   });
 }
 
-TEST_CASE("random sets on small grids: the order of the input does not matter") {
+TEST_CASE("the order of the input does not matter in random sets on small grids") {
   for_random_sets(3, [](const Points& points, double alpha, Random& random) {
     Points shuffled = points;
     random.shuffle(shuffled);
@@ -189,12 +191,12 @@ TEST_CASE("random sets on small grids: the order of the input does not matter") 
   });
 }
 
-TEST_CASE("random sets on small grids: integer translations and powers of two keep the triangles") {
+TEST_CASE("integer translations and powers of two keep the triangles of random sets on small grids") {
   for_random_sets(4, [](const Points& points, double alpha, Random& random) {
     Map map;
     map.dx = random.integer(-1000000, 1000000);
     map.dy = random.integer(-1000000, 1000000);
-    // Beyond 2^±1000 too, as long as integers of 20 bits stay exact.
+    // Also beyond 2^±1000, as long as integers of 20 bits stay exact.
     map.exponent = random.chance(0.5) ? random.integer(-1000, 1000) : random.integer(-30, 30);
     const Points images = image(points, map);
     const double radius = std::ldexp(alpha, map.exponent);
@@ -203,15 +205,16 @@ TEST_CASE("random sets on small grids: integer translations and powers of two ke
   });
 }
 
-TEST_CASE("random sets on small grids: turned and mirrored sets are right as well") {
-  // The perturbation follows the coordinates, so cocircular points may be cut otherwise: the oracle determines how.
+TEST_CASE("the complex of turned and mirrored random sets on small grids is that of the definition") {
+  // The perturbation follows the coordinates, so that cocircular points may be cut in another way: the oracle
+  // determines how.
   for_random_sets(5, [](const Points& points, double alpha, Random& random) {
     constexpr Map maps[] = {{0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}, {-1, 0, 0, 1}, {0, 1, 1, 0}};
     check_against_cgal(image(points, maps[random.below(std::size(maps))]), alpha);
   });
 }
 
-TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
+TEST_CASE("a smaller alpha gives a subset in random sets on small grids") {
   for_random_sets(6, [](const Points& points, double alpha, Random& random) {
     const double other = some_alpha(points, random);
     const auto smaller = triangles(rbpa::rbpa(points, std::min(alpha, other)));
@@ -220,7 +223,7 @@ TEST_CASE("random sets on small grids: a smaller alpha gives a subset") {
   });
 }
 
-TEST_CASE("every subset of a small grid: the complex is that of the definition") {
+TEST_CASE("the complex of every subset of a small grid is that of the definition") {
   for_subsets(even, [](const Points& points) {
     for (const double alpha : {0.5, 0.75, 1.0, 1.25, 2.5, double(INFINITY)}) {
       INFO("alpha ", literal(alpha));
@@ -233,7 +236,7 @@ TEST_CASE("every subset of a small grid: the complex is that of the definition")
   });
 }
 
-TEST_CASE("every subset of a small grid: after every level of hrbpa() the mesh is the complex of its radius") {
+TEST_CASE("after every level of hrbpa() of every subset of a small grid the mesh is the complex of its radius") {
   std::size_t most = 0;
   for (const auto& coordinates : {even, stretched})
     for_subsets(coordinates, [&](const Points& points) {

@@ -25,7 +25,7 @@ bool same(const Solid& actual, const TetrahedraByCgal& expected) {
   return actual.simplices == expected.simplices && actual.neighbors == expected.neighbors;
 }
 
-/// For people: the points and the radius as doubles that read back.
+/// Returns a text for people: the points and the radius as doubles that read back.
 std::string text(const Points3& points, double alpha) {
   std::ostringstream out;
   out << std::hexfloat << "alpha " << alpha << ", points";
@@ -49,8 +49,8 @@ double circumradius(const Points3& points, const Tetrahedron& t) {
          (2 * std::abs(dot(uv, w)));
 }
 
-/// Infinity, circumradii from the least to the greatest, rounded, so that some are just above and some just below, and one below
-/// all.
+/// Returns infinity, circumradii from the least to the greatest, rounded, so that some are just above and some just
+/// below, and one radius below all of them.
 std::vector<double> alphas(const Points3& points, const std::vector<Tetrahedron>& tetrahedra) {
   std::vector<double> radii;
   for (const Tetrahedron& t : tetrahedra)
@@ -64,7 +64,7 @@ std::vector<double> alphas(const Points3& points, const std::vector<Tetrahedron>
   return chosen;
 }
 
-/// For eight alphas. Returns: how many tetrahedra all of them had.
+/// Checks eight alphas. Returns: the total number of tetrahedra.
 std::size_t check(const Points3& points) {
   const DelaunayByCgal delaunay(points);
   std::size_t count = 0;
@@ -100,7 +100,7 @@ TEST_CASE("small sets of every kind have CGAL's Delaunay tetrahedra within alpha
   CHECK(tetrahedra > 100 * sets);
 }
 
-TEST_CASE("lattices, some of whose points are moved") {
+TEST_CASE("lattices with moved points have CGAL's Delaunay tetrahedra") {
   const std::uint64_t sets = argument("count", 2000) / 10;
   Random random(203);
   std::size_t tetrahedra = 0;
@@ -113,13 +113,13 @@ TEST_CASE("lattices, some of whose points are moved") {
   CHECK(tetrahedra > 40 * sets);
 }
 
-TEST_CASE("many points that fill a volume: found tile by tile") {
+TEST_CASE("many points that fill a volume, computed tile by tile, have CGAL's Delaunay tetrahedra within alpha") {
   const std::size_t count = argument("tiles", 24'000);
   for (const Points3& points : {uniform_cube(count, 204), jittered_cubes(count, 205)})
     CHECK(check(points) > 10 * count);
 }
 
-TEST_CASE("larger sets of every shape, for eight alphas") {
+TEST_CASE("larger sets of every shape have CGAL's Delaunay tetrahedra within alpha, for eight alphas") {
   const std::size_t count = argument("points", 300);
   for (const SolidSet& set : solid_sets(count)) {
     CAPTURE(set.name);
@@ -128,7 +128,7 @@ TEST_CASE("larger sets of every shape, for eight alphas") {
   }
 }
 
-TEST_CASE("part of a grid of 4 by 4 by 4") {
+TEST_CASE("parts of a grid of 4 by 4 by 4 have CGAL's Delaunay tetrahedra") {
   const std::uint64_t sets = argument("count", 2000) / 20;
   Random random(201);
   std::size_t tetrahedra = 0;
@@ -145,7 +145,7 @@ TEST_CASE("part of a grid of 4 by 4 by 4") {
   CHECK(tetrahedra > 40 * sets);
 }
 
-TEST_CASE("the oracle sees what is wrong") {
+TEST_CASE("the oracle detects wrong results") {
   Random random(202);
   const Points3 points = space_set(SpaceKind::cube, 50, random);
   const DelaunayByCgal delaunay(points);

@@ -1,4 +1,4 @@
-// Persistence in space against GUDHI's.
+// Compares persistence in space with GUDHI's.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using Value = std::array<double, 2>;
 using Diagram = std::array<std::vector<Value>, 3>;
 
-/// Without those that roundings can make or end.
+/// Returns the pairs sorted, without those that rounding can make or remove.
 Diagram sorted(Diagram diagram) {
   for (auto& of : diagram) {
     std::erase_if(of, [](const Value& v) { return !(v[1] > v[0] * (1 + 1e-9)); });
@@ -57,7 +57,8 @@ Diagram by_rbpa(const rbpa::SolidFiltration& filtration) {
 
 bool is_near(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * std::max(a, b); }
 
-/// Whether there are as many, and each has a partner; values that roundings confuse may be in any order.
+/// Returns whether both have equally many pairs and each has a partner; values that rounding can confuse may be in any
+/// order.
 bool same(const Diagram& a, const Diagram& b) {
   for (std::size_t dimension = 0; dimension < 3; ++dimension) {
     if (a[dimension].size() != b[dimension].size()) return false;
@@ -81,7 +82,7 @@ std::string text(const Points3& points) {
   return out.str();
 }
 
-/// GUDHI squares radii.
+/// Returns whether squares of radii are in range, because GUDHI squares radii.
 bool has_squares(const Points3& points) {
   return std::all_of(points.begin(), points.end(), [](const Point3& p) {
     const auto fits = [](double x) { return x == 0 || (std::abs(x) > 1e-60 && std::abs(x) < 1e60); };
@@ -153,11 +154,11 @@ TEST_CASE("sets in a plane and on a line have GUDHI's pairs") {
   CHECK(tunnels > argument("count", 200) / 4);
 }
 
-TEST_CASE("lysozyme has the voids of the full complex that GUDHI's pairs say, at every radius around that of a water") {
+TEST_CASE("lysozyme has the voids of the full complex that follow from GUDHI's pairs, at radii around that of water") {
   Points3 atoms;
   std::istringstream lines(read_text(bundled_data() / "mol3_2lyz.pdb"));
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("ATOM  "))  // waters are HETATM
+    if (line.starts_with("ATOM  "))  // water molecules are HETATM
       atoms.push_back({std::stod(line.substr(30, 8)), std::stod(line.substr(38, 8)), std::stod(line.substr(46, 8))});
   REQUIRE(atoms.size() == 1001);
   const Diagram expected = by_gudhi(atoms);
@@ -176,7 +177,7 @@ TEST_CASE("lysozyme has the voids of the full complex that GUDHI's pairs say, at
   }
 }
 
-TEST_CASE("the comparison sees what is wrong") {
+TEST_CASE("the comparison detects wrong pairs") {
   const Points3 points = uniform_cube(60, 801);
   const Diagram right = by_gudhi(points);
   REQUIRE(same(by_rbpa(rbpa::solid_filtration(points)), right));

@@ -29,7 +29,7 @@ Numbers betti(const Points3& points, const rbpa::Solid& solid) {
 
 }  // namespace
 
-TEST_CASE("solids of every kind at radii around their spacing: GUDHI's Betti numbers of the same tetrahedra") {
+TEST_CASE("solids of every kind at radii around their spacing have GUDHI's Betti numbers of the same tetrahedra") {
   const std::size_t count = argument("points", 2000);
   Numbers most{};
   for (const SolidSet& set : solid_sets(count)) {
@@ -48,7 +48,7 @@ TEST_CASE("solids of every kind at radii around their spacing: GUDHI's Betti num
   CHECK(std::all_of(most.begin(), most.end(), [](std::size_t n) { return n > 10; }));
 }
 
-TEST_CASE("uniform points from nearly empty to nearly full: GUDHI's Betti numbers") {
+TEST_CASE("solids of uniform points from nearly empty to nearly full have GUDHI's Betti numbers") {
   const std::size_t count = argument("points", 2000);
   const Points3 points = uniform_cube(count, 1);
   Numbers most{};

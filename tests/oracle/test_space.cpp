@@ -29,7 +29,7 @@ bool same(const Surface& actual, const ExposedByCgal& expected) {
   return actual.triangles == expected.triangles && actual.neighbors == expected.neighbors;
 }
 
-/// Both the exposed triangles and the surface. Returns: how many triangles that has.
+/// Checks the exposed triangles and the surface. Returns: the number of triangles of the surface.
 std::size_t check(const Points3& points, const Points3& normals, double radius) {
   const Surface actual = rbpa::exposed_triangles(points, radius);
   const ExposedByCgal expected = exposed_by_delaunay(points, radius);
@@ -41,13 +41,13 @@ std::size_t check(const Points3& points, const Points3& normals, double radius) 
   CHECK(agree.neighbors == surface.neighbors);
   return surface.triangles.size();
 }
-/// With normals of any direction.
+/// Checks with normals of any direction.
 void check(const Points3& points, double radius) {
   Random random(points.size());
   check(points, random_normals(points.size(), random), radius);
 }
 
-/// For people: the points and the radius as doubles that read back.
+/// Returns a text for people: the points and the radius as doubles that read back.
 std::string text(const Points3& points, double radius) {
   std::ostringstream out;
   out << std::hexfloat << "radius " << radius << ", points";
@@ -60,7 +60,7 @@ struct Scan {
   Points3 points, normals;
 };
 
-/// The .xyz files of the larger collection with `smallest` to `largest` points.
+/// Returns the .xyz files of the larger collection with `smallest` to `largest` points.
 std::vector<Scan> further_scans(std::size_t smallest, std::size_t largest) {
   std::vector<Scan> found;
   if (!has_further_data()) return found;
@@ -81,7 +81,7 @@ std::vector<Scan> further_scans(std::size_t smallest, std::size_t largest) {
   return found;
 }
 
-/// About the distance of neighbours: the median over some points of that to the nearest.
+/// Returns about the distance of neighbors: the median, over some points, of the distance to the nearest other point.
 double spacing(const Points3& points) {
   std::vector<double> nearest;
   for (std::size_t i = 0; i < points.size(); i += points.size() / 60 + 1) {
@@ -98,7 +98,7 @@ struct Samples {
   Points3 points, normals;
 };
 
-/// With `noise` along the normals.
+/// Returns points on a sphere, with `noise` along the normals.
 Samples on_sphere(std::size_t count, double noise, std::uint64_t seed) {
   Random random(seed);
   Samples sphere;
@@ -112,7 +112,7 @@ Samples on_sphere(std::size_t count, double noise, std::uint64_t seed) {
   return sphere;
 }
 
-/// Near to where f is 0, brought there along its gradient, which is the normal.
+/// Returns points near the zeros of f, moved there along its gradient, which is the normal.
 template <typename Function>
 Samples on_level(std::size_t count, double size, std::uint64_t seed, Function f) {
   constexpr double h = 1e-5;
@@ -142,14 +142,14 @@ double torus_at(double centre, double x, double y, double z) {
 Samples on_torus(std::size_t count) {
   return on_level(count, 1.4, 31, [](double x, double y, double z) { return torus_at(0, x, y, z); });
 }
-/// Two tori that have grown together.
+/// Returns points on two merged tori.
 Samples on_double_torus(std::size_t count) {
   return on_level(count, 2.4, 32, [](double x, double y, double z) {
     return -std::log(std::exp(-12 * torus_at(-1, x, y, z)) + std::exp(-12 * torus_at(1, x, y, z))) / 12;
   });
 }
 
-/// Two sheets back to back, `thickness` apart.
+/// Returns two sheets back to back, `thickness` apart.
 Samples plate(std::size_t count, double thickness) {
   Random random(33);
   Samples samples;
@@ -161,7 +161,7 @@ Samples plate(std::size_t count, double thickness) {
   return samples;
 }
 
-/// In a box, with normals that mostly point up.
+/// Returns points in a box, with normals that mostly point up.
 Samples in_box(std::size_t count, double height) {
   Random random(34);
   Samples samples;
@@ -172,7 +172,7 @@ Samples in_box(std::size_t count, double height) {
   return samples;
 }
 
-/// Integer points on the sides of a box, which look outward, some of them twice.
+/// Returns integer points on the sides of a box, with outward normals, some of them twice.
 Samples box_of_integers(int columns, int rows, int layers) {
   const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
   Samples samples;
@@ -189,7 +189,7 @@ Samples box_of_integers(int columns, int rows, int layers) {
   return samples;
 }
 
-/// From below the spacing to many times it.
+/// Returns radii from below the spacing to many times it.
 const std::vector<double>& radii() {
   static const std::vector<double> pitches = {0.4, 0.7, 1.0, 2.0, 5.0, 12.0};
   return pitches;
@@ -207,8 +207,7 @@ void check_radii(const Samples& samples) {
 
 }  // namespace
 
-TEST_CASE(
-    "small sets of every kind: the exposed triangles and their pivots are CGAL's alpha complex, and the surface") {
+TEST_CASE("small sets of every kind have the exposed triangles, pivots and surface of CGAL's alpha complex") {
   const std::uint64_t trials = argument("count", 2000) / space_kinds;
   std::size_t triangles = 0, agreed = 0, compared = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -229,7 +228,7 @@ TEST_CASE(
       agreed += agree.triangles.size();
       if (trial % 8 != 0) continue;
       const auto shape = exposed_by_alpha_shape(points, radius);
-      if (shape.empty()) continue;  // of points of a plane it has none
+      if (shape.empty()) continue;  // it has none of points in a plane
       ++compared;
       if (actual.triangles != shape) FAIL_CHECK(text(points, radius));
     }
@@ -239,12 +238,12 @@ TEST_CASE(
   CHECK(compared > trials / 4);
 }
 
-TEST_CASE("integer grids at exactly critical radii") {
+TEST_CASE("integer grids at exactly critical radii have CGAL's exposed triangles") {
   for (const int columns : {3, 5}) {
     Points3 points;
     for (int x = 0; x < columns; ++x)
       for (int y = 0; y < columns; ++y)
-        for (int z = 0; z < columns; ++z) points.push_back({2.0 * x, 4.0 * y, 4.0 * z});  // diagonals of 6
+        for (int z = 0; z < columns; ++z) points.push_back({2.0 * x, 4.0 * y, 4.0 * z});  // with diagonals of length 6
     for (const double radius : {1.0, 2.0, 2.5, 3.0, 4.0}) check(points, radius);
     Random random(5);
     random.shuffle(points);
@@ -253,7 +252,7 @@ TEST_CASE("integer grids at exactly critical radii") {
   }
 }
 
-TEST_CASE("spheres, smooth and noisy, from below the spacing to many times it") {
+TEST_CASE("smooth and noisy spheres have CGAL's surface, at radii from below the spacing to many times it") {
   const std::size_t count = argument("points", 400);
   const double pitch = std::sqrt(4 * 3.14159 / static_cast<double>(count));
   for (const double noise : {0.0, 0.1 * pitch, pitch, 2 * pitch}) {
@@ -262,7 +261,7 @@ TEST_CASE("spheres, smooth and noisy, from below the spacing to many times it") 
   }
 }
 
-TEST_CASE("cube, slab, torus, double torus, thin plates, from below the spacing to many times it") {
+TEST_CASE("cubes, slabs, tori and thin plates have CGAL's surface, at radii from below the spacing to many times it") {
   const std::size_t count = argument("points", 400);
   check_radii(in_box(count, 1));
   check_radii(in_box(count, 0.05));
@@ -271,14 +270,14 @@ TEST_CASE("cube, slab, torus, double torus, thin plates, from below the spacing 
   for (const double thickness : {0.0, 1e-6, 0.01, 0.1}) check_radii(plate(count, thickness));
 }
 
-TEST_CASE("boxes of integer points, with duplicates, at exactly critical radii and beside them") {
+TEST_CASE("boxes of integer points with duplicates have CGAL's surface, at critical radii and beside them") {
   const Samples box = box_of_integers(6, 4, 3);
   for (const double radius : {0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 2.5, 3.0, 4.5})
     for (const double r : {radius, std::nextafter(radius, 0), std::nextafter(radius, 9)})
       check(box.points, box.normals, r);
 }
 
-TEST_CASE("the same set at 1e150 and at 1e-150") {
+TEST_CASE("a set has CGAL's surface at 1e150 and at 1e-150") {
   const Samples sphere = on_sphere(argument("points", 400) / 4, 0.05, 10), box = box_of_integers(3, 3, 2);
   for (const double scale : {1e150, 1e-150})
     for (const Samples* samples : {&sphere, &box}) {
@@ -288,7 +287,7 @@ TEST_CASE("the same set at 1e150 and at 1e-150") {
     }
 }
 
-TEST_CASE("further scans and models: exposed triangles and surfaces are those of CGAL's triangulation") {
+TEST_CASE("further scans and models have the exposed triangles and surfaces of CGAL's triangulation") {
   for (const Scan& scan : further_scans(argument("smallest", 0), argument("largest", 1000))) {
     CAPTURE(scan.name);
     const double pitch = spacing(scan.points);
@@ -302,7 +301,7 @@ TEST_CASE("further scans and models: exposed triangles and surfaces are those of
   }
 }
 
-TEST_CASE("further scans by two radii have no more boundary than by the first, but for those that it does not cover") {
+TEST_CASE("further scans by two radii have at most the boundary of the first, except those that it does not cover") {
   const auto boundary = [](const Surface& surface) {
     std::size_t count = 0;
     for (const auto& n : surface.neighbors)
@@ -321,14 +320,14 @@ TEST_CASE("further scans by two radii have no more boundary than by the first, b
     static const std::vector<std::string> not_covered = {"c3_cilantro_frame1", "c3_lpm_car400", "m3_plate_holes"};
     const bool is_covered = std::find(not_covered.begin(), not_covered.end(), scan.name) == not_covered.end();
     CHECK((boundary(both) <= boundary(first)) == is_covered);
-    // Each side of it is explained.
+    // Each side of the boundary is explained.
     std::size_t sides = 0;
     for (const rbpa::Hole& hole : rbpa::holes(scan.points, scan.normals, radii, both)) sides += hole.edges.size();
     CHECK(sides == boundary(both));
   }
 }
 
-TEST_CASE("the oracles see what is wrong") {
+TEST_CASE("the oracles detect wrong results") {
   const Samples sphere = on_sphere(50, 0, 3);
   const Points3& points = sphere.points;
   const Surface exposed = rbpa::exposed_triangles(points, 0.5);

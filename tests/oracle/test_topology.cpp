@@ -1,5 +1,5 @@
-// The topology of meshes and soups against CGAL's Polygon Mesh Processing.
-//   --count=N   random soups of each kind
+// Compares the topology of meshes and soups with CGAL's Polygon Mesh Processing.
+//   --count=N   number of random soups of each kind
 #include <doctest/doctest.h>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -34,7 +34,7 @@ std::string text_of(const PolygonSoup& soup) {
   return text;
 }
 
-/// The same for every way to write a cycle, in either direction.
+/// Returns a form that is equal for every way to write a cycle, in either direction.
 std::vector<std::uint32_t> undirected(std::vector<std::uint32_t> cycle) {
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
   if (cycle.size() > 1 && cycle[1] > cycle.back()) std::reverse(cycle.begin() + 1, cycle.end());
@@ -54,7 +54,7 @@ std::vector<CgalPiece> pieces_of(const meshops::TopologyReport& report) {
   return pieces;
 }
 
-/// The report of a soup and of its mesh, piece by piece. Requires a soup without defects.
+/// Checks the report of a soup and of its mesh, piece by piece. Requires: a soup without defects.
 void check_pieces(const PolygonSoup& soup) {
   const std::vector<CgalPiece> expected = cgal_pieces(soup);
   CHECK(pieces_of(meshops::report(soup)) == expected);
@@ -85,7 +85,7 @@ PolygonSoup grid(std::uint32_t columns, std::uint32_t rows, bool closed_x, bool 
   return soup;
 }
 
-/// Two surfaces side by side, with faces missing or reversed and some points made one.
+/// Returns two surfaces side by side, with faces missing or reversed and some points merged.
 PolygonSoup random_surfaces(Random& random, bool twisted) {
   PolygonSoup soup;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -115,7 +115,7 @@ PolygonSoup random_surfaces(Random& random, bool twisted) {
   return soup;
 }
 
-/// Faces of any kind on few points: most edges have too many.
+/// Returns faces of any kind on few points: most edges have too many faces.
 PolygonSoup random_faces(Random& random) {
   PolygonSoup soup;
   soup.points = 4 + random.below(8);
@@ -129,7 +129,7 @@ PolygonSoup random_faces(Random& random) {
   return soup;
 }
 
-/// Without the faces that CGAL does not accept: degenerate and repeated ones.
+/// Returns the soup without the faces that CGAL does not accept: degenerate and repeated ones.
 PolygonSoup with_whole_faces(const PolygonSoup& soup) {
   std::vector<bool> bad(soup.faces(), false);
   for (const meshops::SoupDefect& defect : meshops::find_defects(soup))
@@ -153,7 +153,7 @@ void for_each_random_soup(Check check) {
     }
 }
 
-/// The published facts about the mesh files: V, F, curves, genus, all of one piece.
+/// Published facts about the mesh files: V, F, curves, genus; each is one piece.
 struct Known {
   std::size_t vertices, faces, curves;
   long genus;
@@ -171,7 +171,7 @@ const std::map<std::string, Known>& known_meshes() {
   return known;
 }
 
-/// Checks the meshes of a folder, and returns how many there are.
+/// Checks the meshes of a folder. Returns: their number.
 std::size_t check_meshes(const std::filesystem::path& folder) {
   const std::vector<MeshFile> files = mesh_files(folder);
   for (const MeshFile& file : files) {
@@ -194,15 +194,15 @@ std::size_t check_meshes(const std::filesystem::path& folder) {
   return files.size();
 }
 
-TEST_CASE("bundled meshes: the published numbers, and every piece as CGAL has it") {
+TEST_CASE("bundled meshes have the published numbers, and the pieces that CGAL finds") {
   CHECK(check_meshes(bundled_data()) >= 5);
 }
 
-TEST_CASE("further meshes: the published numbers, and every piece as CGAL has it") {
+TEST_CASE("further meshes have the published numbers, and the pieces that CGAL finds") {
   CHECK((check_meshes(further_data()) > 0) == has_further_data());
 }
 
-TEST_CASE("meshes from files, damaged: repaired they have the pieces that CGAL's orientation gives") {
+TEST_CASE("damaged meshes from files have, after repair, the pieces that CGAL's orientation gives") {
   Random random(7);
   for (const auto& folder : {further_data(), bundled_data()})
     for (const MeshFile& file : mesh_files(folder)) {
@@ -243,10 +243,10 @@ TEST_CASE("a repaired soup is a mesh to CGAL, with the same pieces") {
   });
 }
 
-TEST_CASE("where directions can agree, repair parts points as CGAL's orientation does") {
+TEST_CASE("repair splits points as CGAL's orientation does, if directions can agree") {
   std::size_t compared = 0;
   for_each_random_soup([&](const PolygonSoup& soup) {
-    // Of a surface that is not orientable each cuts what its own order of faces leaves over.
+    // If a surface is not orientable, each library cuts it by its own order of faces.
     if (has(soup, SoupDefectKind::not_orientable)) return;
     ++compared;
     const PolygonSoup repaired = meshops::repair(soup).soup, oriented = cgal_oriented(soup);
@@ -257,7 +257,7 @@ TEST_CASE("where directions can agree, repair parts points as CGAL's orientation
 }
 
 TEST_CASE("the faces that repair keeps are those that CGAL keeps") {
-  // Of a face that comes back to a point CGAL makes two, where repair drops it: such faces are left out.
+  // CGAL makes two faces of a face that returns to a point, and repair() drops it: such faces are left out.
   const auto comes_back = [](std::vector<std::uint32_t> face) {
     face.erase(std::unique(face.begin(), face.end()), face.end());
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();

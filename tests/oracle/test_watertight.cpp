@@ -1,4 +1,4 @@
-// What `rbpa surface --watertight` and `meshtopo --fill-holes` write, as CGAL reads it.
+// Reads the output of `rbpa surface --watertight` and `meshtopo --fill-holes` by CGAL.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -20,8 +20,8 @@ namespace {
 using apps_test::Folder;
 using apps_test::Outcome;
 
-/// Whether there is a file. Without one the reason is named. Faces that enclose something enclose it from outside, but for
-/// estimated normals, which may all be turned.
+/// Checks a run. Returns: whether it wrote a file; otherwise it must name the reason. Faces that enclose a volume
+/// enclose it from outside, except with estimated normals, which may all be reversed.
 bool check_watertight(const Folder& folder, const std::string& input, const std::string& options) {
   const Outcome outcome = folder.rbpa("surface " + input + " --watertight -o w.off --json " + options);
   if (outcome.code == 1) {
@@ -54,7 +54,7 @@ std::string row(std::initializer_list<double> numbers) {
   return text + "\n";
 }
 
-/// Closes the scans and models of a folder, and returns how many become watertight; more than half do.
+/// Closes the scans and models of a folder. Returns: how many become watertight, which must be more than half.
 std::size_t check_scans(const std::filesystem::path& data) {
   std::size_t tried = 0, closed = 0;
   for (const auto& entry : std::filesystem::directory_iterator(data)) {
@@ -73,15 +73,15 @@ std::size_t check_scans(const std::filesystem::path& data) {
   return closed;
 }
 
-TEST_CASE("bundled scans and models become watertight, or what is left is said") {
+TEST_CASE("bundled scans and models become watertight, or the remaining holes are reported") {
   CHECK(check_scans(bundled_data()) >= 4);  // of six
 }
 
-TEST_CASE("further scans and models become watertight, or what is left is said") {
+TEST_CASE("further scans and models become watertight, or the remaining holes are reported") {
   if (has_further_data()) CHECK(check_scans(further_data()) > 0);
 }
 
-TEST_CASE("lumps with holes, thin walls, noise, and points in layers") {
+TEST_CASE("most lumps with holes, thin walls, noise, and points in layers become watertight") {
   Random random(71);
   std::size_t closed = 0;
   for (int i = 0; i < 120; ++i) {
@@ -113,7 +113,7 @@ TEST_CASE("lumps with holes, thin walls, noise, and points in layers") {
   CHECK(closed > 60);
 }
 
-/// A sphere of n × 2n faces, triangles at its poles, without one of `of` faces.
+/// Returns a sphere of n × 2n faces, with triangles at its poles, without one in every `of` faces.
 std::string open_sphere(int n, int of, Random& random) {
   std::string vertices, faces;
   int count = 0;
@@ -138,7 +138,7 @@ std::string open_sphere(int n, int of, Random& random) {
   return "OFF\n" + std::to_string(2 + (n - 1) * 2 * n) + " " + std::to_string(count) + " 0\n" + vertices + faces;
 }
 
-TEST_CASE("open meshes of triangles and squares") {
+TEST_CASE("most open meshes of triangles and squares become watertight") {
   Random random(73);
   std::size_t closed = 0;
   for (int i = 0; i < 100; ++i) {

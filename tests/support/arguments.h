@@ -1,4 +1,4 @@
-// What: numbers given to a test executable as --name=value, beside doctest's own options.
+// What: reads numbers given to a test executable as --name=value, beside doctest's own options.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,14 @@
 
 namespace rbpa_test {
 
-/// The value of the last --name=value, or `fallback`.
+/// Returns the value of the last --name=value, or `fallback`.
 std::uint64_t argument(std::string_view name, std::uint64_t fallback);
 
-/// Whether --all-trials=1 is given, as at night: by day the long loops over random inputs are shorter.
+/// Returns whether --all-trials=1 is given, as in nightly runs; otherwise the long loops over random inputs are
+/// shorter.
 bool all_trials();
 
-/// How many of `all` random inputs a test tries: all of them at night, a quarter by day.
+/// Returns the number of random inputs that a test tries: all of them in nightly runs, otherwise a quarter.
 int trials(int all);
 
 }  // namespace rbpa_test

@@ -1,4 +1,4 @@
-// What: the Delaunay triangulation from which filtrations are made.
+// What: the Delaunay triangulation, as the input of filtrations.
 #pragma once
 
 #include <limits>

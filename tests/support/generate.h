@@ -1,6 +1,7 @@
-// What: point sets of every kind that decides differently: scattered, gridded, cocircular, collinear, sparse, extreme.
-// Law:  a function of its arguments alone, down to the last bit: no transcendental function is called, whose last bit
-//       differs between libraries.
+// What: generates point sets that reach every kind of decision: scattered, gridded, cocircular, collinear, sparse,
+//       extreme.
+// Law:  a set is a function of its arguments alone, down to the last bit: no transcendental function is called, because
+//       last bits of these differ between libraries.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace rbpa_test {
 
 // Scattered (generate_scattered.cpp) ---------------------------------------------------------------------------------
 
-/// Uniform in [0, side)², side = √count: mean spacing 1.
+/// Uniform points in [0, side)², side = √count: mean spacing 1.
 Points uniform(std::size_t count, std::uint64_t seed);
 
 /// One point in every cell of a columns × columns grid of pitch 1, anywhere in the middle `jitter` of it.
@@ -21,7 +22,7 @@ Points jittered_grid(int columns, double jitter, std::uint64_t seed);
 /// (i · pitch, j · pitch): exactly cocircular squares where pitch is a power of two, nearly where it is not.
 Points perfect_grid(int columns, double pitch);
 
-/// As many points as there are cells, a `kept` share of them.
+/// As many points as a grid has cells, with a `kept` share of the cells occupied.
 Points sparse_grid(int columns, double kept, std::uint64_t seed);
 
 /// The integer lattice turned by the angle of the 3-4-5 triangle, still on integers: (3i − 4j, 4i + 3j).
@@ -80,7 +81,7 @@ Points collinear_run_with_points_off(int count, double dx, double dy, int off, s
 /// Several runs that cross.
 Points crossing_runs(int each);
 
-// Sparse (generate_sparse.cpp): what a front alone cannot reach -------------------------------------------------------
+// Sparse (generate_sparse.cpp): sets that a front alone cannot reach --------------------------------------------------
 
 /// `components` pairs, triples and quads of points less than 1 apart, 100 from each other.
 Points tiny_components(int components, std::uint64_t seed);
@@ -88,7 +89,7 @@ Points tiny_components(int components, std::uint64_t seed);
 /// `length` triangles in a row, each touching the next in a point; at alpha 3 no triangle lies between them.
 Points chain_of_triangles(int length);
 
-/// Such a row closed to a ring around a hole; at alpha `ring_of_pinches_alpha` no triangle lies between them.
+/// Chain of triangles closed to a ring around a hole; at alpha `ring_of_pinches_alpha` no triangle lies between them.
 Points ring_of_pinches(int length);
 inline constexpr double ring_of_pinches_alpha = 3;
 
@@ -134,8 +135,8 @@ Points corners_of_range();
 /// Clusters of width 1e-300 at points 1e300 apart.
 Points far_and_tiny(std::size_t each, std::uint64_t seed);
 
-/// Uniform points, and `strangers` for which no power of two makes them fit beside those: far away on all sides, or
-/// among them but finer than anything there; some of them twice.
+/// Uniform points, and `strangers` that no power of two makes fit beside them: far away on all sides, or among them but
+/// finer than anything there; some of them twice.
 Points with_strangers(std::size_t count, std::size_t strangers, std::uint64_t seed);
 
 }  // namespace rbpa_test

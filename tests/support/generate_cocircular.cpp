@@ -6,7 +6,7 @@
 namespace rbpa_test {
 namespace {
 
-/// p turned by the angle of the Pythagorean triangle (a, b, 5), times 5: integers stay integers.
+/// Returns p turned by the angle of the Pythagorean triangle (a, b, 5), times 5: integers stay integers.
 rbpa::Point turned(const rbpa::Point& p, int a, int b) { return {a * p.x - b * p.y, b * p.x + a * p.y}; }
 
 }  // namespace

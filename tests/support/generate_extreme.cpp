@@ -24,7 +24,7 @@ Points mixed_exponents(std::size_t each, std::uint64_t seed) {
       const double x = scale * (random.unit() - 0.5), y = scale * (random.unit() - 0.5);
       points.push_back({x, y});
     }
-  for (std::size_t i = 0; i < each / 4; ++i) {  // and both in one point
+  for (std::size_t i = 0; i < each / 4; ++i) {  // both exponents in one point
     const double x = 1e300 * (random.unit() - 0.5), y = 1e-300 * (random.unit() - 0.5);
     points.push_back(random.chance(0.5) ? rbpa::Point{x, y} : rbpa::Point{y, x});
   }
@@ -50,7 +50,7 @@ Points corners_of_range() {
 Points far_and_tiny(std::size_t each, std::uint64_t seed) {
   Random random(seed);
   Points points;
-  // Only around an axis can a coordinate be tiny beside one that is huge.
+  // Only near an axis can a tiny coordinate be beside a huge one.
   for (const rbpa::Point& at :
        {rbpa::Point{0, 0}, rbpa::Point{1e300, 0}, rbpa::Point{0, 1e300}, rbpa::Point{-1e300, 0}})
     for (std::size_t i = 0; i < each; ++i) {

@@ -64,7 +64,7 @@ PolygonCase comb(Random& random) {
     for (const Point& p : Points{{x + 0.4, 0}, {x + 0.35, height}, {x, height}, {x - 0.05, 0}}) places.push_back(p);
   }
   places.push_back({-1, 0});
-  // Clockwise, as nothing depends on that; the first is beyond the last tooth.
+  // The order is clockwise, because nothing depends on it; the first place is beyond the last tooth.
   places.insert(places.begin() + 1, {0.8 * teeth, -0.5});
   made.polygons.push_back({.shell = add_ring(made, places)});
   return made;
@@ -96,7 +96,7 @@ PolygonCase nearly_touching(Random& random) {
 
 PolygonCase slivers(Random& random) {
   PolygonCase made{.name = "slivers", .size = 0.1, .is_roomy = false};
-  // Teeth of a saw, thinner and thinner.
+  // Saw teeth that get thinner and thinner.
   Points places{{0, 0}};
   double x = 0;
   const int teeth = random.integer(2, 12);
@@ -153,7 +153,7 @@ bool crosses(const Point& a, const Point& b, const Point& c, const Point& d) {
   return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
 }
 
-/// A closed way through points in no special place, untangled.
+/// Returns a closed path through points in general position, untangled.
 PolygonCase untangled(Random& random) {
   PolygonCase made{.name = "untangled", .size = 0.12, .is_roomy = false};
   Points places(static_cast<std::size_t>(random.integer(6, 30)));
@@ -173,7 +173,7 @@ PolygonCase untangled(Random& random) {
   return made;
 }
 
-/// Short edges in a large polygon, which a constant size ignores.
+/// Returns a large polygon with short edges, which a constant size ignores.
 PolygonCase notched(Random& random) {
   PolygonCase made{.name = "notched", .size = 0.15, .is_roomy = false};
   Points places;

@@ -1,5 +1,5 @@
-// What: polygons with holes that are hard to fill.
-// Law:  a function of the number.
+// What: generates polygons with holes that are hard to fill.
+// Law:  a polygon is a function of its number.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,16 @@ struct PolygonCase {
   std::string name;
   Points points = {};
   std::vector<rbpa::Polygon> polygons = {};  ///< valid, and rings do not touch
-  double size = 1;                           ///< of triangles, so that there are some hundreds
-  bool is_roomy = true;  ///< edges and distances between rings are longer than that, corners excepted
+  double size = 1;                           ///< edge length of triangles that gives some hundreds of them
+  bool is_roomy = true;  ///< edges and distances between rings are longer than `size`, except at corners
 };
 
-/// Stars with holes, combs, spirals, holes that nearly touch, slivers, collinear vertices, far from the origin, polygons
-/// in holes, and tangles of points: ten kinds, again and again.
+/// Returns one of ten kinds in turn: stars with holes, combs, spirals, holes that nearly touch, slivers, collinear
+/// vertices, far from the origin, polygons in holes, and tangles of points.
 PolygonCase polygon_case(std::size_t number);
 
-/// A ring through integer points, at most as many, in a square of that side; mostly it crosses or touches itself.
+/// Returns rings, each through at most `points` integer points in a square of side `side`; most cross or touch
+/// themselves.
 PolygonCase random_rings(Random& random, int rings, int points, int side);
 
 }  // namespace rbpa_test

@@ -134,7 +134,8 @@ Points lidar_lines(int lines, int per_line, std::uint64_t seed) {
   Points points;
   for (int line = 0; line < lines; ++line)
     for (int i = 0; i < per_line; ++i) {
-      // Whole hundredths, then one division: the double nearest to the decimal, as a reader of the file gets it.
+      // A whole number of hundredths, then one division: the double nearest to the decimal, as a reader of the file
+      // gets it.
       const int x = 60000000 + 11 * i + random.integer(-3, 3);
       const int y = 500000000 + 73 * line + random.integer(-2, 2) + i / 40;
       points.push_back({x / 100.0, y / 100.0});

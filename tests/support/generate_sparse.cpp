@@ -36,8 +36,8 @@ Points chain_of_triangles(int length) {
 }
 
 Points ring_of_pinches(int length) {
-  // Each half step turns by the angle of tangent 2t / (1 − t²): about π / length, so that the ring closes but for a gap
-  // far smaller than a triangle. The chord of a whole step is 4, as in the chain.
+  // Each half step turns by the angle of tangent 2t / (1 − t²), about π / length, so that the ring closes except for a
+  // gap that is far smaller than a triangle. The chord of a whole step is 4, as in the chain.
   const double t = 3.141592653589793 / (2.0 * length);
   const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
   const double radius = 2 / sine;

@@ -6,7 +6,7 @@
 namespace rbpa_test {
 namespace {
 
-/// On a circle around the origin: i of `count`, at distances that differ by up to a factor of two.
+/// Returns point i of `count` on a circle around the origin, at distances that differ by up to a factor of two.
 rbpa::Point on_circle(std::size_t i, std::size_t count, double radius) {
   const double t = 4.0 * static_cast<double>(i / 2) / static_cast<double>(count) - 1, u = 1 + t * t;
   const double x = radius * ((1 - t * t) / u), y = radius * (2 * t / u);

@@ -1,4 +1,4 @@
-// What: the laws of a hierarchy's levels, checked for one result.
+// What: checks the laws of the levels of a hierarchy.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ inline std::size_t sum_of_taking_part(const rbpa::Hierarchy& h) {
   return sum;
 }
 
-/// The first law of the numbers of the levels that is broken, "" when none is.
+/// Returns the first broken law of the numbers of the levels, "" when none is broken.
 inline std::string wrong_numbers(const rbpa::Hierarchy& h, double alpha) {
   std::size_t triangles = 0;
   for (std::size_t i = 0; i < h.levels.size(); ++i) {
@@ -49,7 +49,7 @@ inline std::string wrong_numbers(const rbpa::Hierarchy& h, double alpha) {
   return "";
 }
 
-/// The triangles that were there when a level ended, in canonical order.
+/// Returns the triangles that existed when a level ended, in canonical order.
 inline std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size_t level) {
   std::vector<Triangle> found;
   for (const auto face : h.complex.mesh.faces()) {
@@ -62,8 +62,8 @@ inline std::vector<Triangle> triangles_after(const rbpa::Hierarchy& h, std::size
   return canonical(std::move(found));
 }
 
-/// Every face came in on the first level whose radius admits it: admits(a, b, c, alpha). Where the final mesh is the
-/// complex of alpha, this means that each level was the complex of its radius. "" when it is so.
+/// Checks that every face was inserted on the first level whose radius admits it: admits(a, b, c, alpha). If the final
+/// mesh is the complex of alpha, this means that each level was the complex of its radius. Returns "" when it holds.
 template <typename Admits>
 std::string wrong_level(const rbpa::Hierarchy& h, std::span<const rbpa::Point> points, Admits admits) {
   for (const auto face : h.complex.mesh.faces()) {

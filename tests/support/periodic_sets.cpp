@@ -12,7 +12,7 @@ Point3 uniform(const Point3& box, Random& random) {
   return {box.x * random.unit(), box.y * random.unit(), box.z * random.unit()};
 }
 
-/// Of coordinates that are multiples of a part of the sides.
+/// Returns a point whose coordinates are multiples of a part of the sides.
 Point3 on_lattice(const Point3& box, int along, Random& random) {
   const auto at = [&](double side) { return side / along * random.integer(0, along - 1); };
   return {at(box.x), at(box.y), at(box.z)};
@@ -30,7 +30,7 @@ double modulo(double x, double side, double rounded_side) {
 
 PeriodicSet periodic_set(std::uint64_t kind, std::size_t count, Random& random) {
   PeriodicSet set;
-  // Sides of few bits, which are not rounded.
+  // Sides with few bits are not rounded.
   const auto side = [&] { return static_cast<double>(random.integer(8, 16)); };
   set.box = {side(), side(), side()};
   const auto fill = [&](auto make) {

@@ -79,7 +79,7 @@ std::vector<Part> parts_of(const Picture& picture, double min_hole, double min_p
     std::size_t holes = 0;
   };
   std::vector<Filled> parts;
-  std::vector<int> covered_by(rows * columns, -1);  // the last that filled it
+  std::vector<int> covered_by(rows * columns, -1);  // the last part that filled the pixel
   for (int k = 0; k < components.count; ++k) {
     Filled part{std::vector<bool>(rows * columns, false)};
     Labels outside = flood(rows, columns, [&](std::size_t r, std::size_t c) { return components.at(r, c) != k; });
@@ -88,7 +88,7 @@ std::vector<Part> parts_of(const Picture& picture, double min_hole, double min_p
       if (label >= 0) area[static_cast<std::size_t>(label)] += pixel_area;
     for (std::size_t i = 0; i < outside.of.size(); ++i) {
       const int label = outside.of[i];
-      const bool filled = label > 0 && area[static_cast<std::size_t>(label)] < min_hole;  // 0 is around everything
+      const bool filled = label > 0 && area[static_cast<std::size_t>(label)] < min_hole;  // label 0 is the outside
       part.pixels[i] = label < 0 || filled;
       if (filled && components.of[i] >= 0) covered_by[i] = k;
     }
@@ -105,7 +105,7 @@ std::vector<Part> parts_of(const Picture& picture, double min_hole, double min_p
     const std::vector<bool>& pixels = parts[k].pixels;
     Part part{0, 0, parts[k].holes};
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (!pixels[i]) continue;  // the margin never is
+      if (!pixels[i]) continue;  // the margin is never solid
       part.area += pixel_area;
       for (const std::size_t neighbour : {i - 1, i + 1, i - columns, i + columns})
         if (!pixels[neighbour]) part.perimeter += side;

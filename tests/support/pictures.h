@@ -1,5 +1,5 @@
-// What: pictures of square pixels as point sets whose alpha solid is exactly the pixels, and what its polygons must be,
-//       by flood fill. Pixels that touch in a corner are pinches of every kind.
+// What: pictures of square pixels as point sets whose alpha solid is exactly the pixels, and the polygons that must
+//       result, by flood fill. Pixels that touch in a corner make pinches of every kind.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace rbpa_test {
 
-/// Rows from the top; '#' is solid. All rows are of one length.
+/// Picture as rows from the top; '#' is solid. All rows have the same length.
 using Picture = std::vector<std::string>;
 
 /// A pixel is 2 × 2, with its corners on even integers and its center on odd ones. The center makes four triangles of
@@ -21,7 +21,7 @@ inline constexpr double picture_alpha = 1;
 
 Picture random_picture(std::size_t rows, std::size_t columns, double solid, Random& random);
 
-/// A polygon, in numbers that are exact.
+/// Polygon by numbers that are exact.
 struct Part {
   double area;
   double perimeter;
@@ -29,8 +29,8 @@ struct Part {
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 
-/// The parts that stay when holes of less than `min_hole` are filled and then parts of less than `min_part` dropped,
-/// sorted.
+/// Returns, sorted, the parts that remain after holes of less than `min_hole` are filled and then parts of less than
+/// `min_part` are dropped.
 std::vector<Part> parts_of(const Picture& picture, double min_hole = 0, double min_part = 0);
 
 }  // namespace rbpa_test

@@ -12,11 +12,11 @@ namespace {
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Triangles as solid components: the edges of each triangle and the number of its component.
+/// Solid components of triangles: the edges of each triangle and the number of its component.
 struct Components {
   std::map<DirectedEdge, std::size_t> triangle_left_of;
-  std::vector<std::size_t> of;                   ///< each triangle
-  std::map<std::size_t, long> holes;             ///< of each component: 1 − V + E − F
+  std::vector<std::size_t> of;                   ///< component of each triangle
+  std::map<std::size_t, long> holes;             ///< holes of each component: 1 − V + E − F
   std::map<DirectedEdge, std::size_t> boundary;  ///< edges with a triangle on the left only, and its component
 };
 

@@ -1,4 +1,4 @@
-// What: random numbers that are the same with every standard library (whose distributions are not).
+// What: random numbers that are the same with every standard library (the standard distributions are not).
 // Law:  a seed names one sequence, on every platform.
 #pragma once
 
@@ -14,18 +14,18 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  /// Uniform in [0, 2⁶⁴).
+  /// Returns a uniform number in [0, 2⁶⁴).
   std::uint64_t bits() { return engine_(); }
 
-  /// In [0, bound), bound > 0. The bias is below bound / 2⁶⁴.
+  /// Returns a number in [0, bound), bound > 0. The bias is below bound / 2⁶⁴.
   std::uint64_t below(std::uint64_t bound) { return engine_() % bound; }
 
-  /// In [first, last], both included.
+  /// Returns a number in [first, last], both included.
   int integer(int first, int last) {
     return first + static_cast<int>(below(static_cast<std::uint64_t>(std::int64_t{last} - first + 1)));
   }
 
-  /// A multiple of 2⁻⁵³ in [0, 1).
+  /// Returns a multiple of 2⁻⁵³ in [0, 1).
   double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
   double between(double low, double high) { return low + (high - low) * unit(); }

@@ -1,4 +1,4 @@
-// What: the table of generated point sets that a test can run over.
+// What: the table of generated point sets over which tests run.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ namespace rbpa_test {
 struct NamedSet {
   std::string_view name;
   Points (*make)();
-  std::vector<double> alphas = {};  ///< radii at which something of this set is decided by a tie, or just not
+  std::vector<double> alphas = {};  ///< radii at which a decision in this set is a tie, or nearly one
 };
 
-/// Every generated set, some thousands of points at most.
+/// Returns every generated set; each has some thousands of points at most.
 std::span<const NamedSet> generated_sets();
 
 }  // namespace rbpa_test

@@ -10,7 +10,7 @@
 namespace rbpa_test {
 namespace {
 
-/// The points on one side of the middle (by rank) of a coordinate.
+/// Returns the points on one side of the middle (by rank) of a coordinate.
 Points half(const Points& points, double rbpa::Point::*coordinate, bool upper) {
   std::vector<double> sorted;
   for (const rbpa::Point& p : points) sorted.push_back(p.*coordinate);
@@ -22,7 +22,7 @@ Points half(const Points& points, double rbpa::Point::*coordinate, bool upper) {
   return kept;
 }
 
-/// As long as half of the plane is enough to fail, the other half goes: most failures are local.
+/// Drops half of the plane as long as the other half still fails: most failures are local.
 Points halved(Points points, const std::function<bool(const Points&)>& fails) {
   for (bool smaller = true; smaller && points.size() > 2;) {
     smaller = false;

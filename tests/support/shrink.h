@@ -1,4 +1,4 @@
-// What: make a failing set of points small enough to look at.
+// What: makes a failing set of points small enough to look at.
 // Law:  the result still fails, and no single point can be left out of it.
 #pragma once
 
@@ -14,10 +14,10 @@ namespace rbpa_test {
 /// Cost: a few n log n calls where few points matter, n² at worst.
 Points shrink(Points points, const std::function<bool(const Points&)>& fails);
 
-/// The points as a C++ initializer whose literals read back to the same doubles.
+/// Returns the points as a C++ initializer whose literals read back to the same doubles.
 std::string literal(std::span<const rbpa::Point> points);
 
-/// A double as a C++ expression that reads back to it.
+/// Returns a double as a C++ expression that reads back to it.
 std::string literal(double value);
 
 }  // namespace rbpa_test

@@ -49,7 +49,7 @@ Points3 body_centred(std::size_t count) {
   return points;
 }
 
-/// Integer points of several spheres about one center.
+/// Returns integer points of several spheres around one center.
 Points3 shells(std::size_t count) {
   Points3 points;
   for (int square = 9; points.size() < count; square += 20)
@@ -95,7 +95,7 @@ Points3 cubic_grid(std::size_t count, double pitch, std::uint64_t seed) {
 }
 
 Points3 turned_grid(std::size_t count, std::uint64_t seed) {
-  // The rotation by the quaternion (a, b, c, d), times its square.
+  // The rotation by the quaternion (a, b, c, d), times the square of its norm.
   constexpr double a = 1201, b = 877, c = -1409, d = 463;
   Points3 points = cubic_grid(count, 1, seed);
   for (Point3& p : points)
@@ -147,7 +147,7 @@ Points3 moment_curve(std::size_t count) {
 }
 
 std::vector<SolidSet> solid_sets(std::size_t count) {
-  const std::size_t few = std::min<std::size_t>(count, 400);  // of shapes with a quadratic number of tetrahedra
+  const std::size_t few = std::min<std::size_t>(count, 400);  // for shapes with a quadratic number of tetrahedra
   std::vector<SolidSet> sets;
   sets.push_back({"cube", uniform_cube(count, 1)});
   sets.push_back({"ball", generate(count, 2, [](Random& r) { return times(std::cbrt(r.unit()), on_sphere(r)); })});

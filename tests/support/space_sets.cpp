@@ -32,7 +32,7 @@ Point3 on_grid(int columns, Random& random) {
   return {double(random.integer(0, columns)), double(random.integer(0, columns)), double(random.integer(0, columns))};
 }
 
-/// All integer points at a distance whose square is given.
+/// Returns all integer points at a distance whose square is given.
 Points3 integer_sphere(int square) {
   Points3 points;
   const int most = static_cast<int>(std::sqrt(square));

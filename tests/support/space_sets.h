@@ -1,5 +1,5 @@
-// What: point sets of space of every kind that decides differently, and radii at which they do.
-// Law:  a function of the arguments alone, down to the last bit.
+// What: generates point sets in space that reach every kind of decision, and radii at which they do.
+// Law:  a set is a function of its arguments alone, down to the last bit.
 #pragma once
 
 #include <cstddef>
@@ -15,32 +15,33 @@ namespace rbpa_test {
 using Points3 = std::vector<rbpa::Point3>;
 
 enum class SpaceKind {
-  cube,          ///< anywhere in a cube
+  cube,          ///< random points of a cube
   grid,          ///< on a small integer grid, with repetitions: ties of every kind
   cospherical,   ///< integer points of one sphere, and its center
-  near_sphere,   ///< of the unit sphere, rounded
-  plane,         ///< on a plane through no axis, exactly
+  near_sphere,   ///< points of the unit sphere, rounded
+  plane,         ///< exactly on a plane that contains no axis
   plane_grid,    ///< on an integer grid in an axis plane
-  line,          ///< on a line, exactly
-  line_and_few,  ///< that, and some beside it
+  line,          ///< exactly on a line
+  line_and_few,  ///< points on a line, and some beside it
   plate,         ///< two sheets nearer to each other than the points on them
-  noisy_sphere,  ///< of a sphere, with noise
-  clusters,      ///< of sizes that differ by powers of ten
-  nearest,       ///< pairs that differ in last bits
+  noisy_sphere,  ///< points of a sphere, with noise
+  clusters,      ///< clusters whose sizes differ by powers of ten
+  nearest,       ///< pairs of points that differ in the last bits
   extreme,       ///< small sets at 1e150, at 1e-150, and both
 };
 inline constexpr int space_kinds = static_cast<int>(SpaceKind::extreme) + 1;
 
 std::string name(SpaceKind kind);
 
-/// About `count` points.
+/// Returns about `count` points.
 Points3 space_set(SpaceKind kind, std::size_t count, Random& random);
 
-/// A radius that decides something: half of a distance, the circumradius of three or four of the points, rounded; or a tie
-/// of integers; or one anywhere between below the spacing and all of the set.
+/// Returns a radius at which something is decided: half of a distance, or the circumradius of three or four of the
+/// points, rounded; or a tie of integers; or any radius between less than the spacing and more than the extent of the
+/// set.
 double space_radius(const Points3& points, Random& random);
 
-/// Vectors of any direction and length but 0.
+/// Returns vectors of any direction and any length but 0.
 Points3 random_normals(std::size_t count, Random& random);
 
 }  // namespace rbpa_test

@@ -21,7 +21,7 @@ double mean_spacing(std::span<const rbpa::Point> points) {
   const double width = std::min(distinct.back().x - distinct.front().x, largest);
   const double height = std::min(high - low, largest);
   const double count = static_cast<double>(distinct.size());
-  // Roots before the product: the area may be out of range where the spacing is not.
+  // Roots are taken before the product: the area may be out of range where the spacing is not.
   const double spacing = std::sqrt(width / count) * std::sqrt(height);
   if (spacing > 0) return spacing;
   return std::max(std::max(width, height) / count, std::numeric_limits<double>::denorm_min());
