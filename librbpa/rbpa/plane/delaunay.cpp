@@ -40,7 +40,7 @@ Delaunay::Delaunay(std::span<const Point> points, const TriangulationOptions& op
 
 Delaunay::Delaunay(const Triangulation& triangulation, std::span<const Point> points,
                    const std::function<bool()>& go_on, const char* function)
-    : triangulation_(std::shared_ptr<void>(), &triangulation), points_(points) {  // owns nothing
+    : triangulation_(std::shared_ptr<void>(), &triangulation), points_(points) {  // the pointer owns nothing
   check(triangulation, points, go_on, function);
 }
 

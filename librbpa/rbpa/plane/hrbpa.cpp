@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// All levels, from the first to the last, each of which stops the run: `growth` makes the mesh the complex of one after another.
+/// Runs all levels, from the first to the last; `growth` makes the mesh the complex of one after another.
 void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, LevelRecord& record) {
   Level level{.transferred = front.sites()};
   for (;;) {
@@ -28,8 +28,8 @@ void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& fro
     record.end(level, ladder.radius(level.number), is_last, front);
     if (is_last) return;
 
-    // What Front::next_level() counts on a front on which halfedges are attached to: here triangles are put beside frozen
-    // ones, and a level costs no more than its triangles.
+    // Front::next_level() counts the same on a front to whose halfedges triangles are attached. Here triangles are put
+    // beside frozen halfedges, and the cost of a level is that of its triangles.
     level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
              .transferred = growth.open_sites(),
              .advancing = 2 * front.edges() - 3 * front.faces()};

@@ -17,8 +17,8 @@
 namespace rbpa {
 namespace {
 
-/// From the number of the level of each triangle to the levels, of which those between the first and the last that have no
-/// triangle are left out.
+/// Fills in the levels from the level number of each triangle; levels without a triangle between the first and the last
+/// are left out.
 void part_by_level(std::span<const std::uint32_t> numbers, const Ladder& ladder, double alpha,
                    HierarchyArrays& result) {
   const auto end = static_cast<std::size_t>(ladder.end());
@@ -64,7 +64,7 @@ HierarchyArrays hrbpa_arrays(std::span<const Point> points, double alpha, const 
   } else {
     find_triangles(*sites, ladder.radius(ladder.end()), options.progress, threads, list);
   }
-  sites.reset();  // its memory is not needed where the list becomes the result
+  sites.reset();  // its memory is not needed when the list becomes the result
   const std::function<void()> ask = asking(options.progress, complex.distinct, list.size());
   meshops::FreshVector<std::uint32_t> numbers;
   complex.triangles = list.sorted(threads, numbers, ask);

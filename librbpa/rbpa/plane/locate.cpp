@@ -19,7 +19,8 @@
 namespace rbpa {
 namespace {
 
-/// As many triangles as a triangulation of all these points up to their convex hull has, by Euler's formula.
+/// Returns whether there are as many triangles as a triangulation of all these points up to their convex hull has, by
+/// Euler's formula.
 bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   std::size_t sides = 0;
   for (const auto& neighbors : of.neighbors)
@@ -27,7 +28,7 @@ bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   return of.triangles.size() + sides + 2 == 2 * points;
 }
 
-/// Corners of a triangle as seen from a point in it, from afar where differences would overflow.
+/// The corners of a triangle relative to a point in it, scaled if differences would overflow.
 struct SeenFrom {
   std::array<Point, 3> at;
   std::array<double, 3> size;  // the larger of |x| and |y|
@@ -48,13 +49,14 @@ struct SeenFrom {
 
 using Areas = std::array<double, 3>;
 
-/// Calls cross(i, j) for the corners beside each corner.
+/// Returns the areas, calling cross(i, j) for the corners beside each corner.
 template <typename Cross>
 Areas areas(Cross cross) {
   return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};
 }
 
-/// Where products would overflow or vanish: of corners of the size of one, each with an exponent of its own.
+/// Returns the areas if products would overflow or underflow: corners are scaled to size one, each with an exponent of
+/// its own.
 Areas areas_of_any_size(const SeenFrom& seen) {
   std::array<int, 3> exponent;
   for (std::size_t k = 0; k < 3; ++k) exponent[k] = std::ilogb(seen.size[k]);
@@ -65,13 +67,13 @@ Areas areas_of_any_size(const SeenFrom& seen) {
     const Point a = unit(i), b = unit(j);
     return a.x * b.y - a.y * b.x;
   });
-  // The area across from a corner does without that corner's exponent.
+  // The area across from a corner does not depend on that corner's exponent.
   const int least = std::min({exponent[0], exponent[1], exponent[2]});
   for (std::size_t k = 0; k < 3; ++k) area[k] = std::scalbn(area[k], least - exponent[k]);
   return area;
 }
 
-/// Of a triangle and a point in it, the share of each corner in the point: of areas, which are not negative, their sum being 1.
+/// Returns the barycentric coordinates of a point in a triangle: ratios of areas, which are not negative, with sum 1.
 std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& query) {
   const SeenFrom seen(corners, query);
   if (seen.least() == 0) return {double(seen.size[0] == 0), double(seen.size[1] == 0), double(seen.size[2] == 0)};
@@ -80,7 +82,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
   Areas area = is_of_any_size ? areas_of_any_size(seen) : areas([&](std::size_t i, std::size_t j) {
     return seen.at[i].x * seen.at[j].y - seen.at[i].y * seen.at[j].x;
   });
-  // A triangle that is thin beside its length loses its area in rounded differences.
+  // If a triangle is thin compared with its length, rounded differences lose its area.
   if (!is_of_any_size && sum(area) < 0x1p-20 * seen.largest() * seen.largest())
     area = areas([&](std::size_t i, std::size_t j) {
       const auto x = [&](std::size_t k) { return DoubleDouble::difference(corners[k].x, query.x); };
@@ -88,7 +90,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
       return (x(i) * y(j) - y(i) * x(j)).high;
     });
   if (const double whole = sum(area); whole > 0) return {area[0] / whole, area[1] / whole, area[2] / whole};
-  // So thin that nothing is left: between the two corners that are farthest apart.
+  // If no area is left, interpolates between the two corners that are farthest apart.
   std::size_t third = 0;
   double longest = -1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -121,7 +123,8 @@ class Locator::Impl {
     for (std::size_t s = 0; s < at_site_.size(); ++s) at_site_[s] = at_point[sites_.input_index()[s]];
   }
 
-  /// `last` is a triangle found before, or none: queries that are near each other often come one after the other.
+  /// Finds the triangle of a query. `last` is a triangle found before, or none: consecutive queries are often near each
+  /// other.
   std::uint32_t find(const Point& query, std::uint32_t last) const {
     if (of_.triangles.empty() || !is_finite(query)) return no_index;
     std::uint32_t at = last != no_index && is_near(last, query) ? last : first_near(query);
@@ -152,7 +155,7 @@ class Locator::Impl {
     }
     std::fill(result.begin(), result.end(), 0.0);
     const auto add = [&](std::uint32_t point, double share) {
-      if (!(share > 0)) return;  // what has no share does not count, be it infinite
+      if (!(share > 0)) return;  // a value without a share does not count, even if it is infinite
       for (std::size_t column = 0; column < result.size(); ++column)
         result[column] += share * values[point * result.size() + column];
     };
@@ -166,13 +169,13 @@ class Locator::Impl {
   }
 
  private:
-  /// On which side of the side across from corner k: 1 for inside, 0 for on its line.
+  /// Returns 1 if the query is inside of the side across from corner k, 0 if it is on its line, −1 if outside.
   int side(std::uint32_t t, std::size_t k, const Point& query) const {
     const auto& corners = of_.triangles[t];
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);
   }
 
-  /// Whether the query, which is in triangle t, is none of its corners, and not on the convex hull.
+  /// Returns whether the query, which is in triangle t, is none of its corners, and not on the convex hull.
   bool is_within(std::uint32_t t, const Point& query) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (points_[of_.triangles[t][k]] == query) return false;
@@ -181,7 +184,8 @@ class Locator::Impl {
     return true;
   }
 
-  /// Whether the query is about as far from a triangle as its corners are from each other: then few steps lead there.
+  /// Returns whether the distance of the query from a triangle is about that of its corners from each other: then few
+  /// steps lead there.
   bool is_near(std::uint32_t t, const Point& query) const {
     const auto& corners = of_.triangles[t];
     const auto distance = [&](const Point& p) {
@@ -191,7 +195,7 @@ class Locator::Impl {
     return distance(query) <= 2 * std::max(distance(points_[corners[1]]), distance(points_[corners[2]]));
   }
 
-  /// A triangle at a point in the cell of the query, or in one near it: any will do.
+  /// Returns a triangle at any point in the cell of the query, or in one near it.
   std::uint32_t first_near(const Point& query) const {
     const PointGrid& grid = sites_.grid();
     if (grid.points().empty()) return 0;
@@ -208,22 +212,22 @@ class Locator::Impl {
     }
   }
 
-  /// Of the triangles that have the point for which side() returns `sign`, the first.
+  /// Returns the first of the triangles that contain the point for which side() returns `sign`.
   std::uint32_t first_that_has(std::uint32_t t, const std::array<int, 3>& sign) const {
     const auto zeros = std::count(sign.begin(), sign.end(), 0);
     if (zeros == 0) return t;
     if (zeros == 1) {
       const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 0) - sign.begin());
-      return std::min(t, of_.neighbors[t][k]);  // none is the largest number
+      return std::min(t, of_.neighbors[t][k]);  // `none` is the largest number
     }
-    // On two sides: at the corner that they share, which is across from the third.
+    // The point is on two sides, so it is the corner that they share, across from the third.
     const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 1) - sign.begin());
     const std::uint32_t corner = of_.triangles[t][k];
     return std::min(first_around(t, corner, 1), first_around(t, corner, 2));
   }
 
-  /// The least triangle at the corner from t on, in one direction: 1 or 2, which is the side that is crossed, counted from
-  /// the corner.
+  /// Returns the least triangle at the corner from t on, in one direction: 1 or 2, which is the side that is crossed,
+  /// counted from the corner.
   std::uint32_t first_around(std::uint32_t t, std::uint32_t corner, std::size_t direction) const {
     std::uint32_t least = t, at = t;
     do {
@@ -238,7 +242,7 @@ class Locator::Impl {
   std::span<const Point> points_;
   TriangleArrays of_;
   Sites sites_;
-  std::vector<std::uint32_t> at_site_;  // for each site, a triangle that it is a corner of
+  std::vector<std::uint32_t> at_site_;  // for each site, a triangle with a corner there
 };
 
 Locator::Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options) {
@@ -253,8 +257,8 @@ Locator::~Locator() = default;
 
 namespace {
 
-/// Calls visit(i, last) for each query, in parts that are shared among threads, with a `visit` that begin() returns for each part;
-/// asks after each. `last` is what it returned for the query before, or none.
+/// Calls visit(i, last) for each query, in parts that are shared among threads, with a `visit` that begin() returns for
+/// each part; calls go_on() after each part. `last` is the result for the query before, or none.
 template <typename Begin>
 void for_each_query(std::size_t queries, unsigned most_threads, const std::function<bool()>& go_on, Begin begin) {
   constexpr std::size_t queries_at_a_time = 4096;

@@ -15,7 +15,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::cpp_bin_float_50;  // exponents to 2^31
 
-/// A difference, times 2^exponent: of rational numbers exactly, and without that power.
+/// Returns a difference, times 2^exponent; for rational numbers exactly, and without that power.
 template <typename Number>
 Number difference(double a, double b, int exponent);
 template <>
@@ -46,13 +46,13 @@ Number cross(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// From one point to another.
+/// Returns the vector from one point to another.
 template <typename Number>
 Vector<Number> from(const Point& a, const Point& b, int exponent) {
   return {difference<Number>(b.x, a.x, exponent), difference<Number>(b.y, a.y, exponent)};
 }
 
-/// From a corner of a triangle to its circumcenter, by the ways to the two others.
+/// Returns the vector from a corner of a triangle to its circumcenter, given the vectors to the two other corners.
 template <typename Number>
 Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v) {
   const Number uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y, area = cross(u, v);
@@ -60,15 +60,16 @@ Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v)
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// By which the mean of the neighbors may miss the point, in parts of the distance to the nearest.
+/// The distance by which the mean of the neighbors may miss the point, relative to the distance to the nearest
+/// neighbor.
 constexpr double tolerance = 1e-9;
 
-/// Whether products of such numbers, of degree six, stay within the exponents of double.
+/// Returns whether products of such numbers, of degree six, stay within the exponents of double.
 bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::abs(way) < 0x1p120); }
 
 }  // namespace
 
-/// Beyond a side there is a triangle whose circle contains the query.
+/// Returns whether the circle of the triangle beyond a side contains the query.
 bool NaturalNeighbors::goes_on_beyond(const Side& s, const Point& query) const {
   const std::uint32_t other = of_.neighbors[s.triangle][s.across];
   if (other == no_index) return false;
@@ -76,15 +77,15 @@ bool NaturalNeighbors::goes_on_beyond(const Side& s, const Point& query) const {
   return Predicates<long double>::in_circle(points_[a], points_[b], points_[c], query) > 0;
 }
 
-/// The same side of the triangle beyond.
+/// Returns the same side in the triangle beyond.
 NaturalNeighbors::Side NaturalNeighbors::beyond(const Side& s) const {
   const std::uint32_t other = of_.neighbors[s.triangle][s.across];
   const auto& back = of_.neighbors[other];
   return {other, static_cast<std::size_t>(std::find(back.begin(), back.end(), s.triangle) - back.begin())};
 }
 
-/// Goes once around the polygon from a side of it on, in lengths times 2^exponent. Calls visit(corner, area) for each corner: twice
-/// that of its part of the new cell.
+/// Walks once around the polygon, starting at a side of it, in lengths times 2^exponent. Calls visit(corner, area) for
+/// each corner, with twice the area of that corner's part of the new cell.
 template <typename Number, typename Visit>
 void NaturalNeighbors::measure(const Point& query, const Side& first, int exponent, Visit visit) const {
   const auto way = [&](const Point& a, const Point& b) { return from<Number>(a, b, exponent); };
@@ -113,7 +114,7 @@ void NaturalNeighbors::measure(const Point& query, const Side& first, int expone
   } while (!(side == first));
 }
 
-/// Whether they satisfy Sibson's identity, but for rounding.
+/// Computes the shares in rounded numbers; returns whether they satisfy Sibson's identity up to rounding.
 template <typename Number>
 bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int exponent) {
   shares_.clear();
@@ -131,7 +132,7 @@ bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int e
     mean = {mean.x + area * way.x, mean.y + area * way.y};
   });
   for (PointShare& s : shares_) s.share /= sum;
-  // A comparison with what is no number is false.
+  // A comparison with NaN is false.
   return stay && std::hypot(mean.x, mean.y) <= tolerance * sum * nearest && least >= -tolerance * sum;
 }
 

@@ -12,7 +12,7 @@
 namespace rbpa {
 namespace {
 
-/// Puts patches into a mesh.
+/// A sink that puts patches into a mesh.
 struct MeshSink {
   using Share = meshops::Placement;
   static constexpr bool needs_outline = true;
@@ -26,7 +26,7 @@ struct MeshSink {
   Monitor& monitor;
 };
 
-/// Tiles find what they can, and the remainder what is missing.
+/// Assembles the complex: tiles find the triangles that they can decide, and the remainder the missing ones.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());
@@ -37,7 +37,7 @@ meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, mes
   return assembled;
 }
 
-/// The corners of a face as input indices, the smallest first.
+/// Returns the corners of a face as input indices, the smallest first.
 Triangle corners_of(const SolidAlphaComplex& complex, Mesh::FaceHandle face) {
   Triangle corners;
   auto h = complex.mesh.halfedge_handle(face);

@@ -39,7 +39,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Tri
   };
   const auto sort = [&](auto& list) {
     const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
-    sites.reset();  // its memory is not needed where the list becomes the result
+    sites.reset();  // its memory is not needed when the list becomes the result
     return list.sorted(threads, ask);
   };
   if (options.neighbors) {
@@ -59,11 +59,11 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Tri
     }
     result.triangles = sort(list);
   }
-  // Without a radius all points are in triangles, if there are any.
+  // Without a finite radius, all points are in triangles, if there are any.
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
 }
 
-/// The triangles of a radius, and what becomes of points.
+/// Computes the triangles of a radius, and the isolated points.
 Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
   Triangulation result;
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))

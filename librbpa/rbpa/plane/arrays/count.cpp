@@ -11,9 +11,9 @@
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/topology.h"
 
-// A boundary side has the complex on its left. Around a point such sides go out and come in by turns, counter-clockwise. From one that
-// goes out to the next that comes in there is a fan of triangles, or nothing where an edge in no triangle goes out and comes in
-// again; from there to the next that goes out there is a gap:
+// A boundary side has the complex on its left. Around a point, counter-clockwise, outgoing and incoming sides alternate.
+// From an outgoing side to the next incoming one there is a fan of triangles, or nothing if an edge in no triangle leads
+// out and back; from there to the next outgoing side there is a gap:
 //
 //              gap
 //         ↘           ↗
@@ -23,12 +23,12 @@
 //         ↙           ↖
 //              gap
 //
-// A walk that goes on along its fan goes around a solid component, once for its outside and once for each hole. A walk that crosses
-// the gap goes around a component of the space, likewise.
+// A walk that continues along its fan leads around a solid component, once for its outside and once for each hole. A walk
+// that crosses the gap leads around a component of the space, likewise.
 //
-// At the least point of a walk, in lexicographic order, the walk lies on one side. A fan there is narrower than 180° unless the other
-// side is in it, which is so once in a walk around a hole and never in one around the outside. A gap there is wider than 180° once in a
-// walk around the outside, and never in one around a hole.
+// At the least point of a walk, in lexicographic order, the walk lies on one side. A fan there is narrower than 180°
+// unless the other side is in it, which happens once in a walk around a hole and never in one around the outside. A gap
+// there is wider than 180° once in a walk around the outside, and never in one around a hole.
 
 namespace rbpa {
 namespace {
@@ -42,14 +42,14 @@ std::vector<Side> boundary_of(const Triangulation& complex, Steps& step) {
   return boundary_sides(complex, [&] { step(); });
 }
 
-/// How many walks have everything on one side or the other: around components and around holes.
+/// The number of walks around components, and of walks around holes.
 struct Walks {
   std::size_t around_components = 0, around_holes = 0;
 };
 
 class BoundarySides {
  public:
-  /// Sorted sides.
+  /// Takes sorted sides.
   BoundarySides(std::span<const Point> points, std::vector<Side> sides, Steps& step)
       : points_(points), sides_(std::move(sides)), along_fan_(sides_.size()), across_gap_(sides_.size()) {
     std::vector<std::uint32_t> into(sides_.size());
@@ -79,13 +79,13 @@ class BoundarySides {
     meshops::require(is_closed, "count: expected as many boundary sides into each point as out of it");
   }
 
-  /// A side at a point, by the point at its other end.
+  /// A side at a point, given by the point at its other end.
   struct AtPoint {
     std::uint32_t side, other;
     bool goes_out;
   };
 
-  /// The sides out of a point begin with number `first`.
+  /// Links the sides at a point. The sides out of it begin with number `first`.
   void link(std::uint32_t at, std::size_t first, std::span<const std::uint32_t> into) {
     if (into.size() == 1) {
       along_fan_[into[0]] = across_gap_[into[0]] = static_cast<std::uint32_t>(first);
@@ -110,7 +110,7 @@ class BoundarySides {
     }
   }
 
-  /// Counter-clockwise around v, from the right.
+  /// Returns whether a comes before b counter-clockwise around v, from the right.
   static bool comes_before(const Point& v, const Point& a, const Point& b) {
     const auto is_below = [&](const Point& p) { return p.y < v.y || (p.y == v.y && p.x < v.x); };
     if (is_below(a) != is_below(b)) return is_below(b);
@@ -151,7 +151,7 @@ class BoundarySides {
   std::vector<std::uint32_t> along_fan_, across_gap_;  // for each side, the next one of its walk
 };
 
-/// With edges in no triangle, there and back.
+/// Returns the boundary with the edges in no triangle added, in both directions.
 std::vector<Side> with_edges(std::vector<Side> boundary, const Triangulation& complex, Steps& step) {
   for (const auto& [a, b] : complex.edges) {
     boundary.push_back({a, b});

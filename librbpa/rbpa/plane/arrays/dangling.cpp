@@ -8,10 +8,10 @@
 namespace rbpa {
 namespace {
 
-using Real = long double;  // whatever the coordinates
+using Real = long double;  // fits any coordinates
 using Edge = std::array<std::uint32_t, 2>;
 
-/// Neighbors on the line, where a ball of radius alpha reaches both.
+/// Returns the edges between neighbors on a line, if a ball of radius alpha reaches both.
 std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const Triangulation& of) {
   std::vector<std::uint32_t> order = of.isolated;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });
@@ -40,7 +40,8 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
       if (other != Triangulation::none && (other < t || admits(other))) continue;
       const auto& corner = delaunay.triangles[t];
       const std::uint32_t a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
-      // Seen from a point in the diametral circle the edge is wider than a right angle; the apexes are the nearest.
+      // Seen from a point in the diametral circle, the edge subtends more than a right angle; the apexes are the
+      // nearest points.
       const auto is_empty = [&](std::uint32_t apex) {
         return Predicates<Real>::dot_sign(points[apex], points[a], points[b]) >= 0;
       };

@@ -16,13 +16,13 @@ namespace {
 using Edge = QuadEdges::Edge;
 using Corner = QuadEdges::Corner;
 
-/// Reads the triangles off the edges, and asks of each whether it is kept. Parts of the edges are given to different threads.
+/// Reads the triangles off the edges, and calls `fate` for each. Parts of the edges are processed by different threads.
 class Extraction {
  public:
   Extraction(std::span<const SitePoint> places, QuadEdges& edges, Threads& threads)
       : places_(places), edges_(edges), threads_(threads) {}
 
-  /// Loops have no unpredictable branch, and read what is still in a cache.
+  /// Extracts the triangles. Loops have no unpredictable branch, and read data that is still in a cache.
   void extract(const Fate& fate, meshops::Patch& patch, meshops::Outline* outline) {
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
@@ -50,12 +50,12 @@ class Extraction {
   }
 
  private:
-  /// Triangles that have their least edges among some, and are kept.
+  /// The kept triangles whose least edges are in a part of the edges.
   struct Found {
     std::vector<Edge> least;
     std::vector<std::array<Edge, 3>> edges;
     std::vector<std::array<Corner, 3>> corners;
-    std::size_t size = 0, first = 0;  // how many; where in the patch
+    std::size_t size = 0, first = 0;  // number of triangles; their position in the patch
   };
 
   void find(std::size_t first, const Fate& fate, Found& found) {
@@ -81,7 +81,7 @@ class Extraction {
     }
   }
 
-  /// As `across` the edges of each triangle, until all have their numbers.
+  /// Enters triangles into the patch; `across` holds the edges of each triangle until all have their numbers.
   void enter(const Found& found, meshops::Patch& patch) {
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t t = found.first + k;
@@ -93,7 +93,7 @@ class Extraction {
     }
   }
 
-  /// The outline of the patch, whose triangles have these corners.
+  /// Computes the outline of the patch, whose triangles have these corners.
   void draw(const meshops::Patch& patch, std::span<const std::array<Corner, 3>> corners,
             meshops::Outline& outline) const {
     outline.clear();
@@ -104,7 +104,7 @@ class Extraction {
     for (std::size_t t = 0; t < corners.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i, ++side) {
         const int beyond = patch.across[t][i];
-        const std::size_t comes_first = side < beyond;  // without a branch: which comes first is unpredictable
+        const std::size_t comes_first = side < beyond;  // no branch, as the result is unpredictable
         last[(corners[t][i] + 1) & (0 - comes_first)] = side;
         if (beyond < 0) [[unlikely]]
           outer.push_back(side);

@@ -22,7 +22,7 @@ namespace {
 
 using Edge = QuadEdges::Edge;
 
-/// A hash table of points, by which repeated ones are found.
+/// A hash table of points that finds repeated ones.
 class DistinctPoints {
  public:
   explicit DistinctPoints(std::span<const Point> points)
@@ -30,7 +30,7 @@ class DistinctPoints {
         shift_(64 - static_cast<int>(std::bit_width(2 * points.size() + 1))),
         slots_(std::size_t{1} << (64 - shift_), empty) {}
 
-  /// The index of the first point that is equal and was added, or this one, which is added.
+  /// Returns the index of the first equal point that was added; if there is none, adds this one and returns its index.
   std::uint32_t add(std::uint32_t i) {
     std::size_t slot = hash(points_[i]);
     while (slots_[slot] != empty) {
@@ -57,7 +57,7 @@ class DistinctPoints {
   std::vector<std::uint16_t> slots_;
 };
 
-/// Triangles that are kept, sorted by smallest corner and then by the next one.
+/// The kept triangles, sorted by smallest corner and then by the next one.
 class SortedTriangles {
  public:
   SortedTriangles(std::span<const SitePoint> places, QuadEdges& edges, std::size_t points)
@@ -69,7 +69,7 @@ class SortedTriangles {
   /// `admits` returns whether a triangle is kept.
   template <typename Admits>
   void find(const Admits& admits) {
-    // In two loops, as only the second has branches that are mispredicted.
+    // Two loops, as only the second has branches that are mispredicted.
     const auto least = std::make_unique_for_overwrite<Edge[]>(edges_.size());
     std::size_t triangles = 0;
     for (Edge s = 0; s < edges_.size(); ++s) {
@@ -93,11 +93,11 @@ class SortedTriangles {
     }
   }
 
-  /// Once, after find().
+  /// Sorts the triangles; called once, after find().
   void sort(std::vector<Triangle>& triangles, std::vector<Triangle>* neighbors) {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     const auto order = std::make_unique_for_overwrite<std::uint32_t[]>(size_);
-    // Each goes into its star before those with a greater second corner, of which there are few.
+    // Each triangle is inserted into its star before those with a greater second corner, of which there are few.
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t t = 0; t < size_; ++t) {
       const std::uint32_t corner = found_[t].corners[0];

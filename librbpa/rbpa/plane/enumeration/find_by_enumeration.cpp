@@ -12,7 +12,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/plane/enumeration/find_by_enumeration.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Included last: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/base/lanes/mask_bits-inl.h"
@@ -26,9 +26,9 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A few points at a time, in steps: who is near, which pairs of those are within alpha with the point, which of these
-/// triples have no point in their circle. A step's result is a list whose next entry is always written and counted if it is
-/// one: nothing foretells it.
+/// An enumeration of triangles for a few points at a time, in steps: find the near points, then the pairs of these that
+/// are within alpha with the point, then the triples that have no point in their circle. The result of a step is a list
+/// whose next entry is always written, and counted only if it belongs there: no branch has to be predicted.
 class Enumeration {
  public:
   Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own)
@@ -43,7 +43,7 @@ class Enumeration {
         factor_(static_cast<float>(4 * scaled_ * scaled_)) {}
 
   bool run() {
-    constexpr float max_cells = 0.99f;  // who is within reach is in a cell beside the point's
+    constexpr float max_cells = 0.99f;  // a point within reach is in a cell beside the point's
     if (!(reach_ <= max_cells * at_.cell) || !at_.unknown.empty()) return false;
     owned_points_.find(tile_, at_);
     const OwnedPoints::Box& owned = owned_points_.box();
@@ -77,23 +77,23 @@ class Enumeration {
 
   static constexpr std::size_t lanes = hn::MaxLanes(D());
   static constexpr std::size_t at_once = 32, rows_at_once = 3;
-  static constexpr std::size_t max_near = 48, near_padding = 16;  // bits of a word; a register more is written
-  static constexpr std::size_t full = 1024;                       // triples; more than one pair can add fit beside them
+  static constexpr std::size_t max_near = 48, near_padding = 16;  // bits of a word; one register more is written
+  static constexpr std::size_t full = 1024;  // triples; there is room for as many more as one pair can add
   static_assert(max_near < OwnedPoints::word);
 
-  /// A point that is listed, and those within reach of it, in ascending order: from `next` on they come after it.
+  /// A listed point, and the points within its reach, in ascending order: from `next` on they come after it.
   struct Near {
     alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
     std::int32_t label[max_near + near_padding];
-    std::size_t point, place;  ///< its number in the tile, and among those chosen
-    Bits near;                 ///< who is within reach, among all around
+    std::size_t point, place;  ///< its number in the tile, and its position among the chosen points
+    Bits near;                 ///< the points within reach, among all around
     std::size_t count, next;
   };
 
   static std::size_t point_of(std::int32_t label) { return OwnedPoints::point_of(label); }
   bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
 
-  /// Points of a row. False: too much is near them.
+  /// Processes points of a row. Returns false if too many points are near them.
   bool take(int row, std::size_t first, std::size_t count) {
     if (!find_rows(row, first, count)) return false;
     listed_ = pairs_ = triples_ = 0;
@@ -108,18 +108,19 @@ class Enumeration {
     return create_empty();
   }
 
-  /// Where points are dense there are too many triples.
+  /// Returns the maximum number of triples; dense points have too many.
   std::size_t max_wanted() const { return 256 + 12 * taken_; }
 
-  /// What rounding leaves undecided costs less where it is met once, by the front.
+  /// Returns whether too many decisions are left open by rounding: they cost less in the front, which meets each of
+  /// them once.
   bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
 
-  /// The points of three rows of three cells around each point.
+  /// Finds the points of three rows of three cells around each point.
   bool find_rows(int row, std::size_t first, std::size_t count) {
     const D d;
     const DI di;
     const auto one = hn::Set(di, 1), columns = hn::Set(di, at_.columns);
-    const int beyond = at_.rows + 1;  // where rows are empty
+    const int beyond = at_.rows + 1;  // an empty row
     const int rows[rows_at_once] = {row > 0 ? row - 1 : beyond, row, row + 1 < at_.rows ? row + 1 : beyond};
     for (std::size_t j = 0; j < at_once; j += lanes) {
       const V x = hn::LoadU(d, at_.x.data() + std::min(first + j, tile_.points.size()));
@@ -144,13 +145,13 @@ class Enumeration {
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
-    Bits near = 0, owned = 0;  // of the points around, row by row
+    Bits near = 0, owned = 0;  // bits of the points around, row by row
     std::size_t place = 0;
     for (std::size_t row = 0; row < rows_at_once; ++row) {
       const auto first = static_cast<std::size_t>(from_[row][j]), count = static_cast<std::size_t>(to_[row][j]) - first;
       Bits in_row = 0;
       std::size_t i = 0;
-      do {  // most often once
+      do {  // mostly one iteration
         const V x = hn::LoadU(d, at_.x.data() + first + i), y = hn::LoadU(d, at_.y.data() + first + i);
         const V dx = x - px, dy = y - py;
         in_row |= bits_of(d, dx * dx + dy * dy <= reach) << i;
@@ -176,7 +177,7 @@ class Enumeration {
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
-  /// Of a point that the tile owns and that is near one that it does not: who is beside whom.
+  /// Lists the neighbors of a point that the tile owns and that is near one that it does not own.
   HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);
@@ -192,8 +193,8 @@ class Enumeration {
     }
   }
 
-  /// Gathers who is near, and lists each pair of the point and one after it, but for the last: a third is to come after
-  /// both.
+  /// Gathers the near points, and lists each pair of the point and one after it, except the last: a third point must
+  /// come after both.
   HWY_INLINE void list_near(Near& near) {
     const D d;
     const DI di;
@@ -215,7 +216,7 @@ class Enumeration {
       bits >>= around;
     }
     near.count = count;
-    // All lanes of the most there can be are written.
+    // All lanes of the maximum number are written.
     const auto number = static_cast<std::size_t>(&near - near_);
     auto pairs = hn::ShiftLeft<of_second>(hn::Iota(di, 0)) +
                  hn::Set(di, static_cast<std::int32_t>(number << of_point | near.next << of_second));
@@ -262,7 +263,7 @@ class Enumeration {
     triple_[triples_++] = pair | static_cast<std::int32_t>(third << of_third | std::size_t{is_right});
   }
 
-  /// As above, where rounding leaves a doubt.
+  /// Lists the triples that rounding leaves open, by exact tests.
   HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits uncertain, Bits right) {
     const std::size_t second = static_cast<std::size_t>(pair) >> of_second & max_number;
     const Near& near = near_[static_cast<std::size_t>(pair) >> of_point];
@@ -280,7 +281,7 @@ class Enumeration {
     }
   }
 
-  /// Makes triangles of the triples with an empty circle. False: too much is doubtful.
+  /// Makes triangles of the triples with an empty circle. Returns false if too many are in doubt.
   bool create_empty() {
     const D d;
     std::size_t triangles = 0;
@@ -338,8 +339,8 @@ class Enumeration {
 
   static Bits lowest(std::size_t count) { return (Bits{1} << count) - 1; }
 
-  // A pair or a triple in one number: which of the points, and the others by their places among those near it.
-  //   triple:  31 … 16  which of the points listed
+  // A pair or a triple in one number: the number of the listed point, and the others by their positions among those near it.
+  //   triple:  31 … 16  number of the listed point
   //            15 … 10  second corner    9 … 4  third corner    0  they are to be exchanged
   static constexpr int of_point = 16, of_second = 10, of_third = 4;
   static constexpr std::size_t max_number = 63;
@@ -351,10 +352,10 @@ class Enumeration {
   LocalFront& front_;
   OwnedPoints owned_points_;
   std::vector<TilePatch::Neighbors>& near_rim_;
-  double scaled_;  // alpha as the tile's coordinates are, or what is too much in any case
+  double scaled_;  // alpha in the scale of the tile's coordinates, or a number above the limit
   float reach_, factor_;
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
-  std::size_t taken_ = 0, wanted_ = 0;  // points, and triples of which they are the first
+  std::size_t taken_ = 0, wanted_ = 0;  // number of points, and of triples that begin with them
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
   std::int32_t pair_[at_once * max_near + near_padding], triple_[full + 2 * max_near];
@@ -378,7 +379,7 @@ HWY_EXPORT(enumerate_on);
 bool find_by_enumeration(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, EnumerationWorkspace& own,
                          TilePatch& found) {
   if (alpha.is_infinite() || !HWY_DYNAMIC_DISPATCH(enumerate_on)(tile, alpha.value(), workspace, own)) return false;
-  // All that was found is within alpha.
+  // Everything found is within alpha.
   extract_patch(tile, workspace.coordinates, workspace.front, Radius(), workspace.extraction, found);
   found.unsettled_neighbors.insert(found.unsettled_neighbors.end(), own.near_rim.begin(), own.near_rim.end());
   return true;

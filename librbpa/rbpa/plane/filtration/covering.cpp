@@ -22,15 +22,15 @@ void check(const Covering& covering) {
   meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
 }
 
-/// Adds triangle after triangle in ascending order of their radii. Returns: the first radius at which
-/// is_enough(covered points, sizes of solid components).
+/// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(covered points, sizes
+/// of solid components).
 template <typename Enough>
 std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t points, std::span<const double> radii,
                                    Steps& step, const Enough& is_enough) {
   const std::vector<std::uint32_t> faces = ascending(radii, step);
   const OwnedTriangles triangles = in_order(delaunay, faces);
   SolidParts solid(triangles, points);
-  // So many triangles, joined by edges, have at most two vertices more.
+  // This number of triangles, joined by edges, has at most two vertices more.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     step();
@@ -41,7 +41,7 @@ std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t p
   return std::nullopt;
 }
 
-/// The radius at which each point is in a triangle.
+/// Returns the radius at which the last point gets into a triangle.
 double covering_radius(const Triangulation& delaunay, std::size_t points, std::span<const double> radii) {
   std::vector<double> least(points, std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
@@ -52,8 +52,8 @@ double covering_radius(const Triangulation& delaunay, std::size_t points, std::s
   return radius;
 }
 
-/// All points in at most so many solid components. Before each point is in a triangle, no order matters: of most sets the triangles that
-/// come later are few.
+/// Returns the radius at which all points are in at most `max_components` solid components. Before each point is in a
+/// triangle, the order does not matter: on most sets few triangles come later.
 std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t points, std::span<const double> radii,
                                       std::size_t max_components, Steps& step) {
   const double covering = covering_radius(delaunay, points, radii);

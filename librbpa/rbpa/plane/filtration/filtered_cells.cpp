@@ -23,17 +23,17 @@ void for_each_edge(const Triangulation& delaunay, Visit visit) {
   for (std::uint32_t t = 0; t < delaunay.triangles.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k)
       if (const std::uint32_t beyond = delaunay.neighbors[t][k]; beyond > t)
-        visit(Side{t, k, beyond});  // none is the greatest
+        visit(Side{t, k, beyond});  // `none` is the greatest number
 }
 
-/// The corner of the triangle beyond that is not an end of the side.
+/// Returns the corner of the triangle beyond that is not an end of the side.
 std::uint32_t opposite(const Triangulation& delaunay, const Side& side) {
   const auto& across = delaunay.neighbors[side.beyond];
   const auto k = static_cast<std::size_t>(std::find(across.begin(), across.end(), side.triangle) - across.begin());
   return delaunay.triangles[side.beyond][k];
 }
 
-/// Some point is inside the circle whose diameter the edge is; then one of the two apexes is.
+/// Returns whether some point is inside the circle whose diameter the edge is; one of the two apexes is then inside.
 bool is_crowded(const Triangulation& delaunay, std::span<const Point> points, const Side& side, const Point& a,
                 const Point& b) {
   using Wide = Predicates<long double>;
@@ -41,7 +41,7 @@ bool is_crowded(const Triangulation& delaunay, std::span<const Point> points, co
   return side.beyond != Triangulation::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
 }
 
-/// Points on a line: neighbors on it are joined at half their distance.
+/// Returns the cells of points on a line: neighbors on it are joined at half their distance.
 FilteredCells cells_on_line(const Triangulation& delaunay, std::span<const Point> points,
                             const std::vector<std::uint32_t>& number, Steps& pulse) {
   std::vector<std::uint32_t> line = delaunay.isolated;
@@ -96,8 +96,8 @@ FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct,
         .ends = {number[from], number[to]},
         .sides = {side.triangle, is_inner ? side.beyond : cells.outside()}};
     if (kind == ComplexKind::full) {
-      // An edge with no point inside its diametral circle comes at half its length, any other with its first triangle.
-      // Whether it is crowded is tested last: on grids, where right angles are the rule, both radii are the same.
+      // An edge with no point inside its diametral circle appears at half its length, any other with its first
+      // triangle. The circle is tested last: on grids, where right angles are the rule, both radii are the same.
       const double half = least_alpha(points[from], points[to]);
       if (half != edge.alpha && !is_crowded(delaunay, points, side, points[from], points[to])) edge.alpha = half;
     } else {

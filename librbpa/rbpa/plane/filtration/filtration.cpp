@@ -12,7 +12,7 @@
 namespace rbpa {
 namespace {
 
-/// What the sum of areas depends on is ordered by coordinates only: by alpha, then by area.
+/// A triangle with its sort key: by alpha, then by area, so that the sum of areas depends on coordinates only.
 struct Entry {
   double alpha;
   double area;

@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// 0 … count − 1, sorted.
+/// Returns the numbers 0 … count − 1, sorted.
 template <typename Less>
 Numbers sorted_numbers(std::size_t count, Steps& pulse, const Less& less) {
   Numbers numbers(count);
@@ -42,7 +42,7 @@ Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<con
   return inverse(order);
 }
 
-/// The same triangles by the places of their corners, the smallest first.
+/// Returns the triangles with the places of their corners, the smallest first.
 std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& number, const Numbers& place) {
   for (auto& corners : triangles) {
     for (std::uint32_t& corner : corners) corner = place[number[corner]];
@@ -64,7 +64,7 @@ Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& tri
   return inverse(order);
 }
 
-/// The same cells by the numbers of the arrays, the edges sorted: which depends on the points alone.
+/// Returns the cells with the numbers of the arrays, the edges sorted; the result depends on the points alone.
 FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Numbers& faces, Steps& pulse) {
   FilteredCells result = cells;
   for (std::size_t v = 0; v < vertices.size(); ++v) result.vertices[vertices[v]] = cells.vertices[v];

@@ -38,7 +38,7 @@ void Growth::add(std::uint32_t triangle) {
   in_[triangle] = true;
   ++now_.triangles;
   ++now_.solid_components;
-  std::array<bool, 3> glued;  // along the side across from the corner
+  std::array<bool, 3> glued;  // whether it is glued along the side across from the corner
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t neighbor = arrays_.neighbors[triangle][k];
     glued[k] = neighbor != TriangleArrays::none && in_[neighbor];
@@ -52,7 +52,7 @@ void Growth::add(std::uint32_t triangle) {
     const bool before = glued[(k + 1) % 3], behind = glued[(k + 2) % 3];
     --gaps_[corner];
     if (!before && !behind) ++fans_;
-    // Between two triangles this one joins their fans; unless it was the last gap, and they were one that has closed.
+    // Between two triangles this one joins their fans, unless it fills the last gap of a single fan.
     if (before && behind && gaps_[corner] > 0) --fans_;
     if (!on_[corner]) cover(corner);
     now_.components -= pieces_.join(corners[0], corner);

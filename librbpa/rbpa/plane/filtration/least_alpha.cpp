@@ -11,16 +11,17 @@
 namespace rbpa {
 namespace {
 
-using Exact = Predicates<long double>;  // more digits than double, and exponents that no degree six in doubles leaves
+using Exact = Predicates<long double>;  // more digits than double, and exponents that hold degree six in doubles
 
-/// The least double that is ≥ x, for x ≥ 0.
+/// Returns the least double that is ≥ x, for x ≥ 0.
 double rounded_up(long double x) {
   const double nearest = static_cast<double>(x);
   if (nearest >= x) return nearest;
   return std::nextafter(nearest, std::numeric_limits<double>::infinity());
 }
 
-/// The least double above 0 from `low` to `high` that is `enough`. Requires: `high` is, and with a number every larger.
+/// Returns the least double above 0 from `low` to `high` that is `enough`. Requires: `high` is, and with a number every
+/// larger one.
 template <typename Enough>
 double least(double low, double high, const Enough& enough) {
   // Doubles above 0 are ordered as their bits.

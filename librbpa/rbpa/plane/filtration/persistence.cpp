@@ -26,7 +26,7 @@ std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtrat
   require_same(filtration, delaunay.triangulation(), "persistence");
   Steps pulse(go_on);
   FilteredCells cells = filtered_cells(delaunay, distinct_points(delaunay), filtration, kind, pulse);
-  // In which order equal alphas come changes pairs of no length only.
+  // The order of equal alphas only affects pairs of no length.
   std::sort(cells.edges.begin(), cells.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
     pulse();
     return a.alpha < b.alpha;

@@ -14,10 +14,10 @@
 namespace rbpa {
 namespace {
 
-/// A ratio that noise does not reach: see docs/which_alpha.md for how it was measured.
+/// Returns the ratio that noise does not reach; docs/which_alpha.md tells how it was measured.
 double noise_ratio(std::size_t distinct) { return 1.4 + 10 / std::sqrt(static_cast<double>(distinct)); }
 
-/// Half the diagonal of the box of the points.
+/// Returns half the diagonal of the box of the points.
 double reach_of(std::span<const Point> points) {
   Point least = points[0], greatest = points[0];
   for (const Point& p : points) {
@@ -29,7 +29,7 @@ double reach_of(std::span<const Point> points) {
   return static_cast<double>(std::sqrt(width * width + height * height) / 2);
 }
 
-/// What a range is as a plateau.
+/// Returns the plateau of a range.
 Plateau plateau_of(const StepRange& range, const Filtration& filtration, const std::vector<ShapeState>& curve,
                    double ratio) {
   const std::vector<FiltrationStep>& steps = filtration.steps;

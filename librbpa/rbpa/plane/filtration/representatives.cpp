@@ -19,11 +19,11 @@
 namespace rbpa {
 namespace {
 
-/// A pair, and a cell where it is: the edge at which it ends, or its last triangle.
+/// A pair, and a cell that locates it: the edge at which it ends, or its last triangle.
 struct Placed : PersistencePair {
   std::array<std::uint32_t, 2> edge;  // numbers of distinct points
   std::uint32_t triangle;
-  double last;  // the last radius at which it is there, if it ends
+  double last;  // the last radius at which it exists, if it ends
 };
 
 void sort(std::vector<Placed>& pairs, Steps& pulse) {
@@ -50,7 +50,7 @@ std::vector<Placed> placed_pairs(FilteredCells& cells, Steps& pulse) {
   return pairs;
 }
 
-/// As the complexes of these radii have them.
+/// Returns the pairs of the complexes of these radii alone.
 std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const double> levels) {
   std::vector<Placed> result;
   for (Placed pair : pairs) {
@@ -65,7 +65,7 @@ std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const 
   return result;
 }
 
-/// Of each dimension those that are certainly not chosen, before what is left is sorted.
+/// Removes in each dimension the pairs that are certainly not chosen, before the rest is sorted.
 void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
   std::array<double, 2> least = {choice.min_persistence, choice.min_persistence};
   for (const int dimension : {0, 1}) {
@@ -102,10 +102,10 @@ class HoleSearch {
     }
   }
 
-  /// That with this triangle. Requires: a bounded one.
+  /// Returns the hole that contains this triangle. Requires: a bounded hole.
   Polygon hole_at(double alpha, std::uint32_t triangle, Steps& pulse) {
     reach(alpha, triangle, pulse);
-    // Points are numbered anew, so that the cost is the hole's.
+    // Points are renumbered, so that the cost is that of the hole.
     std::vector<Point> points;
     std::vector<std::uint32_t> index;
     std::vector<Triangle> triangles, neighbors;
@@ -125,7 +125,7 @@ class HoleSearch {
     }
     for (const std::uint32_t t : reached_) number_[t] = none;
     for (const std::uint32_t point : index) place_[point] = none;
-    // Triangles that hang together through edges: one polygon.
+    // Triangles connected through edges form one polygon.
     Polygon polygon = std::move(polygons_of_linked(points, TriangleArrays{triangles, neighbors}, {}).front());
     const auto rename = [&](Ring& ring) {
       for (std::uint32_t& point : ring.points) point = index[point];
@@ -144,7 +144,7 @@ class HoleSearch {
     return static_cast<std::size_t>(std::find(neighbors.begin(), neighbors.end(), neighbor) - neighbors.begin());
   }
 
-  /// All triangles from this one on, each with its number.
+  /// Collects all triangles that can be reached from this one, each with its number.
   void reach(double alpha, std::uint32_t triangle, Steps& pulse) {
     reached_ = {triangle};
     number_[triangle] = 0;
@@ -165,8 +165,8 @@ class HoleSearch {
   std::span<const Point> points_;
   const Triangulation& all_;
   const std::vector<double>& alpha_;
-  std::vector<std::array<double, 3>>
-      closes_;  // for each side: the edge, where it comes before both of its triangles; empty without
+  // for each side: the alpha of the edge, if it appears before both of its triangles; empty if there is no such edge
+  std::vector<std::array<double, 3>> closes_;
   std::vector<std::uint32_t> reached_, number_, place_;
 };
 
@@ -176,7 +176,7 @@ std::vector<Representative> representatives_of(const Delaunay& delaunay, const F
   Steps pulse(go_on);
   const DistinctPoints distinct = distinct_points(delaunay);
   FilteredCells cells = filtered_cells(delaunay, distinct, filtration, kind, pulse);
-  HoleSearch holes(delaunay, filtration, cells);  // while edges near each other follow each other
+  HoleSearch holes(delaunay, filtration, cells);  // created while edges near each other are still in sequence
   std::vector<Placed> pairs = placed_pairs(cells, pulse);
   if (levels) pairs = at_levels(pairs, *levels);
   drop_short(pairs, choice);

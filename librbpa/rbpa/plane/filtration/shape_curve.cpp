@@ -16,7 +16,8 @@ namespace {
 
 using Wide = long double;  // for its exponents: areas are products of coordinates
 
-/// Faces by alpha; of equal ones by area, so that a sum of areas in this order depends on coordinates only.
+/// Returns the faces sorted by alpha and then by area, so that a sum of areas in this order depends on coordinates
+/// only.
 std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const std::vector<Wide>& areas,
                                              Steps& pulse) {
   std::vector<std::uint32_t> faces = ascending(filtration.triangle_alpha, pulse);
@@ -36,14 +37,15 @@ std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const
 /// Gaps of the complex while alpha falls: triangles that are not in it, connected through sides that are not in it.
 class Gaps {
  public:
-  /// The outside is a face as well, behind the last.
+  /// Makes each face a gap; the outside is one more face, behind the last.
   explicit Gaps(std::uint32_t faces) : outside_(faces), sets_(faces + std::size_t{1}), next_(sets_.size()) {
     std::iota(next_.begin(), next_.end(), 0u);
   }
-  /// Joins those of two faces; `outside_reaches(face)` is called with each triangle that is now in the gap of the outside.
+  /// Joins the gaps of two faces; `outside_reaches(face)` is called for each triangle that is now in the gap of the
+  /// outside.
   template <typename Reaches>
   void join(std::uint32_t a, std::uint32_t b, const Reaches& outside_reaches) {
-    // Faces come in descending order. Numbered from behind, the least of a set is its oldest, and paths stay short.
+    // Faces are added in descending order. In reverse numbers, the least of a set is its oldest, and paths stay short.
     const std::uint32_t of_a = sets_.find(outside_ - a), of_b = sets_.find(outside_ - b);
     if (of_a == of_b) return;
     if (of_a == 0 || of_b == 0) {
@@ -62,7 +64,8 @@ class Gaps {
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
 
-/// Of each face, the first step at which it is in the complex or in a hole of it. Faces are in the order of their steps.
+/// Returns for each face the first step at which it is in the complex or in a hole of it. Faces are in the order of
+/// their steps.
 std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());
@@ -71,13 +74,13 @@ std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::ve
   for (std::uint32_t i = outside; i-- > 0;) {
     pulse();
     for (const std::uint32_t neighbor : of.neighbors[i])
-      if (neighbor > i)  // is not there either; beyond the boundary there is no triangle
+      if (neighbor > i)  // it is not in the complex either; beyond the boundary there is no triangle
         gaps.join(i, std::min(neighbor, outside), [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
   }
   return enclosed;
 }
 
-/// The area of complex and holes at each step.
+/// Returns the area of complex and holes at each step.
 std::vector<Wide> enclosed_areas(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                  const std::vector<Wide>& areas, Steps& pulse) {
   const std::vector<std::uint32_t> from = enclosed_from(of, step_of, pulse);

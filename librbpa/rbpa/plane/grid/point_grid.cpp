@@ -11,7 +11,7 @@
 namespace rbpa {
 namespace {
 
-constexpr std::size_t cells_at_a_time = 1u << 15;  // by one thread
+constexpr std::size_t cells_at_a_time = 1u << 15;  // number of cells for one thread
 
 }  // namespace
 
@@ -31,7 +31,7 @@ PointGrid::PointGrid(std::span<const Point> input) {
   *this = PointGrid(input, one);
 }
 
-/// A grid over the box of some points, its cells still empty.
+/// Returns a grid over the box of some points, its cells still empty.
 auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> Level {
   const auto [low, high] = box_of(points, threads);
   Level level;
@@ -40,10 +40,10 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   level.width = high.x - low.x;
   level.height = high.y - low.y;
   const auto count = static_cast<double>(points.size());
-  // Square cells; a long thin box gets no more than a few cells per point either.
+  // Cells are square; a long thin box gets at most a few cells per point, too.
   level.cell = std::max(std::sqrt(level.width) * std::sqrt(level.height) * std::sqrt(points_per_cell / count),
                         std::max(level.width, level.height) * points_per_cell / count);
-  if (!(level.cell > 0)) level.cell = 1;  // all points are one
+  if (!(level.cell > 0)) level.cell = 1;  // all points are equal
   level.per_unit = 1 / level.cell;
   level.columns = static_cast<int>(level.width * level.per_unit) + 1;
   level.rows = static_cast<int>(level.height * level.per_unit) + 1;
@@ -52,8 +52,8 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   return level;
 }
 
-/// Makes a grid of every cell with too many points, unless all are one, and of the cells of these: each grid parts its
-/// points.
+/// Makes a grid of every cell with too many points, unless all are equal, and of the cells of these grids: each grid
+/// divides its points.
 void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
   struct DenseCell {
     std::uint32_t level, cell, first, last;
@@ -79,7 +79,7 @@ void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
   }
 }
 
-/// A grid of sites, which it sorts; none when all are one point.
+/// Returns a grid of sites, which it sorts; nothing if all are one point.
 auto PointGrid::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
   const meshops::FreshVector<Point> points(points_.begin() + first, points_.begin() + last);
   const meshops::FreshVector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
@@ -100,8 +100,8 @@ void PointGrid::index_children(Level& level) {
   }
 }
 
-/// Finds every point of a cell that equals one before it. The cell is in input order, and all one point where it has more
-/// than are worth a grid.
+/// Finds every point of a cell that equals one before it. The points of the cell are in input order; if they are too
+/// many for a cell, they are all equal.
 void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   for (std::uint32_t i = first + 1; i < last; ++i) {
     const std::uint32_t end = last - first > max_in_cell ? first + 1 : i;
@@ -113,8 +113,8 @@ void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeate
   }
 }
 
-/// Whether any of some points equals one of those nearby before it: without a branch, as half of the points of a grid
-/// have an x in common with the one before.
+/// Returns whether any of some points equals one of the few before it, without a branch, as half of the points of a
+/// grid have the same x as the one before.
 bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   decltype(Two<double>() == Two<double>()) repeats = {};
   for (std::uint32_t apart = 1; apart <= nearby; ++apart)
@@ -125,7 +125,7 @@ bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   return repeats[0] != 0;
 }
 
-/// Those in some cells of a level, but for cells that are grids of their own.
+/// Finds the duplicates in some cells of a level, except in cells that are grids of their own.
 void PointGrid::find_duplicates(const Level& level, std::size_t first_cell, std::size_t last_cell,
                                 Repeated& found) const {
   constexpr std::size_t at_once = 64;
@@ -143,7 +143,7 @@ void PointGrid::find_duplicates(const Level& level, std::size_t first_cell, std:
   }
 }
 
-/// Leaves one of all equal points, in every cell where it was. Equal points share a cell at every level.
+/// Keeps one of all equal points, in every cell. Equal points share a cell at every level.
 void PointGrid::remove_duplicates(Threads& threads) {
   const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
   std::vector<Repeated> found(parts + levels_.size() - 1);

@@ -6,7 +6,7 @@
 namespace rbpa {
 namespace {
 
-/// The grid of the points in the window.
+/// Returns the grid of the points in the window.
 PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads,
                   const std::function<void()>& ask) {
   if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads, ask);

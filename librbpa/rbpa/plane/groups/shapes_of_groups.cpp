@@ -27,14 +27,14 @@ namespace {
 
 constexpr double no_alpha = std::numeric_limits<double>::quiet_NaN();
 
-/// Why there is no triangle at any radius, or nothing.
+/// Returns why there is no triangle at any radius, or nothing.
 std::optional<std::string> without_triangles(const Triangulation& complex) {
   if (complex.distinct == 0) return "no points";
   if (complex.distinct < 3) return "fewer than three distinct points (" + std::to_string(complex.distinct) + ")";
   return std::nullopt;
 }
 
-/// The shapes of a run of groups, as they are appended to those of others.
+/// The shapes of a run of groups, before they are appended to those of others.
 struct ShapesOfChunk {
   GroupPoints gathered;
   GroupShapes made;  // `polygon_begin` and `triangle_begin` count from the beginning of the chunk
@@ -50,7 +50,7 @@ class GroupsDone {
     const std::lock_guard lock(mutex_);
     return go_on_(done_);
   }
-  /// Throws Cancelled.
+  /// Counts finished groups. Throws: Cancelled.
   void set(std::size_t done) {
     {
       const std::lock_guard lock(mutex_);
@@ -65,7 +65,8 @@ class GroupsDone {
   std::size_t done_ = 0;
 };
 
-/// A group of so many points takes long enough to be asked meanwhile whether to go on, and is worth more threads than one.
+/// The size of a group from which a call is long enough to check for cancellation within it, and to use several
+/// threads.
 constexpr std::size_t long_enough = 16384;
 
 class GroupShaper {
@@ -75,7 +76,7 @@ class GroupShaper {
 
   GroupsDone& done() { return done_; }
 
-  /// Appends the shape of a group. It is worked on by `threads`.
+  /// Appends the shape of a group, computed by `threads` threads.
   void add(const Group& group, unsigned threads, GroupShapes& made) {
     const std::size_t before = made.polygons.size();
     const std::string problem = find(group, threads, made);
@@ -85,7 +86,7 @@ class GroupShaper {
   }
 
  private:
-  /// Appends all but totals and problems; returns why there is no polygon.
+  /// Appends everything except totals and problems; returns why there is no polygon.
   std::string find(const Group& group, unsigned threads, GroupShapes& made) {
     std::function<bool()> go_on;
     TriangulationOptions of_group{.neighbors = true, .threads = threads};
@@ -126,7 +127,7 @@ class GroupShaper {
     return "no triangle has circumradius <= " + text(alpha);
   }
 
-  /// The complex at the radius that is chosen, which is left in `alpha`; all triangles where there is none.
+  /// Returns the complex at the chosen radius, which is stored in `alpha`; all triangles if there is no radius.
   Triangulation choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
     Steps step(go_on);
@@ -154,7 +155,7 @@ void append(std::vector<Value>& to, std::vector<Value>& from) {
   to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
 }
 
-/// Of offsets that begin with 0, those behind it.
+/// Appends the offsets after the first one, which is 0.
 void append_offsets(std::vector<std::uint64_t>& to, const std::vector<std::uint64_t>& from) {
   const std::uint64_t begin = to.back();
   for (std::size_t i = 1; i < from.size(); ++i) to.push_back(begin + from[i]);
@@ -187,7 +188,8 @@ GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups
   GroupShaper shaper(alpha, options);
   const std::vector<Chunk> chunks = chunks_of(groups);
   Threads threads = threads_for(groups.members.size(), options.threads);
-  // A group with more than one thread's share of all points would keep the others waiting: it is a chunk that all work on.
+  // A group with more than one thread's share of all points would keep the others waiting: it becomes a chunk on which
+  // all threads work.
   const auto is_for_all = [&](const Chunk& chunk) {
     const std::size_t size = groups[chunk.first].size();
     return size >= long_enough && size > groups.members.size() / threads.count();

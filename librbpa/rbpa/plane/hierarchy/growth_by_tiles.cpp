@@ -11,10 +11,10 @@ namespace {
 struct LevelSink {
   struct Share {
     LevelPatch levels;
-    meshops::Outline outline;  ///< of `levels.first`, where some triangle waits
+    meshops::Outline outline;  ///< outline of `levels.first`, if some triangle waits
     meshops::Placement placement;
 
-    /// Its triangles of the first level.
+    /// Returns the triangles of the first level.
     const meshops::Patch& patch(const TilePatch& tile) const {
       return levels.later.empty() ? tile.patch : levels.first;
     }
@@ -43,7 +43,7 @@ struct LevelSink {
   Monitor& monitor;
 };
 
-/// As fit(), which would also look for what a complex has not: an edge with two triangles on one side.
+/// Returns the same as fit(), without looking for edges with two triangles on one side, which a complex does not have.
 meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshops::Site, 3>& corners) {
   meshops::Fit fit(corners);
   for (std::size_t i = 0; i < 3; ++i)
@@ -60,7 +60,7 @@ std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
   return sites;
 }
 
-/// The first level, which is there: how many sites have a triangle.
+/// Counts the first level, which is in the mesh: returns the number of sites with a triangle.
 std::size_t GrowthByTiles::look_at(const meshops::Front& front) {
   std::size_t sites = 0;
   for (meshops::Site s = 0; s < front.sites(); ++s) {
@@ -92,7 +92,7 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
     monitor_.seeded(front, inserted);
     for (const meshops::Halfedge side : inserted.side) {
       const meshops::Vertex v = front.mesh().to_vertex_handle(side);
-      // In the plane the fan that closes around a site is its only one.
+      // In the plane, a fan that closes around a site is the only one there.
       open_sites_ -= !front.mesh().is_boundary(v);
       std::uint16_t& seen = seen_[front.site(v)];
       sites += seen != level;

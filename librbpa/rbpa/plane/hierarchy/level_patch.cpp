@@ -6,7 +6,8 @@
 namespace rbpa {
 namespace {
 
-/// What `across` holds of a side whose triangle has a new number, three times that, or is gone.
+/// Returns the entry of `across` for a side whose triangle has a new number, which is a third of the side's, or is
+/// gone.
 int renumbered(int beyond, const std::vector<int>& number) {
   if (beyond < 0) return beyond;
   const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t items_at_a_time = 1u << 16;
 
-/// Notes the levels of triangles that are laid.
+/// A record of the levels of triangles that are laid.
 struct Notes {
-  /// Of a patch whose first face is `face`. Patches of two threads can have sites in common.
+  /// Adds a patch whose first face is `face`. Patches of two threads can have sites in common.
   void add(const meshops::Patch& patch, std::size_t face) const {
     for (const auto& corners : patch.triangles) {
       const int of_triangle = levels.of(corners);
@@ -26,10 +26,10 @@ struct Notes {
 
   const SiteLevels& levels;
   std::uint16_t* level;  ///< for each face
-  std::uint16_t* seen;   ///< for each site, 0 where it has a triangle of the first level
+  std::uint16_t* seen;   ///< for each site, 0 if it has a triangle of the first level
 };
 
-/// Puts patches into a mesh, and notes their levels.
+/// A sink that puts patches into a mesh, and notes their levels.
 struct NotingSink {
   struct Share {
     meshops::Placement placement;
@@ -97,7 +97,7 @@ meshops::FreshVector<std::uint32_t> LevelsAtOnce::new_numbers(std::size_t faces,
   return number;
 }
 
-/// Counts what each level adds. The first adds what the later ones leave over.
+/// Counts the additions of each level. Those of the first are the remaining ones.
 void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::span<const std::uint32_t> later) {
   const meshops::Connectivity& mesh = assembled.mesh();
   Growth& first = growth_.front();
@@ -139,8 +139,8 @@ void LevelsAtOnce::renumber(std::span<const std::uint32_t> number, Mesh& mesh) {
   });
 }
 
-/// A site closes on the last level that it is seen on, unless it is on the boundary of the whole mesh. In the plane the fan
-/// that closes around a site is its only one.
+/// Counts the sites that close on each level. A site closes on the last level of its triangles, unless it is on the
+/// boundary of the whole mesh. In the plane, a fan that closes around a site is the only one there.
 void LevelsAtOnce::count_closed(const meshops::AssembledPatches& assembled) {
   const meshops::Connectivity& mesh = assembled.mesh();
   for_each_part(threads_, mesh.n_halfedges(), items_at_a_time, [&](std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-// The shape of a complex that is a mesh: its faces as triangles in arrays, on the input points.
+// Polygons of a complex that is a mesh: its faces as triangles in arrays, on the input points.
 #include <algorithm>
 
 #include "rbpa/coverage.h"
@@ -16,7 +16,7 @@ OwnedTriangles faces_on_points(const SolidAlphaComplex& complex) {
   return faces;
 }
 
-/// The input points by index, as far as the mesh stands on them.
+/// Returns the input points by index, up to the last one that carries a vertex.
 std::vector<Point> points_under(const SolidAlphaComplex& complex) {
   std::size_t size = 0;
   for (const std::uint32_t p : complex.input_index) size = std::max(size, std::size_t{p} + 1);

@@ -20,7 +20,7 @@ void expect(bool holds, const char* what) {
   if (!holds) throw InvalidInput(std::string("partial result: expected ") + what);
 }
 
-/// Each before the next.
+/// Returns whether each item comes before the next.
 template <typename Items, typename Less>
 bool ascends(const Items& items, Less less) {
   return std::adjacent_find(items.begin(), items.end(), [&](const auto& a, const auto& b) { return !less(a, b); }) ==
@@ -121,7 +121,7 @@ void check_state(const PartialState& state) {
   expect(!is_empty || (state.counts == PartialCounts{} && state.cover.quadrants().empty() && state.shared.empty() &&
                        state.open.empty() && state.chains.empty() && state.pinches.empty() && state.held.empty() &&
                        state.polygons.empty()),
-         "nothing of no region");
+         "an empty state without regions");
   check_cover(state.cover);
   check_shared(state);
   check_open(state);

@@ -11,17 +11,17 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Weights along a vertical line, and the extremes of their sums from below.
+/// Weights along a vertical line, and the extremes of their partial sums from below.
 class Heights {
  public:
   explicit Heights(std::span<const Quadrant> quadrants) {
     for (const Quadrant& quadrant : quadrants) y_.push_back(quadrant.at.y);
-    y_.push_back(-unbounded);  // what lies below every corner is not covered
+    y_.push_back(-unbounded);  // the part below every corner is not covered
     std::sort(y_.begin(), y_.end());
     y_.erase(std::unique(y_.begin(), y_.end()), y_.end());
     leaves_ = std::bit_ceil(y_.size());
     nodes_.resize(2 * leaves_);
-    // Places behind the last are covered as the last is.
+    // Places behind the last one are covered as the last is.
   }
 
   void add(double y, int weight) {
@@ -37,7 +37,7 @@ class Heights {
   int least() const { return nodes_[1].least; }
   int most() const { return nodes_[1].most; }
 
-  /// The lowest place with a sum for which `is_meant`, which there is.
+  /// Returns the lowest place with a sum that `is_meant`. Requires: there is one.
   template <typename IsMeant>
   double find(IsMeant is_meant) const {
     int sum = 0;
@@ -48,7 +48,7 @@ class Heights {
 
  private:
   struct Node {
-    int sum = 0, least = 0, most = 0;  // over all its leaves; sums begin with the first of them
+    int sum = 0, least = 0, most = 0;  // over all its leaves; partial sums begin with the first of them
   };
   std::size_t place(double y) const {
     return static_cast<std::size_t>(std::lower_bound(y_.begin(), y_.end(), y) - y_.begin());
@@ -59,7 +59,8 @@ class Heights {
   std::vector<Node> nodes_;
 };
 
-/// Moves a vertical line to the right, and gives where `is_wrong(least, most)` is so first, as found by `is_meant`.
+/// Moves a vertical line to the right, and returns the first place where `is_wrong(least, most)`, as found by
+/// `is_meant`.
 template <typename IsWrong, typename IsMeant>
 std::optional<Point> sweep(std::span<const Quadrant> quadrants, IsWrong is_wrong, IsMeant is_meant) {
   Heights heights(quadrants);

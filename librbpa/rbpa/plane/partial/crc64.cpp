@@ -8,7 +8,7 @@ namespace {
 
 using Table = std::array<std::uint64_t, 256>;
 
-/// tables[k][b]: what a byte b does when k more bytes follow.
+/// Returns tables whose entry [k][b] is the effect of byte b when k more bytes follow.
 std::array<Table, 8> make_tables() {
   std::array<Table, 8> tables{};
   for (std::uint64_t byte = 0; byte < 256; ++byte) {

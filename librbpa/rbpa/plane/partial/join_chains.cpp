@@ -22,7 +22,7 @@ struct End {
   std::uint32_t chain;
 };
 
-/// The chains by one of their ends.
+/// Returns the chains sorted by one of their ends.
 std::vector<End> sorted_by(const std::vector<Chain>& chains, Edge (*edge_of)(const Chain&)) {
   std::vector<End> ends;
   ends.reserve(chains.size());
@@ -37,7 +37,7 @@ std::vector<End> sorted_by(const std::vector<Chain>& chains, Edge (*edge_of)(con
   return ends;
 }
 
-/// For each chain the one that goes on where it ends.
+/// Returns for each chain the one that continues where it ends.
 std::vector<std::uint32_t> followers(const std::vector<Chain>& chains) {
   std::vector<std::uint32_t> next(chains.size(), no_index);
   const std::vector<End> firsts = sorted_by(chains, first_edge), lasts = sorted_by(chains, last_edge);
@@ -57,7 +57,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   for (const std::uint32_t c : next)
     if (c != no_index) follows[c] = true;
 
-  // Both ends of two chains that meet are the same edge, which stays once.
+  // Where two chains meet, both have the same edge, which is kept once.
   const auto follow = [&](std::uint32_t from) {
     Chain chain = std::move(chains[from]);
     done[from] = true;
@@ -74,7 +74,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   for (std::uint32_t c = 0; c < chains.size(); ++c) {
     if (done[c]) continue;
     Chain curve = follow(c);
-    curve.path.resize(curve.path.size() - 2);  // they are the first two
+    curve.path.resize(curve.path.size() - 2);  // they repeat the first two points
     closed(std::move(curve));
   }
   return open;

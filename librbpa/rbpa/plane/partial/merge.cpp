@@ -37,7 +37,7 @@ void append(std::vector<Item>& to, std::vector<Item>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// All numbers of `b` behind those of `a`, where open components come first and then held polygons.
+/// Renumbers `b` behind the numbers of `a`; open components come first and then held polygons.
 void number_behind(PartialState& a, PartialState& b) {
   const auto of_a = static_cast<std::uint32_t>(a.open.size()), of_b = static_cast<std::uint32_t>(b.open.size());
   const auto held_a = static_cast<std::uint32_t>(a.held.size());
@@ -48,17 +48,17 @@ void number_behind(PartialState& a, PartialState& b) {
     for (std::uint32_t& m : pinch.members) m += m < of_b ? of_a : of_a + held_a;
   for (SharedTriangle& triangle : b.shared) triangle.component += of_a;
   for (Chain& chain : b.chains) chain.component += of_a;
-  for (OpenComponent& component : b.open) component.group += of_a;  // there are no more groups than components
+  for (OpenComponent& component : b.open) component.group += of_a;  // there are at most as many groups as components
 }
 
-/// Lists that are not looked at yet, one behind the other.
+/// Appends the lists that are not processed yet.
 void append_all(PartialState& a, PartialState&& b) {
   a.counts = a.counts + b.counts;
   append(a.open, std::move(b.open));
   append(a.chains, std::move(b.chains));
   append(a.pinches, std::move(b.pinches));
   append(a.held, std::move(b.held));
-  // The larger list stays where it is.
+  // The larger list is not moved.
   if (a.polygons.size() < b.polygons.size()) std::swap(a.polygons, b.polygons);
   append(a.polygons, std::move(b.polygons));
 }
@@ -89,7 +89,7 @@ std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, c
   return merged;
 }
 
-/// Moves what `from` has to `to`.
+/// Moves the contents of `from` to `to`.
 void absorb(OpenComponent& to, OpenComponent&& from) {
   to.points += from.points;
   to.least = std::min(to.least, from.least);
@@ -98,7 +98,7 @@ void absorb(OpenComponent& to, OpenComponent&& from) {
   add_taken(to, std::move(from));
 }
 
-/// Makes one of components in the same set. Groups follow.
+/// Unites components in the same set, and their groups.
 void unite_components(PartialState& state, meshops::DisjointSets& components) {
   const auto count = static_cast<std::uint32_t>(state.open.size());
   meshops::DisjointSets groups(count);

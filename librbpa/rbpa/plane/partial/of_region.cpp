@@ -1,4 +1,4 @@
-// partial(): looks at each triangle of a region once, and then at its boundary and rim only.
+// partial(): reads each triangle of a region once, and then its boundary and rim only.
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -17,29 +17,29 @@
 namespace rbpa {
 namespace {
 
-constexpr unsigned all = 7;  // corners are owned
+constexpr unsigned all = 7;  // bits of corners that are owned
 
 using Ask = std::function<void()>;
 
-/// Calls `ask` now and then, which throws to cancel.
+/// Calls `ask` now and then; it throws to cancel.
 void ask_at(std::size_t step, const Ask& ask) {
   if (ask && step % 65536 == 0) ask();
 }
 
-/// What one pass over the triangles finds.
+/// The result of one pass over the triangles.
 struct Pass {
   explicit Pass(const RegionComplex& of)
       : components(of.triangulation().triangles.size()), triangle_at(of.points(), no_index) {}
 
   std::uint64_t triangles = 0;
   std::uint64_t twice_edges = 0;
-  meshops::DisjointSets components;        // of triangles, across sides that have an owned end
-  std::vector<std::uint32_t> triangle_at;  // any, of owned points
+  meshops::DisjointSets components;        // sets of triangles, joined across sides with an owned end
+  std::vector<std::uint32_t> triangle_at;  // any triangle at each owned point
   std::vector<std::uint32_t> shared;       // triangles with owned corners and others
   std::vector<OpenSide> boundary;          // sides that have an owned end
 };
 
-/// A region counts a side that has an owned end: then both of its triangles are here.
+/// Reads the sides of a triangle. A region counts a side that has an owned end: both of its triangles are then here.
 void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
   const auto& corners = of.triangulation().triangles[t];
   const auto& neighbors = of.triangulation().neighbors[t];
@@ -73,7 +73,7 @@ Pass look_at_triangles(const RegionComplex& of, const Ask& ask) {
   return pass;
 }
 
-/// Makes the state of what a pass has found.
+/// A builder of the state from the result of a pass.
 class Builder {
  public:
   Builder(const RegionComplex& of, Pass&& pass, const Ask& ask) : of_(of), pass_(std::move(pass)), ask_(ask) {}
@@ -81,14 +81,14 @@ class Builder {
   PartialState build() {
     number_components();
     add_shared();
-    add_pinches();  // before points
+    add_pinches();  // to be called before the points are added
     add_points();
     add_boundary();
     return std::move(state_);
   }
 
  private:
-  /// Component of a triangle with an owned corner.
+  /// Returns the component of a triangle with an owned corner.
   std::uint32_t component(std::uint32_t t) const { return number_[t]; }
 
   void number_components() {
@@ -115,7 +115,7 @@ class Builder {
     }
   }
 
-  /// Owned points at which several fans begin. There components touch, or one touches itself.
+  /// Adds the owned points at which several fans begin, where components touch, or one touches itself.
   void add_pinches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // point, component
     for (const OpenSide& side : pass_.boundary) {
@@ -156,7 +156,7 @@ class Builder {
     counts.edges = pass_.twice_edges / 2;
   }
 
-  /// A duplicate counts in the component of the point that it repeats, if there is one.
+  /// Adds a duplicate to the component of the point that it repeats, if there is one.
   void add_duplicate(std::uint32_t of) {
     ++state_.counts.duplicates;
     if (const std::uint32_t t = pass_.triangle_at[of]; t != no_index) {
@@ -177,7 +177,7 @@ class Builder {
       Chain& chain = state_.chains.emplace_back(Chain{c, walk.path_from(side)});
       for (const Corner& corner : chain.path) state_.open[c].least = std::min(state_.open[c].least, corner.at);
     }
-    // What begins in an owned point and is in no chain is on closed curves.
+    // Sides that begin at an owned point and are in no chain are on closed curves.
     for (const OpenSide& side : pass_.boundary) {
       ask_at(++steps, ask_);
       if (!walk.is_new(side)) continue;
@@ -189,7 +189,7 @@ class Builder {
   const RegionComplex& of_;
   Pass pass_;
   const Ask& ask_;
-  meshops::FreshVector<std::uint32_t> number_;  // for each triangle's component
+  meshops::FreshVector<std::uint32_t> number_;  // new numbers of components
   std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
   PartialState state_;
 };

@@ -50,7 +50,7 @@ std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners) {
   std::vector<TakenHoles> taken;
   std::uint32_t next = 0;
   for (const SharedTriangle& triangle : state.shared) {
-    if (triangle.component != next) continue;  // they are numbered by their first
+    if (triangle.component != next) continue;  // components are numbered by their first triangle
     std::vector<CornerRing> holes = holes_out_of(state.open[next++], triangle.corners, min_corners);
     if (!holes.empty()) taken.push_back({.component = triangle.corners, .holes = std::move(holes)});
   }

@@ -24,7 +24,7 @@ std::uint64_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
   return value;
 }
 
-/// Before anything is believed: the size and the checksum.
+/// Checks the size and the checksum before anything else.
 void check_frame(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t header = 3 * word;
   if (bytes.size() < header || word_at(bytes, 0) != partial_format::magic)
@@ -33,9 +33,9 @@ void check_frame(std::span<const std::uint8_t> bytes) {
     refuse("version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
   if (const std::uint64_t size = word_at(bytes, 2 * word); size != bytes.size())
     refuse(std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) + ", as its header says");
-  if (bytes.size() % word != 0 || bytes.size() < header + word) refuse("its size is not that of whole words");
+  if (bytes.size() % word != 0 || bytes.size() < header + word) refuse("its size is not a multiple of 8 bytes");
   const std::size_t end = bytes.size() - word;
-  if (crc64(bytes.first(end)) != word_at(bytes, end)) refuse("the checksum is another, the bytes were changed");
+  if (crc64(bytes.first(end)) != word_at(bytes, end)) refuse("the checksum differs: the bytes were changed");
 }
 
 /// Reads words one by one, and never beyond the end.
@@ -44,7 +44,7 @@ class Reader {
   Reader(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
 
   std::uint64_t number() {
-    if (left() == 0) refuse("it ends in the middle, at byte " + std::to_string(at_));
+    if (left() == 0) refuse("it ends early, at byte " + std::to_string(at_));
     const std::uint64_t value = word_at(bytes_, at_);
     at_ += word;
     return value;
@@ -55,7 +55,7 @@ class Reader {
     return static_cast<std::uint32_t>(value);
   }
   double real() { return std::bit_cast<double>(number()); }
-  /// Of items of so many words at least: more than fit are not believed.
+  /// Reads the number of items of at least `words` words each; refuses more than fit into the rest.
   std::size_t count(const char* what, std::size_t words) {
     const std::uint64_t value = number();
     if (value > left() / words) wrong(what, value);
@@ -79,7 +79,7 @@ class Reader {
       for (std::uint64_t& corner : name) corner = number();
     return names;
   }
-  /// No sum is so large that its last digit has more than the sign.
+  /// Reads a sum. No sum is so large that its last digit holds more than the sign.
   ExactSum sum() {
     ExactSum::Digits digits;
     for (std::int64_t& digit : digits) {
@@ -113,13 +113,13 @@ class Reader {
     return polygon;
   }
   void end() const {
-    if (left() != 0) refuse(std::to_string(left()) + " words behind its end");
+    if (left() != 0) refuse(std::to_string(left()) + " words after its end");
   }
 
  private:
   [[noreturn]] void wrong(const char* what, std::uint64_t value) const {
     refuse(std::to_string(value) + " " + what + " at byte " + std::to_string(at_ - word) +
-           ", expected no more than fit");
+           ", expected at most as many as fit");
   }
   std::size_t left() const { return (bytes_.size() - at_) / word; }
 

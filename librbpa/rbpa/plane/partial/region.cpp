@@ -32,14 +32,14 @@ std::string text(const Region& region) {
 Region halo(const Region& region, double alpha) {
   check_finite(alpha);
   check(region);
-  // The next double below a rounded difference is below the real one. The box is half-open, and the one above the sum
-  // keeps what lies on the border.
+  // The next double below a rounded difference is below the real one. The box is half-open, so the next double above
+  // the rounded sum includes points on the border.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double reach = 2 * alpha;
   const auto below = [&](double bound) { return std::nextafter(bound - reach, -infinity); };
   const auto above = [&](double bound) { return std::nextafter(bound + reach, infinity); };
   Region wide{below(region.x0), below(region.y0), above(region.x1), above(region.y1)};
-  // An infinite reach from an infinite bound is no number.
+  // An infinite reach from an infinite bound is NaN.
   if (std::isinf(reach)) wide = Region{};
   // Half-open boxes do not reach the largest double itself.
   return wide;

@@ -30,7 +30,7 @@ void add_edges(BoundaryMeasure& boundary, const CornerRing& ring) {
   for (const Corner& to : ring) boundary.add_edge(std::exchange(from, &to)->at, to.at);
 }
 
-/// A ring cannot go straight on in its least point.
+/// Returns whether a ring is a shell. A ring always turns at its least point.
 bool is_shell(const CornerRing& ring) {
   return Predicates<long double>::orientation(ring.back().at, ring[0].at, ring[1].at) > 0;
 }
@@ -45,7 +45,7 @@ void add_curve(OpenComponent& component, std::vector<Corner>&& curve) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() == curve.size()) return add_ring(component, std::move(curve));
 
-  // Points by their place among those of the curve.
+  // Numbers points by their position among those of the curve.
   std::vector<std::uint32_t> numbers;
   std::vector<const Corner*> corners(points.size());
   for (const Corner& corner : curve) {

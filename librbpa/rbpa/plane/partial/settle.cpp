@@ -13,9 +13,9 @@
 namespace rbpa {
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;  // new ones, by old ones
+using Numbers = std::vector<std::uint32_t>;  // new numbers by old ones
 
-/// Numbers open components by their first shared triangle, and moves them there. Others have no new number.
+/// Numbers open components by their first shared triangle, and moves them there. Other components get no number.
 Numbers number_components(PartialState& state, std::vector<OpenComponent>& finished, Numbers& old_of_finished) {
   Numbers number(state.open.size(), no_index);
   std::vector<OpenComponent> open;
@@ -36,7 +36,7 @@ Numbers number_components(PartialState& state, std::vector<OpenComponent>& finis
   return number;
 }
 
-/// Numbers groups by their first open component, and counts those that have none.
+/// Numbers groups by their first open component, and counts those without one.
 void number_groups(PartialState& state, const std::vector<OpenComponent>& finished) {
   std::uint32_t bound = 0;
   for (const auto* components : {&std::as_const(state.open), &finished})
@@ -51,7 +51,7 @@ void number_groups(PartialState& state, const std::vector<OpenComponent>& finish
   for (const OpenComponent& component : finished) {
     std::uint32_t& n = number[component.group];
     if (n != no_index) continue;
-    n = groups;  // counted once; it is no more
+    n = groups;  // counted once, and removed
     ++state.counts.components;
   }
 }
@@ -68,7 +68,7 @@ void number_chains(PartialState& state, const Numbers& number) {
             [&](const Chain& a, const Chain& b) { return edge(a) < edge(b); });
 }
 
-/// Removes members that cannot come first: of finished polygons all but the first, and this one as well where an open
+/// Removes members that cannot come first: all finished polygons but the first, and this one as well if an open
 /// component already has a lesser point. An open component may still turn out to begin anywhere.
 void drop_losers(Pinch& pinch, const PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
@@ -84,7 +84,7 @@ void drop_losers(Pinch& pinch, const PartialState& state) {
   std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
 }
 
-/// Decides pinches that can be decided, and brings those with the same members together.
+/// Decides pinches that can be decided, and unites those with the same members.
 void settle_pinches(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<Pinch> undecided;
@@ -108,7 +108,7 @@ void settle_pinches(PartialState& state) {
   }
 }
 
-/// Held polygons that no pinch waits for are finished; the others are sorted.
+/// Moves held polygons for which no pinch waits to the finished ones; sorts the others.
 void release_held(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<bool> waits(state.held.size(), false);

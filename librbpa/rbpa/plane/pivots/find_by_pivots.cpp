@@ -12,7 +12,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/plane/pivots/find_by_pivots.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Included last: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/plane/pivots/apex_search-inl.h"
@@ -37,7 +37,7 @@ class TileFront {
         circumradius_(own.circumradius),
         apexes_(tile, workspace.coordinates) {}
 
-  /// False where it has given up.
+  /// Runs the front. Returns false if it has given up.
   bool run() {
     front_.begin(tile_.points.size());
     if (const std::size_t triangles = 2 * tile_.points.size() + 2; circumradius_.size() < triangles) {
@@ -54,7 +54,7 @@ class TileFront {
   }
 
  private:
-  /// A triangle at a point that has none: the edge to the nearest point is Delaunay.
+  /// Adds a triangle at a point that has none: the edge to the nearest point is Delaunay.
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
@@ -66,15 +66,15 @@ class TileFront {
       front_.create(q, v, right, note);
   }
 
-  /// Long searches are few where points are scattered. Where they are not, along curves and in crowds, the remainder needs
-  /// less time, and what is not decided yet is left to it.
+  /// Returns whether the front has given up. Long searches are few where points are scattered. Elsewhere, along curves
+  /// and in clusters, the remainder needs less time, and undecided points are left to it.
   bool has_given_up() const {
-    constexpr std::size_t max_work = 200;                          // measured: points looked at for a triangle
+    constexpr std::size_t max_work = 200;                          // measured: points read for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first
     return apexes_.work() > max_work * (front_.triangles() + in_advance);
   }
 
-  /// The nearest point, where the tile's points determine it.
+  /// Returns the nearest point, if the tile's points determine it.
   Index nearest(Index v) const {
     constexpr float farthest = 2, slack = 0x1p-18f;
     const float x = at_.x[v], y = at_.y[v];
@@ -99,7 +99,7 @@ class TileFront {
     return Predicates<double>::compare_distances(tile_.points[v], tile_.points[p], tile_.points[q]) < 0;
   }
 
-  /// Only what ends at a point of the tile is its business.
+  /// Queues a side. Only a side that ends at an owned point concerns the tile.
   void activate(Index side, bool on_front) {
     queue_[queued_] = side;
     const auto owned = static_cast<unsigned>(tile_.owned[front_.from(side)] | tile_.owned[front_.to(side)]);
@@ -110,7 +110,7 @@ class TileFront {
     while (queued_ != 0 && !has_given_up()) {
       wave_.swap(queue_);
       const std::size_t length = std::exchange(queued_, 0);
-      // With a stride: neighbors on the front often lead to the same triangle.
+      // A stride is used, as neighbors on the front often lead to the same triangle.
       const std::size_t stride = (length + EdgeBatch::size - 1) / EdgeBatch::size;
       std::size_t size = 0;
       EdgeBatch& edges = apexes_.edges();
@@ -133,7 +133,7 @@ class TileFront {
     }
   }
 
-  /// What lies across the sides of a batch.
+  /// Attaches triangles across the sides of a batch.
   void attach(const Index* side, std::size_t size) {
     if (size == 0) return;
     apexes_.run(size);
@@ -151,7 +151,7 @@ class TileFront {
   LocalFront& front_;
   std::vector<Index>&queue_, &wave_;
   std::size_t queued_ = 0;
-  std::vector<float>& circumradius_;  // for each triangle, that of its circle
+  std::vector<float>& circumradius_;  // for each triangle, the radius of its circle
   ApexSearch apexes_;
 };
 
@@ -171,14 +171,17 @@ namespace {
 
 HWY_EXPORT(advance_on);
 
-/// The points fill a few cells, about as many points in each, most of which have few neighbors that are not empty.
+/// Returns whether points lie along curves: they fill a few cells, about as many in each, most of which have few
+/// neighbors that are not empty.
 bool is_along_curves(const Tile& tile) {
-  constexpr double max_per_cell = 4;      // scattered evenly, 2.3 of those that have any
+  constexpr double max_per_cell = 4;      // evenly scattered points have 2.3 per cell that is not empty
   constexpr double min_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
-  constexpr double max_occupancy = 2.5;   // of a point, as a multiple of the mean of cells; more in spots
+  // occupancy seen by a point, as a multiple of the mean over cells; higher in clusters
+  constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbours = 0, squares = 0;
-  // Without a branch, as all would be unpredictable. What follows a row's last cell is not its neighbor, but not far either.
+  // No branches, as all would be unpredictable. The cell after a row's last one is not its neighbor, but not far
+  // either.
   const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
   for (std::size_t c = 0; c + columns < cells; ++c) {
     const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);

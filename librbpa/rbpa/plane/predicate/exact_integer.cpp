@@ -14,7 +14,7 @@ struct Vector {
 Integer dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 Integer cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
 
-/// Turns points, and a length, into integers.
+/// A converter of points, and a length, to integers.
 class Scale {
  public:
   Scale(std::initializer_list<Point> points, double length = 0) {

@@ -8,10 +8,10 @@ namespace rbpa {
 namespace {
 
 constexpr int width = largest_in_double - least_in_double;
-// Exponents of doubles, from the last bit of the least to behind the first of the greatest.
+// The exponents of doubles, from the last bit of the least to one above the first bit of the greatest.
 constexpr int least_bit = -1074, end_bits = 1024;
 
-/// The least exponent of the window that has the most points.
+/// Returns the least exponent of the window that has the most points.
 int best_window(std::span<const Point> points, std::uint32_t& most) {
   std::array<std::int64_t, end_bits - least_bit + width + 2>
       more{};  // for each first exponent, how many more than before
@@ -63,7 +63,7 @@ Window window_of(std::span<const Point> points) {
       if (!is_worth_it || !is_inside) window.beyond.push_back(i);
     }
   }
-  // In the middle, as far as the power of two is a double itself.
+  // Centers the points, as far as the power of two is a double itself.
   window.exponent = std::min(least_in_double + (width - (inside.highest - inside.lowest)) / 2 - inside.lowest, 1000);
   window.bounds = radius_bounds({inside.lowest + window.exponent, inside.highest + window.exponent});
   return window;

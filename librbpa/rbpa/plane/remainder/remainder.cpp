@@ -8,7 +8,7 @@
 namespace rbpa {
 namespace {
 
-/// The same triangle, from its least site on.
+/// Returns the same triangle, from its least site on.
 std::array<meshops::Site, 3> from_least(const std::array<meshops::Site, 3>& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? std::array{t[1], t[2], t[0]} : std::array{t[2], t[0], t[1]};
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> Remainder::not_done() const {
   return sites;
 }
 
-/// In ascending order.
+/// Returns the triangles found without a settled corner, in ascending order.
 std::vector<Remainder::Corners> Remainder::found_without_settled() const {
   std::vector<Corners> found;
   for (const Corners& t : loose_triangles_)
@@ -48,14 +48,14 @@ std::vector<Remainder::Corners> Remainder::found_without_settled() const {
 }
 
 void Remainder::complete(Threads& threads, const std::function<void()>& working, TilePatch& rest) const {
-  // Where all sites fit double they are seen as the grid has them, and else as they were given.
+  // If all sites fit double, the grid's coordinates are used, otherwise those of the input.
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();
   const Radius radius = fits ? sites_.window().scaled(alpha_) : alpha_;
   std::vector<SitePoint> places;
   for (const std::uint32_t s : not_done()) places.push_back({fits ? points[s] : sites_.at(s), s});
 
-  // Of the triangles of these only those without a settled corner are surely Delaunay among all points.
+  // Among the triangles of these sites, only those without a settled corner are surely Delaunay among all points.
   const std::vector<Corners> found = found_without_settled();
   const auto fate = [&](const SitePoint& a, const SitePoint& b, const SitePoint& c) -> int {
     if (!(fits ? radius.admits<double>(a.at, b.at, c.at) : radius.admits<long double>(a.at, b.at, c.at)))
@@ -66,7 +66,7 @@ void Remainder::complete(Threads& threads, const std::function<void()>& working,
     return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
   const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
-  // Without a radius, and where tiles found nothing, all are missing.
+  // If there is no radius and tiles found nothing, all are missing.
   const bool are_all_missing = radius.is_infinite() && found.empty() &&
                                std::none_of(missing_.begin(), missing_.end(), [](int n) { return n == 0; });
   rest.clear();

@@ -18,7 +18,7 @@ struct FirstEdge {
   std::uint32_t from, to, polygon;
 };
 
-/// Looks up the polygon whose shell begins with an edge.
+/// A table that finds the polygon whose shell begins with an edge.
 class PolygonsByEdge {
  public:
   PolygonsByEdge(std::span<const Polygon> polygons, Steps& step) {
@@ -27,7 +27,7 @@ class PolygonsByEdge {
     sort(firsts_, step, less);
   }
 
-  /// none: there is no such polygon.
+  /// Returns the polygon of an edge, or none.
   std::uint32_t of(std::uint32_t from, std::uint32_t to) const {
     const FirstEdge wanted{from, to, 0};
     const auto found = std::lower_bound(firsts_.begin(), firsts_.end(), wanted, less);
@@ -41,7 +41,7 @@ class PolygonsByEdge {
   std::vector<FirstEdge> firsts_ = {};
 };
 
-/// Of each component, at its least triangle, the polygon that it is, or none.
+/// Returns for each component, at its least triangle, its polygon, or none.
 std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, const PolygonsByEdge& polygons,
                                                  meshops::DisjointSets& components, Steps& step) {
   std::vector<std::uint32_t> polygon(complex.triangles.size(), no_index);
@@ -56,12 +56,12 @@ std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, 
   return polygon;
 }
 
-/// A corner is in this polygon; of several in the first.
+/// Records that a corner is in this polygon; the first of several counts.
 void put(Number& of_point, std::uint32_t polygon) {
   if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }
 
-/// What is in no polygon so far may be in a hole that was filled, or repeat another.
+/// Completes points that are in no polygon so far: they may be in a filled hole, or repeat another point.
 void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
               const PolygonFilter& filter, std::span<const Point> points, Steps& step) {
   if (filter.min_hole_area > 0) {

@@ -10,11 +10,11 @@
 namespace rbpa {
 namespace {
 
-/// A side at a point, which is the lower of its ends.
+/// A side at its lower end.
 struct SideAt {
-  std::uint32_t other;  // end
-  bool comes;           // it runs to the point
-  std::uint8_t across;  // from this corner
+  std::uint32_t other;  // the other end
+  bool comes;           // whether it runs to the point
+  std::uint8_t across;  // the corner across
   std::uint32_t triangle;
 };
 
@@ -23,9 +23,9 @@ struct SideAt {
 std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
                                      const std::function<bool()>& go_on) {
   Steps step(go_on);
-  // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a lowest
-  // corner are together. The third side is across from that corner: a list of triangles for its lower end is linked where
-  // its neighbor will be.
+  // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a
+  // lowest corner are together. The third side is across from that corner: a list of triangles at its lower end is
+  // linked in the place where its neighbor will be.
   std::vector<Triangle> neighbors(triangles.size());
   std::vector<std::uint32_t> first(points, no_index);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

@@ -6,7 +6,7 @@
 namespace rbpa {
 namespace {
 
-/// visit(from, to) for every edge.
+/// Calls visit(from, to) for every edge.
 template <typename Visit>
 void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visit) {
   std::uint32_t from = ring.points.back();
@@ -16,12 +16,13 @@ void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visi
   }
 }
 
-/// Within 3 · 2⁻⁵³ of itself: one rounding for the differences, one for squares and sum under the root, one for the
-/// root. Only what the standard rounds correctly is used, so that the bits are the same everywhere.
+/// Returns the length, with a relative error of at most 3 · 2⁻⁵³: one rounding for the differences, one for squares and
+/// sum under the root, one for the root. Only correctly rounded operations of the standard are used, so the bits are
+/// the same everywhere.
 double length(const Point& a, const Point& b) {
   const double dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
   const double larger = std::max(dx, dy), smaller = std::min(dx, dy);
-  // Where no square overflows, and one that underflows is nothing beside the other, scaling changes no bit.
+  // If no square overflows, and one that underflows is negligible beside the other, scaling changes no bit.
   if (larger > 0x1p-400 && larger < 0x1p400) return std::sqrt(dx * dx + dy * dy);
   if (larger == 0 || std::isinf(larger)) return larger;
   const int exponent = std::ilogb(larger);

@@ -14,8 +14,8 @@ namespace {
 struct Edge : SweptEdge {
   std::uint32_t polygon;
   std::uint32_t ring;  // 0 is the shell, k is hole k − 1
-  bool opens_shell;    // it is the first edge of the shell: the lower of the two at the shell's first point
-  bool solid_above;    // the polygon is on that side
+  bool opens_shell;    // whether it is the first edge of the shell: the lower of the two at the shell's first point
+  bool solid_above;    // whether the polygon is above the edge
 };
 
 std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Point> points, Steps& step) {
@@ -26,7 +26,7 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const Point& a = points[ring.points[i]];
         const Point& b = points[ring.points[i + 1 == ring.points.size() ? 0 : i + 1]];
-        if (a == b) continue;  // a point that is repeated, as rings of others may have it
+        if (a == b) continue;  // a repeated point, as rings of others may have it
         edges.push_back({{std::min(a, b), std::max(a, b)}, p, number, number == 0 && i == 0, a < b});
       }
     };
@@ -36,7 +36,7 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
   return edges;
 }
 
-/// A vertical line that moves to the right, and the edges that it crosses, from below.
+/// A vertical line that moves to the right, and the edges that it crosses, from bottom to top.
 class Sweep {
  public:
   using Edges = std::set<const Edge*, Below>;
@@ -50,13 +50,13 @@ class Sweep {
     end_ = ends_.begin();
   }
 
-  /// Where the next edges begin; absent behind the last.
+  /// Returns the place where the next edges begin; absent behind the last.
   std::optional<Point> next_start() const {
     if (start_ == starts_.end()) return std::nullopt;
     return (*start_)->low;
   }
 
-  /// Edges that end at `at` or before go, those that begin there come. Returns the latter.
+  /// Removes edges that end at `at` or before, and inserts those that begin there. Returns the latter.
   std::span<const Edge* const> move_to_start(const Point& at) {
     step_();
     move_past_ends(at);
@@ -79,12 +79,12 @@ class Sweep {
   Steps& step_;
   const Edge* first_;
   std::vector<const Edge*> starts_, ends_;
-  std::vector<const Edge*>::const_iterator start_, end_;  // the next ones
+  std::vector<const Edge*>::const_iterator start_, end_;  // the next edges
   Edges crossed_;
   std::vector<Edges::iterator> place_;
 };
 
-/// For each polygon the edge next below the first point of its shell.
+/// Returns for each polygon the edge next below the first point of its shell.
 std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges, Steps& step) {
   std::vector<const Edge*> below(polygons, nullptr);
   Sweep sweep(edges, step);
@@ -107,7 +107,7 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
-    // Over a shell lies what lies beside it: go down until a hole, the ground, or a polygon whose nesting is determined.
+    // Above a shell is the same as beside it: go down until a hole, the ground, or a polygon whose nesting is known.
     std::size_t at = p;
     for (; !known[at]; at = below[at]->polygon) {
       waiting.push_back(at);
@@ -142,7 +142,7 @@ std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygo
     sweep.move_past_ends(at);
     const auto above = sweep.crossed().lower_bound(at);
     if (above == sweep.crossed().begin()) continue;
-    // Between it and the point there is no other edge.
+    // There is no other edge between this edge and the point.
     const Edge* below = *std::prev(above);
     if (below->solid_above) around[q] = below->polygon;
   }

@@ -18,7 +18,7 @@
 namespace rbpa {
 namespace {
 
-/// Rings and polygons in lexicographic order of their first two points: an edge is on one ring, and so no two compare
+/// The lexicographic order of rings and polygons by their first two points: an edge is on one ring, so no two compare
 /// equal.
 class Order {
  public:
@@ -31,7 +31,7 @@ class Order {
     const auto less = [&](std::uint32_t p, std::uint32_t q) { return points_[p] < points_[q]; };
     std::rotate(ring.points.begin(), std::min_element(ring.points.begin(), ring.points.end(), less), ring.points.end());
   }
-  /// Of a ring that begins with its least point, where it cannot go straight on.
+  /// Returns whether a ring that begins with its least point, at which it always turns, is counter-clockwise.
   bool is_counter_clockwise(const Ring& ring) const {
     return Predicates<long double>::orientation(points_[ring.points.back()], points_[ring.points[0]],
                                                 points_[ring.points[1]]) > 0;
@@ -43,13 +43,13 @@ class Order {
   std::span<const Point> points_;
 };
 
-/// Brings the rings of a component together.
+/// The rings of each component.
 class RingsByComponent {
  public:
-  /// For components that are named by numbers below `names`.
+  /// Prepares for components with names below `names`.
   RingsByComponent(std::size_t points, std::size_t names) : splitter_(points), number_(names, 0) {}
 
-  /// A boundary curve with the complex on its left.
+  /// Adds a boundary curve with the complex on its left.
   void add(std::span<const std::uint32_t> curve, std::uint32_t component) {
     std::uint32_t& number = number_[component];
     if (number == 0) {
@@ -62,7 +62,7 @@ class RingsByComponent {
 
  private:
   CurveSplitter splitter_;
-  std::vector<std::uint32_t> number_;  // for each name, from 1
+  std::vector<std::uint32_t> number_;  // the number of each name, from 1
   std::vector<std::vector<Ring>> rings_;
 };
 
@@ -84,7 +84,8 @@ std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex,
   return rings.take();
 }
 
-/// One of the rings runs counter-clockwise. It has the least point of all, perhaps with holes that touch it there.
+/// Returns the polygon of rings. One of them is counter-clockwise. It has the least point of all, perhaps with holes
+/// that touch it there.
 Polygon polygon_of(std::vector<Ring> rings, const Order& order, Steps& step) {
   for (Ring& ring : rings) {
     step(ring.points.size());

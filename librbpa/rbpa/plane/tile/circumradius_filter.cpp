@@ -6,7 +6,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/plane/tile/circumradius_filter.cpp"
 #include <hwy/foreach_target.h>
-// After it: what follows is compiled once for each kind of vector unit.
+// Included last: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
 #include "rbpa/plane/tile/circumradius_filter-inl.h"
@@ -25,7 +25,7 @@ void filter_on(const TileCoordinates& at, const LocalFront& front, double alpha,
   const hn::Rebind<LocalFront::Index, D> dn;
   using V = hn::Vec<D>;
 
-  constexpr double max_factor = 0x1p30;  // a larger one excludes nothing either
+  constexpr double max_factor = 0x1p30;  // a larger factor excludes nothing either
   const double scaled = alpha * at.scale, exact_factor = 4 * scaled * scaled;
   const bool is_exact = exact_factor < max_factor;
   const V factor = hn::Set(d, static_cast<float>(std::min(exact_factor, max_factor)));
@@ -36,7 +36,7 @@ void filter_on(const TileCoordinates& at, const LocalFront& front, double alpha,
     hn::Vec<decltype(dn)> a, b, c, again;
     hn::LoadInterleaved4(dn, front.corners() + 4 * t, a, b, c, again);
     const auto coordinates = [&](auto corner, V& x, V& y) {
-      const auto i = hn::Min(hn::PromoteTo(di, corner), last);  // there may be anything behind the last triangle
+      const auto i = hn::Min(hn::PromoteTo(di, corner), last);  // entries behind the last triangle are undefined
       x = hn::GatherIndex(d, at.x.data(), i);
       y = hn::GatherIndex(d, at.y.data(), i);
     };

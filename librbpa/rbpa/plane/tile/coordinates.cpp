@@ -7,7 +7,7 @@
 namespace rbpa {
 namespace {
 
-/// a − b is a double.
+/// Returns whether a − b is a double.
 bool is_exact_difference(double a, double b) {
   const double difference = a - b, b_seen = a - difference, a_seen = difference + b_seen;
   return a - a_seen == 0 && b_seen - b == 0;

@@ -10,9 +10,9 @@ namespace {
 using Level = PointGrid::Level;
 
 constexpr double points_per_cell = 2;
-constexpr double max_contrast = 3;         // of density between the halves of a block
-constexpr std::uint32_t min_points = 256;  // a block of so few is not divided for it
-constexpr double margin = 2;               // cells around a block: about three times the distance of neighbors
+constexpr double max_contrast = 3;         // maximum ratio of densities of the halves of a block
+constexpr std::uint32_t min_points = 256;  // a smaller block is not divided for its density
+constexpr double margin = 2;               // width of the halo in cells: about three times the distance of neighbors
 
 /// Calls visit(first, last) for the cells of a block in each row.
 template <typename Visit>
@@ -60,16 +60,16 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
   return {first, second};
 }
 
-/// Points a cell.
+/// Returns the points per cell.
 double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
 
-/// The same density in both, about: cells of one size are to suit all of a block.
+/// Returns whether both blocks have about the same density, so that cells of one size suit the whole block.
 bool is_uniform(const Block& a, const Block& b) {
   return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
 
-/// The mean over points of how many share a cell: one more than their density where it is the same everywhere, far more
-/// where a few cells have most of the points.
+/// Returns the mean over points of the number of points in the same cell: one more than their density if it is uniform,
+/// far more if a few cells have most of the points.
 double mean_occupancy(const Level& level, const Block& block) {
   std::uint64_t squares = 0;
   const auto square = [&](std::uint32_t cell) {
@@ -112,10 +112,11 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points) {
   return found;
 }
 
+/// Cuts a tile:
 /// 1. lay cells over the block and the halo around it, of a size that suits the density;
 /// 2. gather the points of the block, which the tile owns, then the ghosts around it;
 /// 3. gather ghosts of other levels, where the halo leaves the box of the block's level;
-/// 4. mark the cells in which points were left out, or hidden ones lie: what is there is not known;
+/// 4. mark as unknown the cells in which points were left out, or hidden points lie;
 /// 5. sort the points into the cells, by counting.
 void Cutter::cut(const Block& block, Tile& tile) {
   const Level& level = grid_.levels()[block.level];
@@ -128,10 +129,11 @@ void Cutter::cut(const Block& block, Tile& tile) {
   sort_into_cells(tile);
 }
 
-/// Cells that suit the block: the level's are right on average only.
+/// Lays cells that suit the block: those of the level are right on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  // Where density varies, most points lie where it is above the mean. Rows of points look the same, but to a lesser degree.
+  // If density varies, most points lie where it is above the mean. Rows of points look the same, but to a lesser
+  // degree.
   const double mean = density(block), seen = mean_occupancy(level, block) - 1;
   const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
   const double ratio = std::sqrt(points_per_cell / mean) / finer;
@@ -164,7 +166,8 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
   });
   owned_ = all_;
 
-  // Around the block, and the grids in it: a dense cell would cost more time than the triangles along its edge.
+  // This applies around the block, and around the grids in it: a dense cell would cost more time than the triangles
+  // along its edge.
   const std::uint32_t dense =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
   const std::size_t max_all = max_points_around(owned_);
@@ -207,7 +210,7 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
   }
 }
 
-/// Points of other levels, outside the level's box.
+/// Gathers points of other levels, outside the level's box.
 void Cutter::gather_beyond(const Level& level, const Tile& tile) {
   const std::uint32_t first_inside = level.start.front(), last_inside = level.start.back();
   const std::size_t max_all = max_points_around(owned_);
@@ -218,7 +221,7 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
       forget(tile, p.x, p.x, p.y, p.y);
     }
   };
-  // A range may begin or end inside.
+  // A range may begin or end inside the box.
   grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}}, [&](std::uint32_t first, std::uint32_t last) {
     if (first < first_inside) take(first, std::min(last, first_inside));
     if (last > last_inside) take(std::max(first, last_inside), last);
@@ -245,7 +248,7 @@ void Cutter::forget(const Tile& tile, double x_low, double x_high, double y_low,
   any_unknown_ = true;
 }
 
-/// Points beyond the tile's box are left out.
+/// Sorts the points into cells; points beyond the tile's box are left out.
 void Cutter::sort_into_cells(Tile& tile) {
   const std::size_t cells = tile.cells();
   const auto points = grid_.points();
@@ -260,7 +263,7 @@ void Cutter::sort_into_cells(Tile& tile) {
       const auto c = static_cast<std::uint32_t>(std::clamp((p.x - x0) * per_cell, 0.0, last_column));
       const auto r = static_cast<std::uint32_t>(std::clamp((p.y - y0) * per_cell, 0.0, last_row));
       const bool is_here = (p.x >= x0) & (p.x <= x1) & (p.y >= y0) & (p.y <= y1);
-      // Those beyond are counted in one cell more, the last.
+      // Points beyond the box are counted in one more cell, the last.
       const std::uint32_t cell = (is_here | (next < owned_)) ? r * columns + c : beyond;
       cell_of_[next++] = cell;
       ++count_[cell];

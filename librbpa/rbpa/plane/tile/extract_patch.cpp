@@ -11,26 +11,26 @@ namespace {
 using meshops::Patch;
 using meshops::Site;
 
-/// Bit 0: the tile has seen the star of a point. Bit 1: moreover, all of it is in the patch.
+/// The status of the star of a point. Bit 0: the tile has seen it. Bit 1: it is also completely in the patch.
 enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
 constexpr int no_side = -1;
 
-/// A number of a Patch, of a side or of what lies across where none does, in 16 bits.
+/// A number of a Patch, of a side or of what stands across if there is none, in 16 bits.
 using Across = std::uint16_t;
 constexpr Across packed(int across) { return static_cast<Across>(across - Patch::nothing); }
 constexpr int unpacked(Across across) { return across + Patch::nothing; }
 constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::max_points) + 2);
 static_assert(unpacked(packed(max_sides)) == max_sides);
 
-/// Memory that never gets less.
+/// Returns memory of at least this size, which never shrinks.
 template <typename Element>
 Element* room_for(std::vector<Element>& memory, std::size_t max_size) {
   if (memory.size() < max_size) memory.resize(max_size);
   return memory.data();
 }
 
-/// A list without branches: its next entry is always written, and counted if it is one.
+/// A list that is written without branches: its next entry is always written, and counted only if it belongs there.
 template <typename Element>
 class CountedList {
  public:
@@ -48,7 +48,7 @@ class CountedList {
   std::size_t size_ = 0;
 };
 
-/// Without a branch.
+/// Selects a or b without a branch.
 template <typename Number>
 Number either(Number a, Number b, bool is_a) {
   return static_cast<Number>(b ^ ((a ^ b) & (0 - std::size_t{is_a})));
@@ -59,12 +59,13 @@ class PatchExtraction {
   PatchExtraction(const Tile& tile, const LocalFront& front, ExtractionWorkspace& workspace, TilePatch& result)
       : tile_(tile), front_(front), workspace_(workspace), result_(result) {}
 
+  /// Extracts the patch:
   /// 1. mark the triangles that the tile owns;
   /// 2. filter by circumradius, and number the sides of those that the patch keeps;
-  /// 3. see which stars are settled;
-  /// 4. write what lies across of each side, and list what is marginal;
+  /// 3. find the settled stars;
+  /// 4. write the entry across each side, and list marginal triangles;
   /// 5. if wanted, order the outline;
-  /// 6. list what is around stars that are not settled, for the remainder.
+  /// 6. list the surroundings of stars that are not settled, for the remainder.
   void run(const TileCoordinates& coordinates, const Radius& radius) {
     find_owned();
     if (radius.is_infinite()) {
@@ -94,8 +95,8 @@ class PatchExtraction {
     return (a.x < b.x) | ((a.x == b.x) & (a.y < b.y));
   }
 
-  /// The tile owns triangles whose least corner is its own. Of few, the corners must be compared: these come by
-  /// themselves, as branches among the others would be unpredictable.
+  /// Marks the triangles whose least corner the tile owns. Only a few need a comparison of corners; they are processed
+  /// separately, as branches among the others would be unpredictable.
   void find_owned() {
     const std::size_t triangles = front_.triangles();
     std::uint16_t* const owned = room_for(workspace_.owned, triangles);
@@ -114,7 +115,7 @@ class PatchExtraction {
     }
   }
 
-  /// Which triangles the patch keeps, and what the side across of each stores.
+  /// Determines the triangles that the patch keeps, and the entry for the side across of each side.
   template <typename IsWithin>
   void number_sides(IsWithin is_within) {
     const std::size_t triangles = front_.triangles();
@@ -145,7 +146,7 @@ class PatchExtraction {
     result_.patch.triangles.resize(count);
   }
 
-  /// Which stars are settled, and which are for other tiles to settle.
+  /// Determines the stars that are settled, and those that other tiles settle.
   void settle_stars() {
     const std::size_t points = tile_.points.size();
     workspace_.elsewhere.assign(points, 0);
@@ -169,8 +170,8 @@ class PatchExtraction {
     result_.shared.assign(shared.begin(), shared.end());
   }
 
-  /// What lies across of sides; which triangles are marginal: something lies at their sides or corners that is not in the
-  /// patch.
+  /// Determines the entries across sides, and the marginal triangles: those at whose sides or corners a triangle lies
+  /// that is not in the patch.
   void connect() {
     const std::size_t points = tile_.points.size();
     result_.patch.across.resize(kept_.size());
@@ -212,8 +213,8 @@ class PatchExtraction {
     result_.outline.inside.assign(inside.begin(), inside.end());
   }
 
-  /// Distinguishes holes from other sides at which nothing of the patch lies. Most often a single one of them ends at a
-  /// site, and if that is a hole, it is the next of the one that begins there.
+  /// Distinguishes holes from other sides without a triangle of the patch. Mostly a single one of them ends at a site,
+  /// and if it is a hole, it is the next hole of the one that begins there.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;
@@ -240,7 +241,7 @@ class PatchExtraction {
     }
   }
 
-  /// A side of the patch as one of the tile's front.
+  /// Returns the side of the tile's front that a side of the patch is.
   std::size_t on_front(int side) const {
     const auto s = static_cast<std::size_t>(side);
     return 4 * std::size_t{kept_[s / 3]} + s % 3;
@@ -250,7 +251,7 @@ class PatchExtraction {
     return result_.patch.across[s / 3][s % 3];
   }
 
-  /// What is around stars that are not settled: for the remainder.
+  /// Lists the surroundings of stars that are not settled, for the remainder.
   void list_unsettled() {
     const std::uint8_t* const star = workspace_.star.data();
     CountedList<TilePatch::Neighbors> neighbors(workspace_.unsettled_neighbors,
@@ -280,7 +281,7 @@ class PatchExtraction {
   const LocalFront& front_;
   ExtractionWorkspace& workspace_;
   TilePatch& result_;
-  // Triangles by their numbers: those of the patch, the others; and which of the first are marginal.
+  // The numbers of triangles: those of the patch, the others, and the marginal ones of the patch.
   std::span<const Index> kept_, others_, marginal_;
 };
 

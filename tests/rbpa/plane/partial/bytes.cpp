@@ -140,7 +140,7 @@ TEST_CASE("a refusal names what is wrong") {
   };
   for (const double alpha : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")})
     CHECK(with(3, alpha).find("a finite radius") != std::string::npos);
-  CHECK(with(3, 0.0).find("nothing of no region") != std::string::npos);
+  CHECK(with(3, 0.0).find("an empty state without regions") != std::string::npos);
 }
 
 TEST_CASE(
