@@ -57,8 +57,11 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Examples:\n  rbpa info points.xy\n  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n\n"
-      "`rbpa help VERB` says more.");
+      "Examples:\n"
+      "  rbpa info points.xy\n"
+      "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
+      "\n"
+      "See `rbpa help VERB` for each verb.");
   MeshArguments mesh;
   ShapeArguments shape;
   StreamArguments stream;

@@ -22,17 +22,17 @@ inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& f
 template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Leave out lines of text, and records of LAS, that are no point, and say how many");
+             "Skip lines of text, and records of LAS, that are no point, and print how many");
   verb.add_option("--where", arguments.where,
-                  "Points that count, by fields of LAS, PLY or PCD or columns of text: \"classification == 6 and z > "
-                  "3\", or of text "
-                  "\"group in ('A', 'B')\"")
+                  "Take only points that fulfill a condition on fields of LAS, PLY or PCD, or on columns of text: "
+                  "\"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"")
       ->type_name("CONDITION");
 }
 
 inline void add_waters_option(CLI::App& verb, bool& waters) {
   add_switch(verb, "--waters", waters,
-             "Count the atoms of water in a molecule's file, which are left out unless --where asks for resname");
+             "Take the atoms of water in a molecule's file as well; by default they are left out unless "
+             "--where uses resname");
 }
 
 inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
@@ -40,34 +40,34 @@ inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
 }
 
 inline void add_width_option(CLI::App& verb, std::string& width) {
-  verb.add_option("--width", width, "Width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
+  verb.add_option("--width", width, "Set the width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
 }
 
 template <typename Arguments>
 void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--format", arguments.format,
-                  "Format of POINTS, where its ending does not say: " + std::string(point_formats) +
+                  "Set the format of POINTS, if its ending does not tell: " + std::string(point_formats) +
                       (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
       ->type_name("NAME");
   verb.add_option("--columns", arguments.columns,
-                  "Columns of text that are x and y, or the one of geometries: numbers from 1, or header names; by "
-                  "default as the "
-                  "header says, else 1,2")
+                  "Read x and y, or geometries, from these columns of text: numbers from 1, or names of the header "
+                  "(by default those that the header names, else 1,2)")
       ->type_name("X,Y");
   add_selection_options(verb, arguments);
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
-  verb.add_option("--crs", arguments.crs, "Coordinate reference system of the points, such as EPSG:28992")
+  verb.add_option("--crs", arguments.crs, "Set the coordinate reference system of the points, such as EPSG:28992")
       ->type_name("CRS");
   if (has_gdal())
-    verb.add_option("--layer", arguments.layer, "Layer of a file that GDAL reads, where there are several")
+    verb.add_option("--layer", arguments.layer, "Read this layer of a file that GDAL reads, if there are several")
         ->type_name("NAME");
   add_switch(verb, "--shift-longitude", arguments.shift_longitude,
              "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
   verb.add_option("--foreground", arguments.pixels.foreground,
-                  "Pixels of an image that are points: dark or light; by default what its border mostly is not")
+                  "Take the dark or the light pixels of an image as points (by default those that its border "
+                  "mostly is not)")
       ->type_name("NAME");
   verb.add_option("--threshold", arguments.pixels.threshold,
-                  "Share of white from which on a pixel is light; 0.5 by default")
+                  "Count pixels as light from this share of white on (default 0.5)")
       ->type_name("T");
   add_stats_option(verb, arguments.stats);
 }
@@ -82,7 +82,7 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
 template <typename Arguments>
 void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& what) {
   verb.add_option("POINTS", arguments.inputs,
-                  "File of points, .gz or not, or - for standard input; several of which points are in groups")
+                  "File of points, .gz or not, or - for standard input; several files if points are in groups")
       ->required()
       ->each([&arguments](const std::string& file) {
         if (arguments.points.empty()) arguments.points = file;
@@ -90,34 +90,35 @@ void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& 
   add_format_options(verb, arguments);
   verb.add_option("--group-by", arguments.group_by,
                   what +
-                      " of each group of the points: those with the same text in a column of a table, number in a "
-                      "field of LAS, PLY or PCD, or property of a Feature of GeoJSON")
+                      " for each group of points: those with the same text in a column of a table, number in a field "
+                      "of LAS, PLY or PCD, or property of a Feature of GeoJSON")
       ->type_name("COLUMN");
-  add_switch(verb, "--group-by-file", arguments.group_by_file, what + " of each file of points");
+  add_switch(verb, "--group-by-file", arguments.group_by_file, what + " for each file of points");
 }
 
 inline void add_method_options(CLI::App& verb, MethodArguments& arguments) {
   verb.add_option("--method", arguments.method,
-                  "rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the same")
+                  "Use rbpa, or hrbpa (levels of doubling radii, from the densest points up); the result is the "
+                  "same")
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--leaf-capacity", arguments.leaf_capacity,
-                  "Points that a leaf of the quadtree may hold, from whose smallest leaf hrbpa takes the first radius")
+                  "Put at most K points into a leaf of the quadtree; hrbpa takes its first radius from the "
+                  "smallest leaf")
       ->type_name("K");
 }
 
 inline void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) {
-  verb.add_option(
-          "--cover", cover,
-          "Share of the points that min and auto are to cover, such as 0.99, so that outliers decide nothing; auto "
-          "then leaves out small components as well; 1 by default")
+  verb.add_option("--cover", cover,
+                  "Let min and auto cover only this share of the points, such as 0.99, so that outliers do not "
+                  "decide; auto then leaves out small components as well (default 1)")
       ->type_name("SHARE");
 }
 
 /// Adds the options about `auto` and `min` for verbs without --alpha.
 template <typename Arguments>
 void add_auto_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--components", arguments.components, "How many solid components `auto` may have at most")
+  verb.add_option("--components", arguments.components, "Allow `auto` at most K solid components")
       ->type_name("K")
       ->capture_default_str();
   add_cover_option(verb, arguments.cover);
@@ -126,18 +127,18 @@ void add_auto_options(CLI::App& verb, Arguments& arguments) {
 template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
-  verb.add_option(
-          "--alpha", radius.alpha,
-          "Largest circumradius, required: a radius in units of the points, or inf; plateau is one around which "
-          "the shape hardly changes, plateau:K the K-th best of those; min is the least that covers every point, "
-          "auto the least that does so in at most K solid components (rbpa alpha shows them all)")
+  verb.add_option("--alpha", radius.alpha,
+                  "Set the largest circumradius (required): a radius in units of the points, or inf; plateau: one "
+                  "around which the shape hardly changes; plateau:K: the K-th best of these; min: the least that "
+                  "covers every point; auto: the least that does so in at most K solid components (rbpa alpha "
+                  "shows them all)")
       ->type_name("R|plateau[:K]|auto|min|inf");
-  verb.add_option("--alpha-squared", radius.squared, "In place of --alpha: the square of the radius, as CGAL has it")
+  verb.add_option("--alpha-squared", radius.squared, "Set the square of the radius instead of --alpha, as in CGAL")
       ->type_name("A");
   verb.add_option("--alpha-inverse", radius.inverse,
-                  "In place of --alpha: one over the radius, as alphashape of Python has it; 0 for inf")
+                  "Set one over the radius instead of --alpha, as in Python's alphashape; 0 for inf")
       ->type_name("A");
-  verb.add_option("--components", radius.components, "How many solid components `auto` may have at most; 1 by default")
+  verb.add_option("--components", radius.components, "Allow `auto` at most K solid components (default 1)")
       ->type_name("K");
   add_cover_option(verb, radius.cover);
   verb.callback([&radius] {
@@ -152,17 +153,17 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
 template <typename Arguments>
 void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
   verb.add_option("-o,--output", arguments.outputs,
-                  "File to write, by its ending: " + std::string(formats) +
+                  "Write this file, in the format of its ending: " + std::string(formats) +
                       "; - is standard output; may be given several times")
       ->type_name("OUT")
       ->allow_extra_args(false);
-  verb.add_option("--output-format", arguments.output_format, "Format of an OUT whose ending does not say")
+  verb.add_option("--output-format", arguments.output_format, "Set the format of each OUT whose ending does not tell")
       ->type_name("NAME");
 }
 
 inline void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& quiet) {
   verb.add_option("--threads", arguments.threads,
-                  "Threads for the triangulation, at most; all processors by default; the result is the same")
+                  "Use at most N threads (by default one for each processor); the result is the same")
       ->type_name("N");
   add_switch(verb, "-q,--quiet", arguments.quiet, quiet);
 }

@@ -18,8 +18,8 @@ enum ExitCode {
 };
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 4 a --check of meshtopo does not hold, "
-    "130 cancelled, 141 nobody reads the output any more.";
+    "Exit codes: 0 done, 1 failure while running, 2 wrong usage, 3 bad input, 4 a --check of "
+    "meshtopo fails, 130 cancelled, 141 the reader of the output is gone.";
 
 /// Prints "PROGRAM: MESSAGE" on standard error, and returns `code`.
 int report(const std::string& program, const std::string& message, ExitCode code);

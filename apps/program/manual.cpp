@@ -228,7 +228,7 @@ namespace {
 
 void add_manual(CLI::App& app, const std::string& name) {
   app.add_flag_callback(
-      "--man", [&app, name] { answer(man_page(app, name)); }, "The manual page, for `man -l` and for packages");
+      "--man", [&app, name] { answer(man_page(app, name)); }, "Print the manual page, for `man -l` and for packages");
   app.add_option_function<std::string>(
          "--completion",
          [&app](const std::string& shell) {
@@ -236,7 +236,7 @@ void add_manual(CLI::App& app, const std::string& name) {
            if (shell == "zsh") answer(zsh_completion(app));
            throw CLI::ValidationError("--completion", "found " + in_quotes(shell) + ", expected bash or zsh");
          },
-         "Completion for bash or zsh: source <(" + app.get_name() + " --completion bash)")
+         "Print the completion for bash or zsh: source <(" + app.get_name() + " --completion bash)")
       ->type_name("SHELL");
 }
 

@@ -100,12 +100,13 @@ TEST_SUITE("manual") {
     const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
     CHECK(title == "Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting");
     CHECK(folder.rbpa("--man").out.find(".SH NAME\nrbpa \\- " + title + "\n") != std::string::npos);
-    CHECK(help.find("  shape                       The alpha solid as polygons with holes, valid under OGC Simple\n"
-                    "                              Features\n"
-                    "  fill  ") != std::string::npos);
+    CHECK(
+        help.find("  shape                       Make polygons with holes of the alpha solid, valid under OGC Simple\n"
+                  "                              Features\n"
+                  "  fill  ") != std::string::npos);
     CHECK(folder.rbpa("--completion zsh")
-              .out.find("'shape:The alpha solid as polygons with holes, valid under OGC "
-                        "Simple Features'") != std::string::npos);
+              .out.find("'shape:Make polygons with holes of the alpha solid, valid under "
+                        "OGC Simple Features'") != std::string::npos);
   }
 
   TEST_CASE(
@@ -137,7 +138,7 @@ TEST_SUITE("manual") {
     const std::string condition = "group in ('A', 'B')", colors = "that the header calls red, green and blue, or r, g";
     for (const std::string verb : {"info", "mesh", "shape", "alpha", "stream", "surface"}) {
       CAPTURE(verb);
-      CHECK(words(folder.rbpa("help " + verb).out).find("or of text \"" + condition + "\"") != std::string::npos);
+      CHECK(words(folder.rbpa("help " + verb).out).find("or for texts \"" + condition + "\"") != std::string::npos);
     }
     CHECK(words(folder.rbpa("help surface").out).find(colors) != std::string::npos);
     CHECK(folder.rbpa("info p.csv --where \"" + condition + "\"").out.starts_with("points      3\n"));
