@@ -182,7 +182,7 @@ TEST_SUITE("fill") {
     const Outcome many = folder.rbpa("fill p.wkt --size 1e-9 -o m.off");
     CHECK(many.code == 3);
     CHECK(many.err.starts_with("rbpa: p.wkt: size: found 1e-09, at which about 254034"));  // other digits are rounded
-    CHECK(many.err.ends_with(" triangles would be made, expected larger sizes: no more than 5e+08 triangles\n"));
+    CHECK(many.err.ends_with(" triangles would be made, expected larger sizes: at most 5e+08 triangles\n"));
     CHECK_FALSE(folder.has("m.off"));
     // Nothing to fill is an answer.
     folder.file("nothing.wkt", "POLYGON EMPTY");

@@ -7,12 +7,13 @@
 #include "rbpa/fill/plane_predicates.h"
 #include "rbpa/fill/unfilled.h"
 
-// How triangles come and go.
+// Adding and removing triangles.
 namespace rbpa {
 namespace {
 
-/// How far below the plane through the triangle, lifted to the paraboloid, the point on the paraboloid is. While a corner rises from
-/// there, triangles around it are replaced in this order by those of the triangulation without it. Rounded: that costs flips at most.
+/// Returns how far the point on the paraboloid is below the plane through the triangle lifted to the paraboloid. While
+/// a corner rises from there, the triangles around it are replaced in this order by those of the triangulation without
+/// it. Rounding costs flips at most.
 double rise(const Point& a, const Point& b, const Point& c, const Point& p) {
   const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, cx = c.x - p.x, cy = c.y - p.y;
   const double bc = bx * cy - by * cx, ca = cx * ay - cy * ax, ab = ax * by - ay * bx;
@@ -55,7 +56,7 @@ void Unfilled::remove(std::uint32_t triangle) {
   unused_.push_back(triangle);
 }
 
-/// Before their numbers are given again.
+/// Forgets removed triangles before their numbers are reused.
 void Unfilled::forget_removed() {
   std::erase_if(queue_, [&](Side side) { return corner_[side - side % 3] == none; });
 }
@@ -78,7 +79,8 @@ void Unfilled::fill(const FrontEdge& edge, Site apex) {
   flip_all();
 }
 
-/// The edge of a triangle that is filled, which ran so on its side: now it is of the front on the other side, or no more.
+/// Updates the edge of a filled triangle, given as directed in that triangle: it becomes an edge of the front on the
+/// other side, or disappears.
 void Unfilled::bound(Side beyond, Site from, Site to) {
   if (beyond == none)
     border_.erase(key_of(from, to));
@@ -86,7 +88,7 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
     link(beyond, none);
 }
 
-/// A new site in the triangle around it; or, on a side, in both.
+/// Inserts a new site into the triangle around it, or, if it is on a side, into both triangles.
 void Unfilled::split(const FrontEdge& edge, Site site) {
   const std::optional<Side> around = this->around(edge, places_[site], unlimited);
   meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
@@ -117,7 +119,7 @@ void Unfilled::split(const FrontEdge& edge, Site site) {
   }
 }
 
-/// Gathers what the triangle of a side and an apex crosses, and its rims on the left and on the right.
+/// Gathers the triangles that the triangle of a side and an apex crosses, and its rims on the left and on the right.
 void Unfilled::cross(Side side, Site apex) {
   const Site a = from(side), b = to(side);
   crossed_.clear();
@@ -137,8 +139,8 @@ void Unfilled::cross(Side side, Site apex) {
   }
 }
 
-/// Cuts a triangle off wherever a rim turns towards its base, from one end to the other as in a scan for the convex hull. Every
-/// corner of the rim sees the base, so that nothing else is left. Returns: what lies beyond the base.
+/// Cuts off a triangle wherever a rim turns towards its base, from one end to the other as in a scan for the convex
+/// hull. Every corner of the rim sees the base, so nothing else is left. Returns the side beyond the base.
 Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -160,8 +162,8 @@ Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
   return rim.back().beyond;
 }
 
-/// Joins a new triangle to what lies beyond an edge of the rim; if that was crossed as well, the rim passes the edge twice,
-/// there and back, and both sides of it are new.
+/// Joins a new triangle to the triangle beyond an edge of the rim. If that was crossed as well, the rim passes the edge
+/// twice, in both directions, and both of its triangles are new.
 void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   if (to.is_new || to.beyond == none || stamp_[to.beyond / 3] != looks_) return link(inner, to.beyond);
   const Site begin = is_right ? from : to.site, end = is_right ? to.site : from;
@@ -218,14 +220,14 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
   for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
   for (Side i = 0; i < 3; ++i) {
     if (is_front[i] || is_front[(i + 2) % 3]) continue;
-    // Where another corner was removed before, this one is across from a side of a new triangle.
+    // If another corner was removed before, this one is across from a side of a new triangle.
     const auto at = std::find_if(queue_.begin(), queue_.end(), [&](Side side) { return corner_[side] == corners[i]; });
     if (is_inner(*at)) take_out(*at);
   }
   flip_all();
 }
 
-/// Whether no edge of the front ends any more in the corner across from a side: around it none is met.
+/// Returns whether no edge of the front ends in the corner across from a side any more: a walk around it meets none.
 bool Unfilled::is_inner(Side at) const {
   Side side = after(at);
   do side = across_[side] == none ? none : before(across_[side]);
@@ -261,9 +263,10 @@ void Unfilled::take_out(Side at) {
   link(rest + 1, star_[star_[i].last].rim.beyond);
 }
 
-/// Corner i of a star is an ear if it turns left there and the inner corner does not lie within. What is left then still lies around
-/// that or beside it. Of any triangulation of a star of four corners or more, two triangles at least have two sides of its rim,
-/// and the inner corner lies in one of them at most: so there is always an ear.
+/// Offers corner i of a star as an ear if the rim turns left there and the inner corner does not lie within the ear.
+/// The rest of the star then still lies around the inner corner or beside it. There is always an ear: in any
+/// triangulation of a star of four corners or more, at least two triangles have two sides of its rim, and the inner
+/// corner lies in one of them at most.
 void Unfilled::offer_ear(std::uint32_t i, Site inner) {
   const Site a = star_[star_[i].last].rim.site, b = star_[i].rim.site, c = star_[star_[i].next].rim.site;
   ++star_[i].offers;

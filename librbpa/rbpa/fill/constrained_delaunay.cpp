@@ -26,7 +26,7 @@ struct Directed {
   friend auto operator<=>(const Directed&, const Directed&) = default;
 };
 
-/// A side of a triangle: that across from its corner k.
+/// A side of a triangle, across from its corner k.
 struct Side {
   std::uint32_t triangle = no_index, k = 0;
 };
@@ -72,18 +72,19 @@ class Constrained {
     const Triangle& corner = corners_[side.triangle];
     return {corner[after(side.k)], corner[before(side.k)]};
   }
-  /// The same edge as a side of the triangle beyond.
+  /// Returns the same edge as a side of the triangle beyond.
   Side beyond(const Side& side) const {
     const std::uint32_t other = across_[side.triangle][side.k];
     if (other == no_index) return {};
-    const Site apex_before = corners_[side.triangle][after(side.k)];  // this corner comes before the apex over there
+    // this corner comes before the apex of the triangle beyond
+    const Site apex_before = corners_[side.triangle][after(side.k)];
     for (std::uint32_t k = 0; k < 3; ++k)
       if (corners_[other][before(k)] == apex_before && across_[other][k] == side.triangle) return {other, k};
     meshops::require(false, "constrained_delaunay: neighbors do not agree");
     return {};
   }
 
-  /// Edges of rings that no triangle has, each once, in an order that is random and always the same.
+  /// Returns the edges of rings that no triangle has, each once, in a random order that is always the same.
   std::vector<Directed> missing() {
     std::vector<Directed> present;
     for (std::uint32_t t = 0; t < corners_.size(); ++t)
@@ -96,7 +97,7 @@ class Constrained {
     std::vector<Directed> missing;
     for (const auto& [from, to] : edges_) {
       const Directed edge{std::min(from, to), std::max(from, to)};
-      if (from > to && is_edge(to, from)) continue;  // of two polygons
+      if (from > to && is_edge(to, from)) continue;  // an edge of two polygons
       if (!std::binary_search(present.begin(), present.end(), edge)) missing.push_back(edge);
     }
     std::minstd_rand random(1);
@@ -104,7 +105,7 @@ class Constrained {
     return missing;
   }
 
-  /// The triangle at a into which the way to b leads, as the side across from a; or one that has the edge.
+  /// Returns the side across from a of the triangle at a into which the way to b leads, or of one that has the edge.
   Side first_crossed(Site a, Site b) {
     for (const bool clockwise : {false, true}) {
       std::uint32_t t = star_[a];
@@ -136,7 +137,7 @@ class Constrained {
       meshops::require(side.triangle != no_index, "constrained_delaunay: an edge leads out of the triangulation");
       slots_.push_back(side.triangle);
       const Site apex = corners_[side.triangle][side.k];
-      // Over there the edge runs from its left end to its right one.
+      // In the triangle beyond, the edge runs from its left end to its right one.
       const Side of_left{side.triangle, before(side.k)}, of_right{side.triangle, after(side.k)};
       const int turn = apex == b ? 0 : orientation(a, b, apex);
       if (apex == b) {
@@ -156,15 +157,15 @@ class Constrained {
     fill_cavities(a, b);
   }
 
-  /// What lies outside of a cavity beyond the edge that leads to a corner of its rim: a triangle that stays, or, when it
-  /// was removed as well, the edge to be found again.
+  /// A corner of the rim of a cavity, and what lies outside beyond the edge that leads to it: a triangle that stays,
+  /// or, if it was removed as well, the edge by which its successor is found.
   struct Rim {
     Site site;
     Side outside;
-    bool is_new = false;  // what is outside was made for this cavity
+    bool is_new = false;  // whether the triangle outside was made for this cavity
   };
 
-  /// The triangle beyond, as the side of that.
+  /// Returns the side of the triangle beyond.
   Side out_of(const Side& side) const { return beyond(side); }
 
   void join(const Side& one, const Side& other) {
@@ -178,7 +179,7 @@ class Constrained {
     taken_ = std::move(taken);
     waiting_.clear();
     free_ = 0;
-    // From b to a along the left, and from a to b along the right, so that the cavity lies on the left of its base.
+    // The left rim runs from b to a, the right one from a to b, so that the cavity lies on the left of its base.
     std::vector<Rim> rim = left_;
     const Side left = fill_cavity(rim, false);
     rim = right_;
@@ -189,15 +190,15 @@ class Constrained {
     flip_all();
   }
 
-  /// Part of a rim: its base runs between its ends, and its triangle is to be joined to `beyond` the base.
+  /// A part of a rim: its base runs between its ends, and its triangle is to be joined to `beyond` the base.
   struct Part {
     std::size_t first, last;
     Side beyond;
   };
 
-  /// Cuts a triangle off wherever the rim turns towards its base, from one end to the other as in a scan for the convex
-  /// hull. Every corner of the rim sees the inserted edge: so this leaves that edge alone. Nothing depends on it: triangles
-  /// that turn left, and whose sides add up to the rim, cover what it bounds.
+  /// Cuts off a triangle wherever the rim turns towards its base, from one end to the other as in a scan for the convex
+  /// hull. Every corner of the rim sees the inserted edge, so only that edge is left. Correctness does not depend on
+  /// it: triangles that turn left, and whose sides add up to the rim, cover what it bounds.
   void cut_ears(std::vector<Rim>& rim, bool is_right) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -261,7 +262,8 @@ class Constrained {
     }
   }
 
-  /// Triangles behind a rim, which runs from one end of the inserted edge to the other. Returns the side on that edge.
+  /// Fills the cavity behind a rim, which runs from one end of the inserted edge to the other. Returns the side on that
+  /// edge.
   Side fill_cavity(std::vector<Rim>& rim, bool is_right) {
     cut_ears(rim, is_right);
     Side base = rim.back().outside;
@@ -275,7 +277,7 @@ class Constrained {
         close(rim[part.first].site, rim[part.last], part.beyond, is_right);
         continue;
       }
-      // The base is run through so that the rim lies on its left.
+      // The base is directed so that the rim lies on its left.
       const Site p = rim[is_right ? part.last : part.first].site, q = rim[is_right ? part.first : part.last].site;
       std::size_t apex = part.first + 1;
       for (std::size_t i = apex + 1; i < part.last; ++i) {
@@ -299,13 +301,13 @@ class Constrained {
     return base;
   }
 
-  /// Joins a new triangle to what lies beyond an edge of the rim.
+  /// Joins a new triangle to the one beyond an edge of the rim.
   void close(Site from, const Rim& to, const Side& inner, bool is_right) {
     if (to.is_new || !std::binary_search(taken_.begin(), taken_.end(), to.outside.triangle)) {
       join(inner, to.outside);
       return;
     }
-    // The rim passes this edge twice, there and back: both sides of it are new.
+    // The rim passes this edge twice, in both directions: both of its triangles are new.
     Directed edge = is_right ? Directed{from, to.site} : Directed{to.site, from};
     if (const auto other = waiting_.find({edge.to, edge.from}); other != waiting_.end()) {
       join(inner, other->second);
@@ -315,7 +317,8 @@ class Constrained {
     }
   }
 
-  /// Triangles on the left of rings, and whatever can be reached from them without crossing one.
+  /// Returns the triangles on the left of rings, and all triangles that can be reached from them without crossing a
+  /// ring.
   std::vector<Triangle> inside() {
     std::vector<bool> seen(corners_.size(), false);
     std::vector<std::uint32_t> found;
@@ -344,14 +347,14 @@ class Constrained {
 
   std::span<const Point> places_;
   Steps step_;
-  std::vector<Directed> edges_;             // of rings, ascending
-  std::vector<std::ptrdiff_t> first_edge_;  // for each place among them; and their end
+  std::vector<Directed> edges_;             // edges of rings, ascending
+  std::vector<std::ptrdiff_t> first_edge_;  // for each place, its first edge among them; and the end
   std::vector<Triangle> corners_, across_;
-  std::vector<std::uint32_t> star_;  // for each place a triangle at it
-  // Of the edge that is being inserted:
+  std::vector<std::uint32_t> star_;  // for each place, a triangle at it
+  // state of the insertion of an edge:
   std::vector<Rim> left_, right_;
-  std::vector<std::uint32_t> slots_, taken_;  // triangles that were removed, as they came and ascending
-  std::size_t free_ = 0;                      // the first of those slots that is not in use again
+  std::vector<std::uint32_t> slots_, taken_;  // removed triangles, in the order of their removal and ascending
+  std::size_t free_ = 0;                      // the first of these slots that is not used again
   std::map<Directed, Side> waiting_;
   std::vector<Side> queue_;
 };

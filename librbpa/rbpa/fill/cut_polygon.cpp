@@ -16,12 +16,12 @@ using Corners = std::vector<std::uint32_t>;
 
 int side_of(const Point& p, double x) { return p.x < x ? -1 : p.x > x ? 1 : 0; }
 
-/// Edges with an inside on their left, as rings.
+/// Edges with the inside on their left, as rings.
 class Boundary {
  public:
   explicit Boundary(std::span<const Point> points) : points_(points) {}
 
-  /// Keeps one of the corners that follow each other at one place.
+  /// Adds a closed curve; of consecutive corners at one place, one is kept.
   void add(const Corners& closed) {
     Corners corners;
     for (const std::uint32_t i : closed) {
@@ -37,7 +37,8 @@ class Boundary {
     }
   }
 
-  /// Each walk is around one piece of the inside; where it comes back to a place, what lies between is a ring of its own.
+  /// Returns the rings. Each walk is around one piece of the inside; if it returns to a place, the part in between is a
+  /// ring of its own.
   std::vector<Ring> rings() {
     Corners next(edges_.size());
     for (auto& [corner, ends] : at_) pair(corner, ends, next);
@@ -57,13 +58,14 @@ class Boundary {
   struct DirectedEdge {
     std::uint32_t from, to;
   };
-  /// An edge at a corner, by its other end.
+  /// An edge at a corner, given by its other end.
   struct End {
     std::uint32_t other, edge;
     bool leaves;
   };
 
-  /// Of the edges at a corner, which follows which: between them, from the one that leaves counter-clockwise, is the inside.
+  /// Finds which edge follows which at a corner: counter-clockwise from the leaving edge to the other, the inside lies
+  /// between them.
   void pair(std::uint32_t corner, std::vector<End>& ends, Corners& next) const {
     const Point& p = points_[corner];
     const auto is_below = [&](const End& end) {
@@ -107,17 +109,17 @@ class Boundary {
   std::vector<Ring> rings_ = {};
 };
 
-/// The rings around what is left of the line.
+/// The rings around the part left of the line.
 class LeftRings {
  public:
-  /// Rings as PolygonCut has them, the interior on their left, with a corner at each crossing. `right_end`: of the points
-  /// from `first_crossing` on, the end right of the line of the edge that they are on.
+  /// Takes rings as in PolygonCut, with the interior on their left and a corner at each crossing. `right_end` has, for
+  /// the points from `first_crossing` on, the end right of the line of the edge on which they are.
   LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
       : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end), boundary_(points) {}
 
   std::vector<Ring> find(const std::vector<Corners>& rings) {
     for (const Corners& ring : rings) take(ring);
-    // Along the line from below, what is left of it begins at the end of a chain and ends where the next one begins.
+    // Along the line from below, a part on its left begins at the end of a chain and ends where the next chain begins.
     std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
     Corners next(chains_.size());
     for (std::size_t i = 0; i < ends_.size(); i += 2) {
@@ -139,7 +141,7 @@ class LeftRings {
   }
 
  private:
-  /// A chain comes from the line or goes back to it on the segment from `inner`, left of it.
+  /// An end of a chain, which leaves the line or returns to it on the segment from `inner`, left of it.
   struct End {
     std::uint32_t chain, inner, outer;
     bool is_last;
@@ -147,7 +149,7 @@ class LeftRings {
 
   int side(std::uint32_t i) const { return side_of(points_[i], x_); }
 
-  /// The parts of a ring left of the line, each from a point of the line to a point of the line.
+  /// Takes the parts of a ring left of the line, each from a point of the line to a point of the line.
   void take(const Corners& ring) {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);
@@ -175,7 +177,7 @@ class LeftRings {
     chains_.push_back(std::move(chain));
   }
 
-  /// Just left of the line; the segments meet in their ends alone.
+  /// Returns whether `a` is below `b` just left of the line; the segments meet in their ends only.
   bool is_below(const End& a, const End& b) const {
     const Point &p = points_[a.inner], &q = points_[b.inner];
     if (p.x < q.x) {
@@ -195,7 +197,7 @@ class LeftRings {
   Boundary boundary_;
 };
 
-/// Each ring from its least point on.
+/// Returns the polygons of rings, each ring from its least point on.
 std::vector<Polygon> polygons_on(std::span<const Point> points, const std::vector<Ring>& rings) {
   std::vector<Polygon> polygons = polygons_of_rings(points, rings);
   const auto begin_at_least = [&](Ring& ring) {
@@ -237,7 +239,7 @@ PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double 
 
   const auto given = static_cast<std::uint32_t>(points.size());
   cut.left = polygons_on(cut.points, LeftRings(cut.points, x, given, right_end).find(rings));
-  // What is right of the line is left of it in a mirror, where rings turn the other way.
+  // The part right of the line is left of it in a mirror, where rings have the opposite orientation.
   std::vector<Point> mirrored = cut.points;
   for (Point& p : mirrored) p.x = -p.x;
   for (Corners& ring : rings) std::reverse(ring.begin(), ring.end());

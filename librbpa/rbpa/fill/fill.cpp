@@ -49,27 +49,27 @@ void check_sizes(const FillOptions& options) {
   }
 }
 
-/// Of so many triangles no mesh is made.
+/// Maximum number of triangles of a mesh.
 constexpr double max_triangles = 500e6;
 
-/// Throws InvalidInput when there would be too many.
+/// Checks the estimated number of triangles. Throws: InvalidInput when there would be too many.
 void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
                   const std::function<bool()>& go_on) {
   const double triangles = estimate_triangles(parts_of(outline), field, said.keep_boundary, go_on);
   if (!(triangles <= max_triangles)) {
-    const std::string others = said.grade || !said.sizes.empty() ? " and what else asks for sizes" : "";
+    const std::string others = said.grade || !said.sizes.empty() ? " and the other size options" : "";
     throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
-                       " triangles would be made, expected larger sizes: no more than " + text(max_triangles) +
+                       " triangles would be made, expected larger sizes: at most " + text(max_triangles) +
                        " triangles");
   }
   if (said.estimated) said.estimated(triangles);
 }
 
-/// Lengths are squared: coordinates that are far too large or small for that are multiplied by a power of two for a while,
+/// A temporary scale of coordinates that are too large or too small for squared lengths. The factor is a power of two,
 /// which changes none of their bits.
 class Scale {
  public:
-  /// Throws InvalidInput when it would change some.
+  /// Scales the outline. Throws: InvalidInput when this would change bits.
   explicit Scale(Outline& outline) {
     double largest = 0;
     for (const Point& p : outline.places) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -87,7 +87,7 @@ class Scale {
   double in(double value) const { return std::scalbn(value, -exponent_); }
   Point out(const Point& p) const { return {std::scalbn(p.x, exponent_), std::scalbn(p.y, exponent_)}; }
   FillOptions in(FillOptions options, std::vector<SizeAt>& sizes) const {
-    constexpr double huge = 0x1p400;  // whatever is larger means the same
+    constexpr double huge = 0x1p400;  // larger values mean the same
     for (SizeAt& size : sizes) size = {{in(size.at.x), in(size.at.y)}, std::min(in(size.size), huge)};
     options.size = std::min(in(options.size), huge);
     options.sizes = sizes;
@@ -112,8 +112,8 @@ SizeField field_of(const Outline& outline, const FillOptions& options) {
   return {options.size, options.grade.value_or(FillOptions::default_grade), std::move(sources)};
 }
 
-/// Behind every edge of the boundary lies a triangle of a cone over its ring: so all boundary is a front, and nothing is
-/// attached to its other side.
+/// Returns cones over the rings: behind every edge of the boundary lies a triangle of a cone over its ring. All of the
+/// boundary is thus a front, and nothing is attached to its other side.
 meshops::PolygonSoup cones_over(const Outline& outline) {
   meshops::PolygonSoup soup{.points = outline.places.size() + outline.rings.size(), .corners = {}};
   for (std::size_t r = 0; r < outline.rings.size(); ++r) {
@@ -124,7 +124,7 @@ meshops::PolygonSoup cones_over(const Outline& outline) {
   return soup;
 }
 
-/// Triangles on places: those of the outline first.
+/// Triangles on places; the places of the outline come first.
 struct Pieces {
   std::vector<Point> places = {};
   std::vector<Triangle> triangles = {};
@@ -173,7 +173,7 @@ Pieces advance_from(const Outline& outline, const SizeField& field, const FillOp
   return pieces;
 }
 
-/// Places that no triangle has go, those of the outline excepted.
+/// Removes places that no triangle uses, except those of the outline.
 void drop_unused(Pieces& pieces, std::size_t outline) {
   constexpr std::uint32_t unused = TriangleArrays::none;
   std::vector<std::uint32_t> number(pieces.places.size(), unused);
@@ -197,13 +197,13 @@ meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t po
   return soup;
 }
 
-/// Vertex v goes where point[v] is.
+/// Moves vertex v to the place of point[v].
 void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint32_t> point) {
   for (std::size_t v = 0; v < point.size(); ++v)
     mesh.set_point(meshops::Vertex(static_cast<int>(v)), {places[point[v]].x, places[point[v]].y, 0});
 }
 
-/// The same triangles on places that are better, or others.
+/// Improves the triangles: moves places and flips edges.
 void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options) {
   Mesh mesh;
   mesh.request_vertex_status();
@@ -230,7 +230,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   drop_unused(pieces, outline);
 }
 
-/// The triangles of one group, on places of its part of the outline first.
+/// Returns the triangles of one group, on places that begin with those of its part of the outline.
 Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
                  const std::function<bool()>& go_on) {
   if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};

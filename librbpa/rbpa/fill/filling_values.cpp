@@ -18,13 +18,13 @@ constexpr std::uint32_t none = TriangleArrays::none;
 
 double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Sets the values of points that were put on the edges of a ring, between two that were given.
+/// Sets the values of points that were inserted on the edges of a ring, between two given points.
 void interpolate_edges(std::span<const Point> points, const Ring& ring, std::size_t given, std::vector<double>& value) {
   const std::size_t size = ring.points.size();
   const auto at = [&](std::size_t i) { return ring.points[i % size]; };
   std::size_t first = 0;
   while (first < size && at(first) >= given) ++first;
-  if (first == size) return;  // there are too few values
+  if (first == size) return;  // too few values
   for (std::size_t a = first; a < first + size;) {
     std::size_t b = a + 1;
     while (at(b) >= given) ++b;
@@ -43,7 +43,7 @@ struct SweepEdge {
   std::uint32_t above;
 };
 
-/// From below, where both are; edges meet in their ends alone.
+/// Orders edges from below, where both exist; edges meet in their ends only.
 struct IsBelow {
   using is_transparent = void;
   bool operator()(const SweepEdge& a, const SweepEdge& b) const {
@@ -54,14 +54,14 @@ struct IsBelow {
   bool operator()(const SweepEdge& edge, const Point& p) const { return !(*this)(p, edge); }
 
  private:
-  /// On which side of `edge` the other one is, which begins no sooner.
+  /// Returns the side of `edge` on which the other one lies, which does not begin earlier.
   static int turn(const SweepEdge& edge, const SweepEdge& other) {
     const int begin = plane_orientation(edge.from, edge.to, other.from);
     return begin != 0 ? begin : plane_orientation(edge.from, edge.to, other.to);
   }
 };
 
-/// For each query inside of the triangles one that contains it, by a sweep over points from left to right.
+/// Returns for each query inside of the triangles one that contains it, by a sweep over points from left to right.
 std::vector<std::uint32_t> triangles_around(std::span<const Point> points, const TriangleArrays& arrays,
                                             std::span<const std::uint32_t> queries, Steps& step) {
   std::vector<SweepEdge> edges;

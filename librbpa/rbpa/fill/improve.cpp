@@ -11,7 +11,7 @@
 namespace rbpa {
 namespace {
 
-constexpr int rounds = 6;            // of flips, with moves between them
+constexpr int rounds = 6;            // rounds of flips, with moves between them
 constexpr int moves_in_a_round = 2;  // for each point
 
 Point at(const Mesh& mesh, meshops::Vertex v) {
@@ -19,7 +19,7 @@ Point at(const Mesh& mesh, meshops::Vertex v) {
   return {p[0], p[1]};
 }
 
-/// Edges that are to be looked at, each once at a time.
+/// A queue of edges to be tested, each of which is in it at most once.
 class EdgeQueue {
  public:
   explicit EdgeQueue(const Mesh& mesh) : queued_(mesh.n_edges(), false) {}
@@ -41,7 +41,8 @@ class EdgeQueue {
   std::vector<meshops::Edge> edges_;
 };
 
-/// Whether the apex of one triangle of the edge is inside the circle of the other: then they form a convex quadrangle.
+/// Returns whether the apex of one triangle of the edge is inside the circle of the other; both triangles then form a
+/// convex quadrilateral.
 bool is_illegal(const Mesh& mesh, meshops::Edge e) {
   if (mesh.is_boundary(e)) return false;
   const meshops::Halfedge h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);
@@ -50,8 +51,8 @@ bool is_illegal(const Mesh& mesh, meshops::Edge e) {
                          at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
 }
 
-/// Flips until no edge is illegal: each flip lowers the surface that the points make on the paraboloid over the plane, so
-/// that none comes twice.
+/// Flips until no edge is illegal. Each flip lowers the surface of the points lifted to the paraboloid over the plane,
+/// so no triangulation recurs.
 void flip_all(Mesh& mesh, const std::function<void()>& ask) {
   EdgeQueue queue(mesh);
   for (std::size_t e = mesh.n_edges(); e-- > 0;) queue.push(meshops::Edge(static_cast<int>(e)));
@@ -68,13 +69,13 @@ void flip_all(Mesh& mesh, const std::function<void()>& ask) {
   }
 }
 
-/// The neighbors of an inner vertex, counter-clockwise.
+/// Finds the neighbors of an inner vertex, counter-clockwise.
 void ring_of(const Mesh& mesh, meshops::Vertex v, std::vector<Point>& ring) {
   ring.clear();
   for (const auto neighbor : mesh.vv_ccw_range(v)) ring.push_back(at(mesh, neighbor));
 }
 
-/// The least quality of the triangles around p; negative when one of them is not counter-clockwise.
+/// Returns the least quality of the triangles around p; negative if one of them is not counter-clockwise.
 double least_quality(const Point& p, const std::vector<Point>& ring) {
   double least = 1;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -88,7 +89,8 @@ bool is_star(const Point& p, const std::vector<Point>& ring) {
   return true;
 }
 
-/// The target position of p: the mean, over the sides of its star, of the apex of a triangle of the target size.
+/// Returns the target position of p: the mean, over the sides of its star, of the apex of a triangle of the target
+/// size.
 Point wanted(const Point& p, const std::vector<Point>& ring, const SizeField& field) {
   const double size = field.at(p);
   double x = 0, y = 0, weights = 0;
@@ -110,7 +112,7 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) ask();
     const meshops::Vertex v(static_cast<int>(i));
-    if (mesh.is_boundary(v)) continue;  // a further fan at a point where the boundary touches itself
+    if (mesh.is_boundary(v)) continue;  // one more fan at a point where the boundary touches itself
     ring_of(mesh, v, ring);
     const Point p = at(mesh, v), goal = wanted(p, ring, field);
     const double before = least_quality(p, ring);

@@ -9,12 +9,12 @@
 namespace rbpa {
 namespace {
 
-/// A side of a triangle, by its edge and its group.
+/// A side of a triangle, with its edge and its group.
 struct GroupSide {
   std::uint64_t edge;  // the lesser end, then the greater one
   std::size_t group;
   std::uint32_t triangle;
-  std::uint8_t across;  // from this corner
+  std::uint8_t across;  // the corner across
   bool ascends;
   friend bool operator<(const GroupSide& a, const GroupSide& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.group < b.group;
@@ -45,7 +45,8 @@ void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   }
 }
 
-/// Of each group, whether it is a neighbor of no other: it has an edge on its left that another has there too.
+/// Returns for each group whether it has no neighboring group: it has an edge on its left that another group has on its
+/// left too.
 std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
   std::size_t groups = 0;
   for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);
@@ -73,7 +74,7 @@ void link(Filling& filling) {
     filling.neighbors[b.triangle][b.across] = a.triangle;
   };
   for_each_shared_edge(sides, [&](auto first, auto last) {
-    auto shared = last;  // a side of a group that is not apart: there are two at most
+    auto shared = last;  // a side of a group that is not apart: there are at most two
     for (auto side = first; side != last; ++side) {
       if (apart[side->group]) {
         if (side != first && (side - 1)->group == side->group) join(*(side - 1), *side);

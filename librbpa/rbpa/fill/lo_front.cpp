@@ -10,23 +10,26 @@
 namespace rbpa {
 namespace {
 
-/// A front point this near to the ideal one, in sides of the triangle, replaces it.
+/// A front point replaces the ideal apex if it is this near to it, in sides of the triangle.
 constexpr double near_enough = 0.75;
-/// A new point is so far from the front, in sides of the triangle; where there is no room for that, at least the second.
+/// Least distance of a new point from the front, in sides of the triangle; the second one if there is no room for the
+/// first.
 constexpr double clearance = 0.5, tight_clearance = 0.35;
-/// A triangle of front points that is better is not bettered by a new point in a narrow place.
+/// The quality above which a triangle of front points is not replaced by one with a new point in a narrow place.
 constexpr double good = 0.6;
-/// One that is worse makes the front retreat.
+/// The quality below which a triangle makes the front retreat.
 constexpr double bad = 0.25;
-/// So often the look around is doubled as it is. What is farther is seen past long edges, along which a front advances by
-/// its own corners: these are tried first, and from then on each look is so many times as wide as the last.
+/// The number of times that the search radius is doubled. Farther corners are seen past long edges, along which a front
+/// advances by its own corners: these are tried first, and from then on each search is `far_step` times as wide as the
+/// last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
-/// The front may cross or create so many triangles of the unfilled region for each triangle it attaches, on the whole: an
-/// ordinary front needs thirty. Beyond that, a search crosses a few at most, and the front does not retreat.
+/// Maximum number of triangles of the unfilled region that the front may cross or create for each triangle that it
+/// attaches, on the whole: an ordinary front needs thirty. Beyond that, a search crosses a few at most, and the front
+/// does not retreat.
 constexpr std::size_t most_work = 200, few_passed = 64;
 
-/// Of a pair of sites.
+/// Returns the key of a pair of sites.
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
 
 }  // namespace
@@ -56,7 +59,7 @@ double LoFront::key(const Front& front, Halfedge h) const {
 LoFront::Task LoFront::task_of(Site from, Site to) const {
   Task task{.a = places_[from], .b = places_[to], .from = from, .to = to, .length = 0, .side = 0, .ideal = {}};
   task.length = distance(task.a, task.b);
-  // The size is that at the apex, about.
+  // The size is taken at the apex, approximately.
   for (int turn = 0; turn < 2; ++turn) {
     const Point& at = turn == 0 ? places_[from] : task.ideal;
     task.side = std::clamp(field_.at(at), 0.6 * task.length, 1.6 * task.length);
@@ -65,7 +68,7 @@ LoFront::Task LoFront::task_of(Site from, Site to) const {
   return task;
 }
 
-/// At the share of the height of the ideal triangle.
+/// Returns the apex at this share of the height of the ideal triangle.
 Point LoFront::apex_at(const Task& task, double share) const {
   const double dx = task.b.x - task.a.x, dy = task.b.y - task.a.y, half = task.length / 2;
   const double height = std::sqrt(std::max(task.side * task.side - half * half, 0.0));
@@ -73,7 +76,8 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// The points of the front within `reach` of edge and ideal apex that make empty triangles, but those that were found before.
+/// Finds the points of the front within `reach` of edge and ideal apex that make empty triangles, except those that
+/// were found before.
 void LoFront::look_around(Task& task, double reach) const {
   Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   box = {{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};
@@ -83,7 +87,7 @@ void LoFront::look_around(Task& task, double reach) const {
                 box.high.y >= bounds_.high.y;
 }
 
-/// The nearest point of the front that can replace the ideal apex.
+/// Returns the nearest point of the front that can replace the ideal apex.
 std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)
@@ -92,7 +96,7 @@ std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
-/// Of the candidates that which makes the best triangle; of equal ones that of the least number.
+/// Returns the candidate that makes the best triangle; of equal ones the one of the least number.
 std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   std::optional<Choice> best;
   for (const Site s : task.candidates) {
@@ -102,7 +106,7 @@ std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   return best;
 }
 
-/// Of the ends of the edges beside it on the front that which makes the better triangle.
+/// Returns the better triangle with an end of one of the two edges beside this one on the front.
 std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h, Task& task) const {
   task.candidates.clear();
   const meshops::Connectivity& mesh = front.mesh();
@@ -111,7 +115,7 @@ std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h
   return best_of(task);
 }
 
-/// A new apex, if it is as clear of the front as that.
+/// Returns a new apex, if its distance from the front is at least `wanted`.
 std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
   const Point apex = apex_at(task, share);
   if (!is_finite(apex)) return std::nullopt;
@@ -129,7 +133,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
   unfilled_.look_from({task.from, task.to}, most_passed());
   look_around(task, task.side);
-  // Where the front has been before, it rather closes than that it does the same again.
+  // Where the front has retreated before, it closes instead of repeating itself.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
   std::optional<Point> apex = placed(task, 1, clearance);
   std::optional<Choice> best;
@@ -148,10 +152,10 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
     if (best) break;
     look_around(task, reach);
     best = best_of(task);
-    if (!best && task.is_all) return std::nullopt;  // which cannot be
+    if (!best && task.is_all) return std::nullopt;  // cannot happen
     ++looks;
   }
-  // What is as far as that is no nearer from behind.
+  // A point as far as that is no nearer from behind.
   const bool is_far = looks >= near_looks;
   if (!is_far && best->quality < bad && !again && retreats_left_ > 0 && !is_late()) {
     if (const auto face = behind(front, h)) {
@@ -164,7 +168,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   return best->apex;
 }
 
-/// A triangle that can go, behind the edge or behind its neighbors on the front.
+/// Returns a triangle that can be removed, behind the edge or behind its neighbors on the front.
 std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) const {
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {
@@ -178,7 +182,7 @@ void LoFront::attached(const Front& front, const meshops::InsertedTriangle& tria
   places_.resize(front.sites());
   const meshops::Connectivity& mesh = front.mesh();
   ++kept_;
-  // Beyond one side at least, which was of the front, there is a triangle.
+  // There is a triangle beyond at least one side, which was on the front.
   const auto base = std::find_if(triangle.side.begin(), triangle.side.end(),
                                  [&](Halfedge side) { return !mesh.is_boundary(mesh.opposite_halfedge_handle(side)); });
   unfilled_.fill({front.from_site(*base), front.to_site(*base)}, front.to_site(mesh.next_halfedge_handle(*base)));

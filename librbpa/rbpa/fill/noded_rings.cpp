@@ -9,14 +9,14 @@
 namespace rbpa {
 namespace {
 
-/// Points in a tree of boxes, whose node k has the children 2 k + 1 and 2 k + 2.
+/// A tree of boxes of points, whose node k has the children 2 k + 1 and 2 k + 2.
 class PointTree {
  public:
   PointTree(std::span<const Point> points, std::vector<std::uint32_t> used) : points_(points), used_(std::move(used)) {
     if (!used_.empty()) build(0, 0, used_.size());
   }
 
-  /// Appends those that lie on the segment, but for its ends, in lexicographic order. Requires: low < high.
+  /// Appends the points that lie on the segment, without its ends, in lexicographic order. Requires: low < high.
   void find_between(const Point& low, const Point& high, std::vector<std::uint32_t>& found) const {
     if (!used_.empty()) look(0, 0, used_.size(), low, high, found);
     std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; });

@@ -17,16 +17,17 @@ namespace {
 
 using meshops::Site;
 
-/// Where to cut the edge from a to b, shares of its length, ascending.
+/// Returns where to cut the edge from a to b, as fractions of its length, ascending.
 std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field, Steps& step) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
-  // An eighth of the size at a time, which changes little by then.
-  std::vector<std::pair<double, double>> counted = {{0, 0}};  // share, and lengths of the field up to it
+  // Steps are an eighth of the size, which changes little in between.
+  // fraction of the edge, and the number of lengths of the field up to it
+  std::vector<std::pair<double, double>> counted = {{0, 0}};
   for (double share = 0, count = 0; share < 1;) {
     step();
     const double size = field.at({a.x + share * dx, a.y + share * dy});
     const double next = std::min(share + size / 8 / length, 1.0);
-    if (!(next > share)) return {};  // so fine that doubles have no such points
+    if (!(next > share)) return {};  // the pieces are too fine for doubles
     count += (next - share) * length / size;
     share = next;
     counted.emplace_back(share, count);
@@ -44,7 +45,7 @@ std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field,
   return shares;
 }
 
-/// Edges of rings, each once, whichever way it runs, with the points on it from the lower end to the higher.
+/// The edges of rings, each once, in either direction, with the points on it from the lower end to the higher.
 class CutEdges {
  public:
   CutEdges(const Outline& outline, const SizeField& field, Steps& step) {
@@ -55,7 +56,7 @@ class CutEdges {
     for (const Use& use : uses_) {
       if (!ends_.empty() && ends_.back() == use.ends) continue;
       ends_.push_back(use.ends);
-      // From the lower end, so that nothing depends on which way it runs.
+      // Points are computed from the lower end, so nothing depends on the direction.
       const Point &a = outline.places[use.ends.first], &b = outline.places[use.ends.second];
       std::vector<Point>& points = points_.emplace_back();
       for (const double share : cuts(a, b, field, step))
@@ -72,7 +73,7 @@ class CutEdges {
   }
 
   std::size_t size() const { return ends_.size(); }
-  /// That with which edge i of a ring begins.
+  /// Returns the number of the edge that is edge i of a ring.
   std::size_t number(std::size_t ring, std::size_t i) const { return of_ring_[ring][i]; }
   const std::vector<Point>& points(std::size_t edge) const { return points_[edge]; }
 
@@ -99,23 +100,25 @@ class CutEdges {
   std::vector<Use> uses_;
   std::vector<Ends> ends_;                           // ascending
   std::vector<std::vector<Point>> points_;           // for each edge
-  std::vector<std::vector<std::size_t>> of_ring_{};  // for each ring, of each of its edges
+  std::vector<std::vector<std::size_t>> of_ring_{};  // for each edge of each ring, its number
 };
 
 /// Rings with the points on their edges.
 struct CutRings {
   std::vector<Point> places = {};
   std::vector<Ring> rings = {};
-  std::vector<std::vector<std::size_t>> edge_of = {};  // for each ring, of each of its edges: which of CutEdges it is of
+  // for each edge of each ring, the edge of CutEdges to which it belongs
+  std::vector<std::vector<std::size_t>> edge_of = {};
 };
 
-/// Puts rings together.
+/// A builder of rings.
 class Assembly {
  public:
   Assembly(const Outline& outline, const CutEdges& edges)
       : outline_(outline), edges_(edges), number_(outline.places.size(), no_index), first_(edges.size()) {}
 
-  /// On all places of the outline, as they are, and then those on edges, as the rings pass them first.
+  /// Returns the rings on all places of the outline, unchanged, followed by those on edges, in the order in which the
+  /// rings pass them first.
   CutRings all() {
     std::iota(number_.begin(), number_.end(), Site{0});
     CutRings result{.places = outline_.places};
@@ -123,7 +126,7 @@ class Assembly {
     return result;
   }
 
-  /// Of some rings, on their own places alone.
+  /// Returns some rings, on their own places only.
   CutRings of(std::span<const std::size_t> rings) {
     CutRings result;
     for (const std::size_t r : rings) add(r, result);
@@ -149,7 +152,7 @@ class Assembly {
       const std::size_t edge = edges_.number(r, i);
       const auto n = static_cast<Site>(edges_.points(edge).size());
       const bool runs_up = sites[i] < sites[(i + 1) % sites.size()];
-      // The ring that passes an edge first numbers its points, as it runs.
+      // The ring that passes an edge first numbers its points, in its own direction.
       const bool is_new = first_[edge].site == no_index;
       if (is_new) first_[edge] = {static_cast<Site>(result.places.size()), runs_up};
       const auto [begin, began_up] = first_[edge];
@@ -168,10 +171,10 @@ class Assembly {
     bool runs_up = true;
   };
   std::vector<Site> number_;  // for each site of the outline
-  std::vector<First> first_;  // of the points on each edge, and which way they follow
+  std::vector<First> first_;  // the first point on each edge, and the direction of their numbers
 };
 
-/// The rings of each group, the groups in the order in which they come first.
+/// Returns the rings of each group; groups are in the order of their first rings.
 std::vector<std::vector<std::size_t>> groups_of(const Outline& outline) {
   std::vector<std::vector<std::size_t>> groups;
   std::map<std::size_t, std::size_t> place;
@@ -234,7 +237,7 @@ void cut(Outline& outline, const SizeField& field, const std::function<bool()>& 
       for (const RingsMeet::Side& side : {meet->first, meet->second}) {
         const std::vector<std::size_t>& edge_of = all.edge_of[side.ring];
         keep_whole(edge_of[side.edge]);
-        // Where a corner meets something, both of its edges do.
+        // If a corner meets something, both of its edges do.
         keep_whole(edge_of[(side.edge + edge_of.size() - 1) % edge_of.size()]);
       }
     }

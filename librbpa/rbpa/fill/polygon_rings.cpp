@@ -17,7 +17,7 @@ std::string name_of(const RingRole& role) {
   return role.hole ? "hole " + std::to_string(*role.hole) + " of " + polygon : "the shell of " + polygon;
 }
 
-/// A polygon without points is empty, and valid.
+/// Returns the noded rings of polygons. A polygon without points is empty, and valid.
 PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon> polygons,
                          const std::function<bool()>& go_on) {
   PolygonRings rings;
@@ -37,7 +37,7 @@ PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon>
   return rings;
 }
 
-/// Some of the rings, one behind the other.
+/// A range of consecutive rings.
 struct Range {
   std::size_t first, last;
 };
@@ -65,8 +65,8 @@ void place(PolygonRings& rings, const Range& range, std::span<const Point> point
   }
 }
 
-/// Rings of a polygon and the points at which they touch: what is inside is in one piece if going from ring to ring by
-/// such points never leads back.
+/// Checks that the interior of a polygon is connected: a walk from ring to ring by the points at which they touch must
+/// never lead back.
 void check_in_one_piece(const PolygonRings& rings, const Range& range, std::span<const Point> points) {
   std::vector<std::pair<std::uint32_t, std::size_t>> vertices;  // points, and rings through them
   for (std::size_t r = range.first; r < range.last; ++r)
@@ -104,13 +104,12 @@ std::vector<Range> groups_in(const PolygonRings& rings) {
   return ranges;
 }
 
-/// Of each ring that of its polygon: what `begins` has last before it.
+/// Returns the group of each ring: that of its polygon, which is the last one that begins at or before it.
 std::vector<std::size_t> groups_of(const PolygonRings& rings, std::span<const std::size_t> begins,
                                    std::size_t polygons) {
   if (begins.empty()) return std::vector<std::size_t>(rings.roles.size(), 0);
   if (begins[0] != 0 || begins.back() > polygons || !std::is_sorted(begins.begin(), begins.end()))
-    throw InvalidInput(
-        "groups: found other numbers, expected those of the polygons with which they begin, ascending from 0");
+    throw InvalidInput("groups: found other numbers, expected the first polygon of each group, ascending from 0");
   std::vector<std::size_t> groups;
   for (const RingRole& role : rings.roles)
     groups.push_back(

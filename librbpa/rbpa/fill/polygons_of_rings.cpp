@@ -18,7 +18,7 @@ namespace {
 
 Ring reversed(const Ring& ring) { return {{ring.points.rbegin(), ring.points.rend()}}; }
 
-/// Rings that meet in single points at most, and which is in which.
+/// Rings that meet in single points at most, with their nesting.
 class ApartRings {
  public:
   ApartRings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
@@ -31,17 +31,17 @@ class ApartRings {
 
   std::vector<Polygon> polygons() const {
     std::vector<Polygon> polygons = regions(false);
-    // Rings that touch each other in turn may cut an inside in two.
+    // Rings that touch each other in turn may split the interior.
     if (const auto why = why_invalid(points_, polygons, go_on_)) throw InvalidInput(*why);
     for (Polygon& polygon : polygons) measure(polygon, points_);
     return polygons;
   }
 
-  /// What is within holes, as polygons: with the shells in them for their holes.
+  /// Returns the regions within holes as polygons, with the shells in them for their holes.
   std::vector<Polygon> holes() const { return regions(true); }
 
  private:
-  /// What is directly within holes, or within shells: the rings around these turn counter-clockwise.
+  /// Returns the regions directly within holes, or within shells; the rings around them become counter-clockwise.
   std::vector<Polygon> regions(bool within_holes) const {
     std::vector<Polygon> regions;
     std::vector<std::size_t> region_of(rings_.size());

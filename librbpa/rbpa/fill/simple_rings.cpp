@@ -17,11 +17,11 @@ namespace {
 
 struct Edge : SweptEdge {
   RingsMeet::Side side;
-  std::uint32_t from, to;  // as it runs
-  bool runs_up;            // from the lower end to the higher
+  std::uint32_t from, to;  // in the direction of the ring
+  bool runs_up;            // whether it runs from the lower end to the higher
 };
 
-/// Beyond a common end that they may have.
+/// Returns whether two edges meet elsewhere than in a common end.
 bool meet(const Edge& a, const Edge& b) {
   const int b_low = plane_orientation(a.low, a.high, b.low), b_high = plane_orientation(a.low, a.high, b.high);
   const int a_low = plane_orientation(b.low, b.high, a.low), a_high = plane_orientation(b.low, b.high, a.high);
@@ -63,7 +63,7 @@ class RingSweep {
 
   std::uint32_t point_at(const RingsMeet::Side& v) const { return rings_[v.ring].points[v.edge]; }
 
-  /// Places that come twice in one ring, or as two points. Points that several rings have are kept.
+  /// Finds places that occur twice in one ring, or as two points. Points that several rings share are kept.
   bool find_repeated() {
     std::vector<RingsMeet::Side> vertices;
     for (const Edge& edge : edges_) vertices.push_back(edge.side);
@@ -84,13 +84,14 @@ class RingSweep {
     return false;
   }
 
-  /// A point that several rings have, and an edge there.
+  /// An edge at a point that several rings share.
   struct Spoke {
     Point to;
     RingsMeet::Side vertex;
   };
 
-  /// Rings that share a point do not cross there if their pairs of edges, in the order around it, are nested.
+  /// Finds rings that cross at a shared point. They do not cross there if their pairs of edges, in the order around it,
+  /// are nested.
   void find_crossing_at_a_point() {
     for (auto first = shared_.begin(); first != shared_.end();) {
       step_();
@@ -164,7 +165,7 @@ class RingSweep {
       const auto first = start;
       for (; start != starts.end() && (*start)->low == at; ++start)
         if (insert(*start)) return;
-      // From below: where several rings begin, the one below is nested first.
+      // The order is from below: if several rings begin here, the one below is nested first.
       std::sort(first, start, Below());
       for (auto edge = first; edge != start; ++edge)
         if (const std::size_t ring = (*edge)->side.ring; !seen[ring]) {
@@ -176,7 +177,7 @@ class RingSweep {
       if (remove(*end)) return;
   }
 
-  /// The vertices at the ends.
+  /// Returns the vertex at an end.
   RingsMeet::Side low_end(const Edge& edge) const { return end_of(edge, !edge.runs_up); }
   RingsMeet::Side high_end(const Edge& edge) const { return end_of(edge, edge.runs_up); }
   RingsMeet::Side end_of(const Edge& edge, bool last) const {
@@ -198,7 +199,7 @@ class RingSweep {
     return between && test(*below, **above);
   }
 
-  /// At the first point of a ring, at which two of its edges begin.
+  /// Nests a ring at its first point, at which two of its edges begin.
   void nest(std::size_t ring, const Edge* lower) {
     const auto place = place_[number(lower)];
     nested_.place[ring].is_counter_clockwise = lower->runs_up;
@@ -218,7 +219,7 @@ class RingSweep {
   std::vector<Edge> edges_;
   Status crossed_;
   std::vector<Status::const_iterator> place_;
-  std::vector<RingsMeet::Side> shared_;  // vertices at points that several rings have, by place
+  std::vector<RingsMeet::Side> shared_;  // vertices at points that several rings share, by place
   NestedRings nested_;
 };
 

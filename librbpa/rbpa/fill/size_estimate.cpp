@@ -14,8 +14,8 @@
 namespace rbpa {
 namespace {
 
-constexpr std::size_t pieces_of_all = std::size_t{1} << 17U, pieces_of_each = 64;  // and so many at most
-constexpr int most_rounds = 400;  // of halving: doubles have no finer pieces
+constexpr std::size_t pieces_of_all = std::size_t{1} << 17U, pieces_of_each = 64;  // maximum numbers of pieces
+constexpr int most_rounds = 400;  // rounds of halving: doubles have no finer pieces
 constexpr double tolerance = 0.1;
 
 Point between(const Point& a, const Point& b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
@@ -39,7 +39,7 @@ struct Area {
     const Point at = middle();
     return std::max({distance(at, corner[0]), distance(at, corner[1]), distance(at, corner[2])});
   }
-  /// Cut at the middle of the longest side.
+  /// Returns the halves, cut at the middle of the longest side.
   std::array<Area, 2> halves() const {
     std::size_t k = 0;
     for (const std::size_t other : {1U, 2U})
@@ -62,7 +62,7 @@ struct Stretch {
   std::array<Stretch, 2> halves() const { return {Stretch{a, middle()}, Stretch{middle(), b}}; }
 };
 
-/// The integral over one part, and how far it may be off.
+/// The integral over one part, and a bound of its error.
 template <typename Part>
 struct Piece {
   Piece(const Part& of, std::size_t piece_of, const SizeField& field) : part(of), whole(piece_of) {
@@ -74,11 +74,11 @@ struct Piece {
   }
 
   Part part;
-  std::size_t whole;  // which of the parts at the beginning it is of
+  std::size_t whole;  // number of the original part
   double value, least, doubt;
 };
 
-/// The integrals over each of the parts; what they are at least, where there would be too many pieces.
+/// Returns the integral over each of the parts; a lower bound if there would be too many pieces.
 template <typename Part>
 std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& field, Steps& step) {
   std::vector<Piece<Part>> pieces;
@@ -96,7 +96,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
     }
     is_known = !(doubt > tolerance * value);
     if (is_known) break;
-    // Half of what is tolerated can be left in pieces that are not halved.
+    // Half of the tolerance may remain in pieces that are not halved.
     const double tolerated = tolerance / 2 * value / static_cast<double>(pieces.size());
     for (std::size_t i = pieces.size(); i-- > 0 && pieces.size() < most;) {
       step();
@@ -117,7 +117,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const std::function<bool()>& go_on) {
   Steps step(go_on);
-  // Of all groups together, so that they share the pieces.
+  // All groups are integrated together, so that they share the pieces.
   std::vector<Stretch> stretches;
   std::vector<Area> areas;
   std::vector<std::size_t> group_of_stretch, group_of_area;

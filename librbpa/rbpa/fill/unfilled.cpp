@@ -18,7 +18,7 @@ bool is_within(const Box& box, const Point& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-/// The box of the segment meets it.
+/// Returns whether the box of the segment meets a box.
 bool meets(const Box& box, const Point& p, const Point& q) {
   return std::max(p.x, q.x) >= box.low.x && std::min(p.x, q.x) <= box.high.x && std::max(p.y, q.y) >= box.low.y &&
          std::min(p.y, q.y) <= box.high.y;
@@ -42,7 +42,7 @@ Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector
           static_cast<Site>(std::lower_bound(sites.begin(), sites.end(), s) - sites.begin()));
   }
   for (const auto& [a, b, c] : constrained_delaunay(outline, go_on)) add(sites[a], sites[b], sites[c]);
-  // What has no partner stays on the border.
+  // Sides without a partner stay on the border.
   border_.reserve(corner_.size());
   for (Side side = 0; side < corner_.size(); ++side) {
     const auto partner = border_.find(key_of(to(side), from(side)));
@@ -70,11 +70,11 @@ void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   most_ = most;
   of_look_ = 0;
   seen_ = {apex};
-  // Nothing lies right of the way to the end or left of that back, as nothing lies right of the edge.
+  // Nothing lies right of the line to the end or left of the line back, as nothing lies right of the edge.
   closed_ = {{after(first), apex, edge.from}, {before(first), edge.to, apex}};
 }
 
-/// Through every side that is seen from the whole edge, and no farther than the box.
+/// Searches through every side that is seen from the whole edge, within the box.
 std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   const auto [a, b] = eye_;
   const Point at_a = places_[a], at_b = places_[b];
@@ -90,13 +90,13 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
     }
     ++passed_;
     ++of_look_;
-    // The gate runs from its right end to its left one, and beyond it the other way.
+    // The gate runs from its right end to its left one, and in the opposite direction in the triangle beyond.
     const Site d = corner_[beyond];
     const Point& p = places_[d];
     const bool is_right = left == b || quick_orientation(at_a, places_[left], p) < 0;
     const bool is_left = right == a || quick_orientation(at_b, places_[right], p) > 0;
     if (is_right && is_left && quick_orientation(at_a, at_b, p) > 0) seen_.push_back(d);
-    // A corner out of sight bounds nothing, so that of its two sides the one goes on with the bounds before.
+    // A corner out of sight bounds nothing, so one of its two sides continues with the bounds before.
     if (is_right && (!is_left || quick_orientation(at_b, p, places_[from(beyond)]) > 0))
       gates_.push_back({before(beyond), left, is_left ? d : right});
     if (is_left && (!is_right || quick_orientation(at_a, p, places_[to(beyond)]) < 0))
@@ -114,8 +114,8 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   return found_;
 }
 
-/// Along the way to it: every corner that is passed lies left of the way from a or right of that from b, if none lies in
-/// between.
+/// Walks toward the site: if none of the corners passed lies in between, every one lies left of the line from a or
+/// right of that from b.
 bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   const Point &a = places_[edge.from], &b = places_[edge.to], &p = places_[site];
   if (quick_orientation(a, b, p) <= 0) return false;
@@ -129,7 +129,7 @@ bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   return false;
 }
 
-/// The triangle around a point, by its side towards an edge with which the point makes an empty triangle.
+/// Returns the triangle around a point, by its side towards an edge with which the point makes an empty triangle.
 std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Point& p, std::size_t most) const {
   const Point &a = places_[edge.from], &b = places_[edge.to];
   if (quick_orientation(a, b, p) <= 0) return std::nullopt;
@@ -152,7 +152,7 @@ bool Unfilled::is_free(const FrontEdge& edge, const Point& apex, double clearanc
   return side && is_clear(*side, apex, clearance);
 }
 
-/// What is nearest is seen from the point: so it suffices to look through sides that are as near.
+/// The nearest point of the front is seen from the point, so it suffices to look through sides that are as near.
 bool Unfilled::is_clear(Side around, const Point& p, double clearance) const {
   const double reach = (1 + 0x1p-40) * clearance;  // distances are rounded
   stack_ = {around - around % 3};

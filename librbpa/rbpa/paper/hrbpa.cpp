@@ -12,10 +12,10 @@
 namespace rbpa::paper {
 namespace {
 
-/// α₀, 2α₀, 4α₀ … and α in the place of the first that is not below it.
+/// The radii α₀, 2α₀, 4α₀ …, with α in the place of the first that is not below it.
 class Radii {
  public:
-  /// When α = ∞ it replaces the first that is not below `largest`.
+  /// Computes the radii. If α = ∞, it replaces the first radius that is not below `largest`.
   Radii(double minimal, Radius alpha, Real largest) : minimal_(minimal), alpha_(alpha) {
     const Real end =
         alpha.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(alpha.value());
@@ -30,7 +30,7 @@ class Radii {
   int last_ = 0;
 };
 
-/// RBPA that looks whether there is a triangle, and attaches none.
+/// RBPA that finds out whether there is a triangle, and attaches none.
 struct Look {
   RestrictedBallPivoting& rbpa;
   bool found = false;
@@ -51,7 +51,7 @@ class Run {
       const std::function<void(const Level&)>& level_ended)
       : points_(points), radii_(radii), front_(front), monitor_(monitor), level_ended_(level_ended) {}
 
-  /// Section 6, "Summarizing HRBPA", steps 2 to 4.
+  /// Runs all levels: section 6, "Summarizing HRBPA", steps 2 to 4.
   void all_levels() {
     for (int i = 0;;) {
       // 2. Transfer boundary and isolated points as input.
@@ -61,21 +61,21 @@ class Run {
       meshops::advance(front_, rbpa, monitor_);
       level_ended_(level_);
       if (level_.is_last) return;
-      // 4. Set i = i + 1, αᵢ = 2αᵢ₋₁; where nothing happens any more for a while, go on to where something does.
+      // 4. Set i = i + 1, αᵢ = 2αᵢ₋₁; if no triangle is added, continue with the next level that adds one.
       i = front_.faces() > before ? i + 1 : next_with_a_triangle(i);
     }
   }
 
  private:
-  /// RBPA on what goes on to a level. The first time all points are isolated.
+  /// Returns RBPA on the points transferred to a level. The first time all points are isolated.
   RestrictedBallPivoting input_of(int i) {
     meshops::LevelTransfer transfer = front_.next_level();
     level_ = {i, radii_[i], i == radii_.last(), transfer.carried.size(), transfer.reactivated};
     return {points_, std::move(transfer.carried), level_.radius, [&](const Front& seen) { monitor_.searched(seen); }};
   }
 
-  /// The first level with a triangle to attach, or the last, given one up to which there is none: by steps that double
-  /// until they are too long, and halve after.
+  /// Returns the first level with a triangle to attach, or the last, given one up to which there is none: by steps that
+  /// double until they are too long, and then halve.
   int next_with_a_triangle(int none) {
     int some = radii_.last();
     for (int step = 1; none + step < some; step *= 2) {

@@ -1,5 +1,5 @@
-// The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with its
-// center left. Which of two points it arrives at first is a question of signs, without any angle or root (docs/paper.md,
+// The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with
+// its center left. Signs decide at which of two points it arrives first, without any angle or root (docs/paper.md,
 // section 3); the next point is the first of all within 2α of v.
 #include "rbpa/paper/ball.h"
 
@@ -9,28 +9,28 @@ Site Ball::roll(Site v, Site from) const {
   Site next = from;
   grid_.for_each_near(v, [&](Site q) {
     if (q == v || q == from || !alpha_.spans<Real>(at(v), at(q))) return;
-    if (in_arriving_ball(v, q, from)) return;  // hidden behind `from`, where the ball is back before
+    if (in_arriving_ball(v, q, from)) return;  // hidden behind `from`, to which the ball returns earlier
     if (next == from || met_before(v, from, q, next)) next = q;
   });
   return next;
 }
 
-/// Of two points that are not hidden: does the ball arrive at q before p?
+/// Returns whether the ball arrives at q before p, of two points that are not hidden.
 bool Ball::met_before(Site v, Site from, Site q, Site p) const {
-  // If one is inside the ball that arrives at the other, it was met before.
+  // A point inside the ball that arrives at the other is met before it.
   if (in_arriving_ball(v, p, q)) return true;
   if (in_arriving_ball(v, q, p)) return false;
-  // Else they are met apart, or at once: in the order in which they lie around v, counted from v→from.
+  // Otherwise they are met apart, or at once: in the order in which they lie around v, counted from v→from.
   const int side_of_q = P::orientation(at(v), at(from), at(q)), side_of_p = P::orientation(at(v), at(from), at(p));
   if (side_of_q != side_of_p) return side_of_q > side_of_p;
   return P::orientation(at(v), at(q), at(p)) > 0;
 }
 
-/// Is q inside the ball that arrives at p? The angle at q decides: docs/seeding.md, section 4.
+/// Returns whether q is inside the ball that arrives at p. The angle at q decides: docs/seeding.md, section 4.
 bool Ball::in_arriving_ball(Site v, Site p, Site q) const {
   const int side = P::orientation(at(v), at(p), at(q));
   const int cosine = P::dot_sign(at(q), at(v), at(p));
-  if (side == 0) return cosine < 0;  // between v and p
+  if (side == 0) return cosine < 0;  // q is between v and p
   const auto radius_to_alpha = [&] { return P::compare_circumradius(at(v), at(p), at(q), alpha_.value()); };
   const bool is_beside_centre = side < 0;
   return is_beside_centre ? cosine < 0 || radius_to_alpha() < 0 : cosine < 0 && radius_to_alpha() > 0;

@@ -4,13 +4,13 @@
 //   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; a pivot finds out whether it has
 //      one on its left. That is a seed.
 //   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
-// docs/seeding.md proves that every triangle is found so.
+// docs/seeding.md proves that this finds every triangle.
 #include "rbpa/paper/rbpa.h"
 
 namespace rbpa::paper {
 
 std::optional<Triangle> RestrictedBallPivoting::seed(const Front& front) {
-  // Without a radius the complex is connected through edges: one seed is all there is.
+  // Without a finite radius, the complex is connected through edges: one seed is enough.
   if (ball_.alpha().is_infinite() && front.faces() > 0) return std::nullopt;
   for (; next_ < sites_.size(); ++next_) {
     if (observe_) observe_(front);
