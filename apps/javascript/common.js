@@ -1,10 +1,10 @@
-/** What both modules share. bundle.mjs puts it before each, and the WebAssembly module into it. */
+/** The common part of both modules. bundle.mjs puts it before each, and the WebAssembly module into it. */
 
 const wasm = "BASE64";
 
-let compiled;  // a promise of the module, once for all instances
+let compiled;  // a promise of the module, shared by all instances
 
-/** An instance of its own. */
+/** Returns a new instance of the WebAssembly module. */
 async function instance() {
   compiled ??= unpacked(wasm).then(WebAssembly.compile);
   const module = await compiled;
@@ -37,7 +37,7 @@ export class InvalidInput extends Error {
   name = "InvalidInput";
 }
 
-/** Numbers of points of so many coordinates, flat: a Float64Array is used as it is. */
+/** Returns the coordinates of points as flat numbers; a typed array is used as it is. */
 function flat(points, dimension, name) {
   if (points == null || typeof points.length !== "number")
     throw new InvalidInput(`${name}: found ${points}, expected an array of points or of numbers`);
@@ -56,12 +56,12 @@ function flat(points, dimension, name) {
   return numbers;
 }
 
-/** Throws unless it is a number that fits. */
+/** Throws InvalidInput unless value is a number for which fits(value) is true. */
 function check(value, name, fits, expected) {
   if (typeof value !== "number" || !fits(value)) throw new InvalidInput(`${name}: found ${JSON.stringify(value) ?? value}, expected ${expected}`);
 }
 
-/** Calls of one instance. */
+/** Calls the functions of one instance. */
 class Module {
   #wasm;
   constructor(exports) {
@@ -72,8 +72,8 @@ class Module {
     return this.#wasm.memory.buffer.byteLength;
   }
 
-  /** Calls a function of the module with arrays of numbers, how many points they are of, and other numbers; returns what read() makes of its results.
-   * All that the call made is freed. */
+  /** Calls a function of the module with arrays of numbers, the number of points in them, and other numbers. Returns
+   * read(this), which copies the results, and frees all memory of the call. */
   call(name, arrays, count, numbers, read) {
     const places = [];
     try {
@@ -86,7 +86,7 @@ class Module {
     }
   }
 
-  /** Results of the call, as copies. */
+  /** Results of the call, by index, as copies. */
   doubles = (i) => this.#copyOut(Float64Array, i);
   indices = (i) => this.#copyOut(Uint32Array, i);
   integers = (i) => this.#copyOut(Int32Array, i);
@@ -97,7 +97,7 @@ class Module {
     new Float64Array(this.#wasm.memory.buffer, at, array.length).set(array);
     return at;
   }
-  // Memory may have grown since the last one: views are made anew.
+  // A new view each time, as the memory may have grown.
   #copyOut(Type, i) {
     const length = (this.#wasm.rbpa_bytes(i) >>> 0) / Type.BYTES_PER_ELEMENT;
     return new Type(this.#wasm.memory.buffer, this.#wasm.rbpa_result(i) >>> 0, length).slice();

@@ -1,5 +1,5 @@
-// What: what every module exports: memory for what comes in, arrays and a message as what comes out.
-// Law:  one call at a time; its results last until the next one, or until they are cleared.
+// What: the exports of every WebAssembly module: memory for inputs, and arrays and a message as outputs.
+// Law:  one call at a time; its results are valid until the next call, or until they are cleared.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace rbpa::javascript {
 class Results {
  public:
   void clear() { arrays_.clear(); }
-  /// Of items without padding: how many bytes matter to who reads them.
+  /// Adds an array. Requires: items without padding, as JavaScript reads all bytes as numbers.
   template <typename Item>
   void add(std::vector<Item> items) {
     const auto kept = std::make_shared<std::vector<Item>>(std::move(items));
@@ -40,7 +40,7 @@ class Results {
 inline Results results;
 inline std::string message;
 
-/// Returns: whether it ended without an exception; else the message says why not.
+/// Runs work(). Returns whether it ended without an exception; otherwise `message` has the text of the exception.
 template <typename Work>
 bool completes(const Work& work) {
   results.clear();

@@ -1,54 +1,55 @@
 /** Alpha shapes, concave hulls and Delaunay triangulations of points in the plane.
  *
- * Every decision is exact, also on grids, duplicates and collinear points; the result depends on the set of points and on alpha alone. Alpha is a
- * radius in the units of the points. Points on one line, and fewer than three, have no triangle.
+ * Every decision is exact, also on grids, duplicates and collinear points; the result depends only on the set of points and on alpha. Alpha is a
+ * radius in the units of the points. Points on one line, and fewer than three points, have no triangle.
  *
  *     import { load } from "rbpa";
  *     const rbpa = await load();
  *     rbpa.alphaShape([[0, 0], [1, 0], [1, 1], [0, 1], [9, 9]], 1).area   // 1
  */
 
-/** Points as [x, y] each, or as numbers x0, y0, x1, y1, …; a typed array is fastest. */
+/** Points, each as [x, y], or numbers x0, y0, x1, y1, …; a typed array is fastest. */
 export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 
-/** A radius, or a rule: "plateau:K", in the K-th of the ranges in which the shape hardly changes, the best first; "plateau" is the first; "auto", the least that
- * covers every point in one solid component; "min", the least that covers every point. */
+/** A radius, or a rule: "plateau:K" is a radius in the K-th plateau, a range in which the shape hardly changes, the best first; "plateau" means
+ * "plateau:1"; "auto" is the least radius that covers every point in one solid component; "min" is the least that covers every point. */
 export type Alpha = number | "auto" | "min" | "plateau" | `plateau:${number}`;
 
-/** A value that is not what was expected; the message says which. */
+/** Thrown for an invalid argument, which the message names. */
 export class InvalidInput extends Error {}
 
-/** Triangles of circumradius at most alpha; indices are those of points. */
+/** Triangles of circumradius at most alpha; corners are indices of points. */
 export interface Triangulation {
-  /** Three corners each, counter-clockwise where y points up, the least first; in lexicographic order. Of equal points the first is a corner. */
+  /** Three corners per triangle, counter-clockwise if y points up, the least index first; triangles are in lexicographic order. Only the
+   * first of equal points is a corner. */
   triangles: Uint32Array;
-  /** Number 3 t + k is the triangle across from corner k of triangle t, or -1. */
+  /** Number 3 t + k is the triangle opposite to corner k of triangle t, or -1. */
   neighbors: Int32Array;
-  /** Side 3 t + k goes from corner k of triangle t to the next; here is the same side of the triangle beyond, or -1. */
+  /** Side 3 t + k goes from corner k of triangle t to the next; number 3 t + k is the same side of the triangle beyond, or -1. */
   halfedges: Int32Array;
-  /** Two ends of each side with a triangle on one side only, which is the left one. */
+  /** The two ends of each side with a triangle on its left only. */
   boundary: Uint32Array;
   /** Distinct points in no triangle. */
   isolated: Uint32Array;
-  /** Pairs: a point that is equal to one before it, and that one. */
+  /** Pairs: a point that is equal to an earlier one, and that earlier point. */
   duplicates: Uint32Array;
 }
 
 export interface Polygon {
   /** Indices of points, counter-clockwise, the first not repeated. */
   shell: Uint32Array;
-  /** The same of holes, clockwise. */
+  /** Indices of the points of each hole, clockwise. */
   holes: Uint32Array[];
-  /** Without the holes. */
+  /** Area without the holes, in squared units of the points. */
   area: number;
-  /** Of all rings. */
+  /** Length of all rings. */
   perimeter: number;
 }
 
 export interface AlphaShape extends Triangulation {
-  /** The radius that was given or chosen; null where there is none, as all points are on one line. */
+  /** The given or chosen radius; null if the rule chooses none, as all points are on one line. */
   alpha: number | null;
-  /** One of each solid component: simple, valid by the rules of OGC. */
+  /** One polygon per solid component: simple, and valid by the rules of the OGC. */
   polygons: Polygon[];
   area: number;
   perimeter: number;
@@ -57,7 +58,7 @@ export interface AlphaShape extends Triangulation {
 
 export interface Plateau {
   from: number;
-  /** Infinity: it has no end. */
+  /** Infinity if the plateau has no end. */
   to: number;
   ratio: number;
   /** The radius to choose. */
@@ -66,7 +67,7 @@ export interface Plateau {
   isLong: boolean;
 }
 
-/** What changes as alpha grows: one entry of each array for each radius at which something does. */
+/** Properties of the alpha shape for every alpha: one entry of each array for each radius at which something changes. */
 export interface Filtration {
   alpha: Float64Array;
   triangles: Uint32Array;
@@ -75,21 +76,21 @@ export interface Filtration {
   holes: Uint32Array;
   covered: Uint32Array;
   area: Float64Array;
-  /** The radii of the rules of that name; null where there is none. */
+  /** The radius of the rule "auto", and of "min"; null if there is none. */
   auto: number | null;
   min: number | null;
   /** The longest first. */
   plateaus: Plateau[];
 }
 
-/** A Delaunay triangulation with the members of the package delaunator, whose triangles are clockwise where y points up. */
+/** A Delaunay triangulation with the members of the package delaunator; triangles are clockwise if y points up. */
 export interface Delaunator<T extends ArrayLike<number> = Float64Array> {
   coords: T;
   triangles: Uint32Array;
   halfedges: Int32Array;
   hull: Uint32Array;
   trianglesLen: number;
-  /** Computes it anew, of coordinates that were changed. */
+  /** Recomputes the triangulation after a change of coords. */
   update(): void;
 }
 
@@ -98,24 +99,25 @@ export interface DelaunatorConstructor {
   from<P>(points: ArrayLike<P>, getX?: (p: P) => number, getY?: (p: P) => number): Delaunator<Float64Array>;
 }
 
-/** All functions throw InvalidInput, and RangeError where memory does not suffice. */
+/** All functions throw InvalidInput, and RangeError if memory does not suffice. */
 export interface Rbpa {
-  /** The Delaunay triangles of circumradius at most alpha, by default all. */
+  /** Returns the Delaunay triangles of circumradius at most alpha, by default all. */
   triangulate(points: Points, alpha?: number): Triangulation;
-  /** The same with polygons, by default of the rule "plateau". Smaller holes are filled, and smaller polygons left out. */
+  /** Returns these triangles and their outline as polygons; alpha is "plateau" by default. Holes smaller than minHoleArea are filled, and polygons
+   * smaller than minPartArea are left out. */
   alphaShape(points: Points, alpha?: Alpha, options?: { minHoleArea?: number; minPartArea?: number }): AlphaShape;
-  /** The outline of the points as a closed ring of points, without holes, by default of the rule "auto", so that it holds every point; the largest where there are
-   * several; as concaveman returns it. */
+  /** Returns the outline of the points as a closed ring of points, without holes, in the form of concaveman; the largest if there are several.
+   * alpha is "auto" by default, so that the ring encloses every point. */
   concaveHull<P extends readonly number[]>(points: ArrayLike<P>, alpha?: Alpha): P[];
   concaveHull(points: ArrayLike<number>, alpha?: Alpha): number[][];
-  /** What every alpha would give. */
+  /** Returns the properties of the alpha shape for every alpha. */
   filtration(points: Points): Filtration;
   Delaunator: DelaunatorConstructor;
-  /** How much memory the instance has. */
+  /** Size of the instance's memory in bytes. */
   readonly memoryBytes: number;
 }
 
-/** A new instance, which works from then on without waiting. Nothing has to be freed. WebAssembly's memory grows and never shrinks: after one very large
- * run forget the instance, and load another. */
+/** Returns a new instance, whose functions are synchronous. Nothing has to be freed. WebAssembly's memory grows and never shrinks: after a very
+ * large run, drop the instance and load another. */
 export function load(): Promise<Rbpa>;
 export default load;

@@ -1,4 +1,5 @@
-// What: what the library uses of C++20 and the standard library of Emscripten 3.1.6 (libc++ 13) does not have yet. Included before each source.
+// What: parts of C++20 that the library uses and that the standard library of Emscripten 3.1.6 (libc++ 13) lacks.
+//       Included before each source.
 #pragma once
 
 #include <version>
@@ -10,7 +11,7 @@
 #include <memory>
 #include <type_traits>
 
-/// Of common.js: writes the text, and returns its length, or −1 where there is too little room.
+/// Writes a number as text; returns its length, or −1 if `room` is too small. Implemented in common.js.
 extern "C" __attribute__((import_module("rbpa"), import_name("text"))) int rbpa_text(double value, char* at, int room);
 
 namespace std {
@@ -26,7 +27,7 @@ requires is_unbounded_array_v<T> unique_ptr<T> make_unique_for_overwrite(size_t 
   return unique_ptr<T>(new remove_extent_t<T>[size]);
 }
 
-/// One thread: a store is a store.
+/// An atomic_ref for a single thread: a plain store.
 template <typename T>
 class atomic_ref {
  public:
@@ -37,7 +38,7 @@ class atomic_ref {
   T& value_;
 };
 
-/// As JavaScript writes numbers: the fewest digits that read back.
+/// Writes the shortest text that reads back, as JavaScript does.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   const int length = rbpa_text(value, first, static_cast<int>(last - first));
   return length < 0 ? to_chars_result{last, errc::value_too_large} : to_chars_result{first + length, errc()};

@@ -1,4 +1,5 @@
-// What: the plane as functions that WebAssembly exports: points come as numbers in its memory, results are arrays there.
+// What: the functions of the plane that WebAssembly exports. Points are numbers in its memory, results are arrays
+//       there.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,10 +36,10 @@ std::span<const Point> points_of(const double* numbers, std::size_t count) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(numbers), count};
 }
-enum class Seen { y_up, y_down };  ///< how a triangle's corners are counter-clockwise
+enum class Seen { y_up, y_down };  ///< direction of y in which the corners of triangles are counter-clockwise
 
-/// Of each side of a triangle, from corner i to the next, that of the triangle beyond, or −1. Where y points down, corners b and c will have changed
-/// places, so that sides come in the opposite order.
+/// Returns for each side of a triangle, from corner i to the next, the same side of the triangle beyond, or −1. If y
+/// points down, corners b and c are swapped later, so that the sides come in the opposite order.
 std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbors,
                                        Seen seen) {
   std::vector<std::int32_t> halfedges(3 * triangles.size());
@@ -48,7 +49,7 @@ std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, c
       const std::size_t here = side(t, i);
       const std::uint32_t beyond = neighbors[t][(i + 2) % 3];
       if (beyond == Triangulation::none) halfedges[here] = -1;
-      if (beyond == Triangulation::none || beyond < t) continue;  // the latter was set from there
+      if (beyond == Triangulation::none || beyond < t) continue;  // a lesser triangle has set both
       const Triangle& other = triangles[beyond];
       const std::uint32_t end = triangles[t][(i + 1) % 3];
       const std::size_t there = side(beyond, other[1] == end ? 1U : other[2] == end ? 2U : 0U);
@@ -64,7 +65,7 @@ Triangulation triangulated(std::span<const Point> points, double alpha) {
 
 enum class Rule { given, automatic, least, plateau };
 
-/// By a rule, of all points; a radius of 0 where none satisfies it.
+/// Chooses the radius by a rule; 0 if no radius satisfies it.
 double chosen(const rbpa::Delaunay& delaunay, Rule rule, double number) {
   if (rule == Rule::given) return number;
   if (rule != Rule::plateau) {
@@ -91,7 +92,7 @@ void add_triangulation(Triangulation made) {
   results.add(std::move(made.duplicates));
 }
 
-/// Where each polygon, and each ring, begins in the next array; rings last.
+/// Adds the first ring of each polygon, the first point of each ring, and the points.
 void add_polygons(const std::vector<rbpa::Polygon>& polygons) {
   std::vector<std::uint32_t> first_ring = {0}, first_point = {0}, points;
   std::vector<double> area, perimeter;
@@ -121,7 +122,8 @@ RBPA_EXPORT bool rbpa_triangulate(const double* points, std::size_t count, doubl
   return completes([&] { add_triangulation(triangulated(points_of(points, count), alpha)); });
 }
 
-/// What Delaunator has: triangles as seen where y points down, their sides' twins, the hull's sides.
+/// Computes the members of Delaunator: triangles counter-clockwise if y points down, the twins of their sides, the
+/// sides of the hull.
 RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   return completes([&] {
     Triangulation made = triangulated(points_of(points, count), infinity);
@@ -133,7 +135,8 @@ RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   });
 }
 
-/// `rule` as of Rule; `number` is the radius, or the rank of the plateau. The radius that was chosen comes first.
+/// Computes an alpha shape. `rule` is a Rule; `number` is the radius, or the rank of the plateau. The first result is
+/// the chosen radius.
 RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int rule, double number,
                                   double min_hole_area, double min_part_area) {
   return completes([&] {

@@ -1,6 +1,6 @@
 // Alpha shapes, concave hulls and Delaunay triangulations of points in the plane. Types and documentation: index.d.ts.
 
-/** A new instance. Its memory grows as a run needs, and is freed with it. */
+/** Returns a new instance. Its memory grows as needed, and is freed with it. */
 export async function load() {
   return new Rbpa(new Module(await instance()));
 }
@@ -8,7 +8,7 @@ export default load;
 
 const rules = { given: 0, auto: 1, min: 2, plateau: 3 };
 
-/** A radius, "auto", "min", "plateau" or "plateau:K". */
+/** Parses a radius, "auto", "min", "plateau" or "plateau:K" as a rule and its number. */
 function parseAlpha(alpha) {
   if (typeof alpha === "number" && alpha > 0) return [rules.given, alpha];
   if (alpha === "auto" || alpha === "min") return [rules[alpha], 0];
@@ -158,7 +158,7 @@ function plateaus(numbers) {
   });
 }
 
-/** Points of the hull as Delaunator has them, from its sides: in a chain, the other way round; of points on one line, in their order on it. */
+/** Returns the points of the hull in Delaunator's order: against the direction of its sides; points on one line in their order on it. */
 function hullOf(sides, coords) {
   if (sides.length === 0) {
     const all = Uint32Array.from({ length: coords.length >> 1 }, (_, i) => i);

@@ -1,4 +1,4 @@
-// What: surfaces of points in space as functions that WebAssembly exports.
+// What: the functions of surfaces in space that WebAssembly exports.
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -22,7 +22,7 @@ std::span<const Point3> points3_of(const double* numbers, std::size_t count) {
 
 }  // namespace
 
-/// Without normals they are estimated.
+/// Computes a surface; estimates normals if none are given.
 RBPA_EXPORT bool rbpa_surface(const double* points, const double* normals, std::size_t count, double radius) {
   return completes([&] {
     const auto input = points3_of(points, count);

@@ -1,31 +1,31 @@
-/** Surfaces of points in space, by ball pivoting: exact, and the same for points in any order.
+/** Surfaces of points in space, by ball pivoting; the result is exact and does not depend on the order of the points.
  *
  *     import { load } from "rbpa/space";
  *     const rbpa = await load();
  *     const { triangles } = rbpa.surface(points, 0.2);
  */
 
-/** Points as [x, y, z] each, or as numbers x0, y0, z0, x1, …; a typed array is fastest. */
+/** Points, each as [x, y, z], or numbers x0, y0, z0, x1, …; a typed array is fastest. */
 export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 
-/** A value that is not what was expected; the message says which. */
+/** Thrown for an invalid argument, which the message names. */
 export class InvalidInput extends Error {}
 
 export interface Surface {
-  /** Three corners each, counter-clockwise seen from outside, the least first; in lexicographic order. */
+  /** Three corners per triangle, counter-clockwise seen from outside, the least index first; triangles are in lexicographic order. */
   triangles: Uint32Array;
-  /** Number 3 t + k is the triangle to which the ball rolls over the side across from corner k of triangle t, or -1. */
+  /** Number 3 t + k is the triangle to which the ball rolls over the side opposite to corner k of triangle t, or -1. */
   neighbors: Int32Array;
 }
 
 export interface RbpaInSpace {
-  /** The triangles on which a ball of the radius rests, outside as normals say, which are vectors of any length; without them they are estimated. Throws
-   * InvalidInput, and RangeError where memory does not suffice. */
+  /** Returns the triangles on which a ball of that radius rests, outside as the normals point. Normals are vectors of any length but 0; they are
+   * estimated if not given. Throws InvalidInput, and RangeError if memory does not suffice. */
   surface(points: Points, radius: number, normals?: Points | null): Surface;
-  /** How much memory the instance has. */
+  /** Size of the instance's memory in bytes. */
   readonly memoryBytes: number;
 }
 
-/** A new instance, which works from then on without waiting. Nothing has to be freed. */
+/** Returns a new instance, whose functions are synchronous. Nothing has to be freed. */
 export function load(): Promise<RbpaInSpace>;
 export default load;

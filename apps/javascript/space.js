@@ -1,6 +1,6 @@
 // Surfaces of points in space. Types and documentation: space.d.ts.
 
-/** A new instance. Its memory grows as a run needs, and is freed with it. */
+/** Returns a new instance. Its memory grows as needed, and is freed with it. */
 export async function load() {
   return new RbpaInSpace(new Module(await instance()));
 }

@@ -27,7 +27,7 @@ struct CheckResult {
   Check check;
   bool holds;
   std::string found, expected;  ///< in words
-  std::optional<long> number;  ///< the found number; absent if there is none, as for the genus of a non-orientable mesh
+  std::optional<long> number;   ///< the found number; absent if there is none, such as a genus that is undefined
 };
 
 struct Examined {

@@ -1,5 +1,5 @@
-// What: NumPy arrays as the library's spans, and the library's vectors as NumPy arrays. Nothing is copied.
-// Law:  an array that is made here owns the vector, whose memory lives as long as the array; it can be written where no other sees the vector.
+// What: passes NumPy arrays as the library's spans, and the library's vectors as NumPy arrays, without copies.
+// Law:  an array made here owns its vector. It is writable unless other arrays view the same vector.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -25,14 +25,14 @@ using Indices = py::array_t<std::int32_t, py::array::c_style>;
 using Begins = py::array_t<std::int64_t, py::array::c_style>;
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Contiguous points, an array of n × 2. The array must outlive the span.
+/// Views a contiguous float64 array of shape (n, 2) as points. The array must outlive the span.
 inline std::span<const Point> points_of(const Doubles& array) {
   if (array.ndim() != 2 || array.shape(1) != 2) throw py::value_error("points: expected an array of shape (n, 2)");
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// The same of points or vectors of space, an array of n × 3.
+/// Views a contiguous float64 array of shape (n, 3) as points or vectors in space; `name` stands for it in messages.
 inline std::span<const Point3> points3_of(const Doubles& array, const char* name) {
   if (array.ndim() != 2 || array.shape(1) != 3)
     throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
@@ -53,13 +53,14 @@ inline std::span<const Quadruple> quadruples_of(const Indices& array, const char
   return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// −1, which stands for no neighbor in SciPy, has the bits of TriangleArrays::none.
+/// Views arrays of shape (m, 3) as triangles and neighbors. −1, SciPy's sign for no neighbor, has the bits of
+/// TriangleArrays::none.
 inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
   static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);
   return {triples_of(simplices, "simplices"), triples_of(neighbors, "neighbors")};
 }
 
-/// What arrays see of a value that Python frees with the last of them.
+/// A value that arrays view, and that Python frees with the last of them.
 template <typename Value>
 class Kept {
  public:
@@ -69,7 +70,8 @@ class Kept {
   const Value& operator*() const { return *value_; }
   const Value* operator->() const { return value_; }
 
-  /// Numbers from `first` on, of these shape and distances in bytes. Others may see them: read-only unless `is_alone`.
+  /// Returns an array that views the numbers from `first` on, with the given shape and strides in bytes. It is
+  /// read-only, as other arrays may view the numbers, unless `is_alone`.
   template <typename Number>
   py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                  bool is_alone = false) const {
@@ -83,7 +85,7 @@ class Kept {
   py::capsule owner_;
 };
 
-/// The numbers of a vector, in rows of `columns` or, where that is 0, in a line.
+/// Returns the numbers of a vector as an array of shape (n, columns), or (n,) if `columns` is 0.
 template <typename Number, typename Item>
 py::array_t<Number, py::array::c_style> array_of(std::vector<Item> items, std::size_t columns) {
   const Kept kept(std::move(items));
@@ -96,13 +98,13 @@ py::array_t<Number, py::array::c_style> array_of(std::vector<Item> items, std::s
   return py::reinterpret_steal<py::array_t<Number, py::array::c_style>>(array.release());
 }
 
-/// An item of a vector is a row of numbers.
+/// Returns a vector as a two-dimensional array; each item is a row.
 template <typename Number, typename Item>
 auto rows(std::vector<Item> items) {
   return array_of<Number>(std::move(items), sizeof(Item) / sizeof(Number));
 }
 
-/// An item of a vector is a number.
+/// Returns a vector of numbers as a one-dimensional array.
 template <typename Number, typename Item>
 auto line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));

@@ -1,4 +1,4 @@
-// What: errors of reading and writing files as Python's, with their text.
+// What: translates errors of reading and writing files into Python's.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +8,7 @@
 
 namespace rbpa::python {
 
-/// What work() returns. Bad input and wrong usage become InvalidInput, failures OSError.
+/// Returns work(). Bad input and wrong usage become InvalidInput, failures OSError, with the same text.
 template <typename Work>
 auto with_file_errors(Work work) {
   try {

@@ -26,7 +26,8 @@ Delaunay delaunay_of(std::span<const Point> points, unsigned threads, Watch& wat
   return Delaunay(points, {.threads = threads, .progress = watch.progress()});
 }
 
-/// The least alpha that covers a share of the points, in at most so many solid components if a limit is given.
+/// Returns the least alpha that covers a share of the points, in at most `components` solid components if that is
+/// given.
 std::optional<double> least_alpha(const Doubles& points, double share, std::optional<std::size_t> components,
                                   unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
@@ -37,7 +38,7 @@ std::optional<double> least_alpha(const Doubles& points, double share, std::opti
   });
 }
 
-/// Of each plateau what rbpa.Plateau is made of, the best first.
+/// Returns the arguments of rbpa.Plateau for each plateau, the best first.
 py::list plateaus_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   const std::vector<Plateau> found = watched(input.size(), progress, [&](Watch& watch) {
@@ -59,7 +60,7 @@ PairChoice pair_choice(double min_persistence, std::optional<std::size_t> top) {
   return choice;
 }
 
-/// Rings of input indices, the shell first.
+/// Returns the rings of a polygon as input indices, the shell first.
 py::list rings_of(Polygon polygon) {
   py::list rings;
   if (polygon.shell.points.empty()) return rings;
@@ -68,8 +69,8 @@ py::list rings_of(Polygon polygon) {
   return rings;
 }
 
-/// Of each pair what rbpa.Representative is made of.
-/// At radii, or those of hrbpa() with a capacity of leaves, if either is given.
+/// Returns the arguments of rbpa.Representative for each pair. With `levels`, radii, or with `leaf_capacity`, by the
+/// levels of hrbpa(), returns those between levels.
 py::list representatives_of(const Doubles& points, bool full, double min_persistence, std::optional<std::size_t> top,
                             std::optional<std::vector<double>> levels, std::optional<std::size_t> leaf_capacity,
                             unsigned threads, const py::object& progress) {
@@ -99,7 +100,7 @@ py::list representatives_of(const Doubles& points, bool full, double min_persist
   return list;
 }
 
-/// The steps column by column.
+/// Returns the steps of the filtration as columns.
 py::dict filtration_steps(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   Filtration made = watched(input.size(), progress, [&](Watch& watch) {
@@ -127,7 +128,7 @@ py::dict filtration_steps(const Doubles& points, unsigned threads, const py::obj
 
 using Interval = std::array<double, 2>;
 
-/// Births and deaths of components, and of holes; without a death, infinity.
+/// Returns (birth, death) of components, and of holes; death is infinity if there is none.
 std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool full, unsigned threads,
                                                    const py::object& progress) {
   const auto input = points_of(points);

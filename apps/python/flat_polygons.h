@@ -1,5 +1,5 @@
-// What: polygons with holes as arrays: all rings one after the other, the shell of each polygon before its holes; where rings
-//       begin, and which ring is the first of each polygon; and the ends.
+// What: polygons with holes as flat arrays: the points of all rings one after the other, the shell of each polygon
+//       before its holes; the begin of each ring, and the first ring of each polygon, each list with the end.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@
 
 namespace rbpa::python {
 
-/// `Index` is that of a point: of 32 bits, or of 64 where the points are elsewhere and their coordinates are kept beside it.
+/// `Index` is the type of a point's index: 32 bits, or 64 bits if the points are elsewhere and the coordinates are kept
+/// here.
 template <typename Index>
 struct FlatPolygons {
   std::vector<Index> indices = {};
@@ -30,7 +31,7 @@ struct FlatPolygons {
     perimeters.push_back(polygon.perimeter);
   }
 
-  /// Empties it.
+  /// Moves the content into NumPy arrays, and leaves this object empty.
   py::dict as_arrays() {
     py::dict result;
     result["indices"] = line<std::make_signed_t<Index>>(std::move(indices));

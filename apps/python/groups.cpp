@@ -11,7 +11,7 @@
 namespace rbpa::python {
 namespace {
 
-/// −1, the label of points in no group, has the bits of no_group.
+/// Views labels of shape (n,). −1, the label of points in no group, has the bits of no_group.
 std::span<const std::uint32_t> labels_of(const Indices& array) {
   static_assert(static_cast<std::uint32_t>(-1) == no_group);
   if (array.ndim() != 1) throw py::value_error("groups: expected an array of shape (n,)");

@@ -8,7 +8,7 @@
 namespace rbpa::python {
 namespace {
 
-/// A Locator, and the arrays on which it stands.
+/// A Locator that keeps its arrays alive.
 class ArrayLocator {
  public:
   ArrayLocator(Doubles points, Indices simplices, Indices neighbors)
@@ -24,7 +24,7 @@ class ArrayLocator {
     }));
   }
 
-  /// `values`: a row for each point.
+  /// `values`: an array of shape (n, k), with a row for each point.
   Doubles interpolate(const Doubles& values, const Doubles& queries, bool by_natural_neighbors) const {
     if (values.ndim() != 2) throw py::value_error("values: expected an array of shape (n, k)");
     const auto input = points_of(queries);

@@ -40,7 +40,7 @@ std::unique_ptr<Mesh> make_mesh(const Indices& corners, const Begins& begin, std
   return mesh;
 }
 
-/// The handle, if its element is there.
+/// Returns the handle. Throws ContractViolation unless its element exists.
 template <typename Handle>
 Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) {
   if (!meshops::is_live(mesh, handle))
@@ -48,7 +48,7 @@ Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) 
   return handle;
 }
 
-// What has no state is a pointer to a function below: those of one signature are compiled once.
+// Stateless functions below are function pointers, so that pybind11 compiles each signature only once.
 using Count = std::size_t (*)(const Mesh&);
 
 template <typename ForEach>
@@ -155,7 +155,7 @@ void bind_navigation(py::class_<Mesh>& mesh) {
           arg("face"), "The corners of the face from its first side on, as it runs: an int32 array.");
 }
 
-/// All that the links are made of.
+/// Returns all links of the mesh, for pickling.
 py::tuple state_of(const Mesh& mesh) {
   const meshops::Connectivity& m = mesh.seen();
   std::vector<std::array<std::int32_t, 2>> vertices, faces;
@@ -198,7 +198,7 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
     m.status(Halfedge(h)).set_deleted(h_at(h, 4) != 0);
     if (in(h_at(h, 1), h_at.shape(0)) >= 0) m.set_next_halfedge_handle(Halfedge(h), Halfedge(h_at(h, 1)));
   }
-  // Afterwards, as to set what is next sets what is before that, also where a deleted halfedge still names a live one.
+  // After all next links: setting one also sets the prev link of the other halfedge, even from a deleted halfedge.
   for (int h = 0; h < h_at.shape(0); ++h)
     m.set_prev_halfedge_handle(Halfedge(h), Halfedge(in(h_at(h, 2), h_at.shape(0))));
   for (int f = 0; f < f_at.shape(0); ++f) {

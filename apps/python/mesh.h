@@ -1,4 +1,4 @@
-// What: a halfedge mesh for Python. A handle is an int there, and one that names nothing is None.
+// What: the halfedge mesh of Python. Handles are ints there, and invalid handles None.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,7 +15,7 @@
 
 namespace rbpa::python {
 
-/// Connectivity that can mark elements of every kind as deleted. No coordinates.
+/// Connectivity without coordinates that can mark elements of every kind as deleted.
 struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
   MeshKernel() {
     request_vertex_status();
@@ -24,7 +24,8 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
     request_face_status();
   }
 
-  /// The elements and links of a mesh that marks none as deleted. (OpenMesh would take the marks away, as that one has none.)
+  /// Takes the elements and links of a mesh that marks none as deleted. Adds the marks to `other` first, since OpenMesh
+  /// would otherwise remove them here.
   void take_links(OpenMesh::PolyConnectivity& other) {
     other.request_vertex_status();
     other.request_halfedge_status();
@@ -37,14 +38,15 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
 class Mesh {
  public:
   const meshops::Connectivity& seen() const { return kernel_; }
-  /// For what changes it. Throws ContractViolation while another thread of Python, or what called this one, works on it.
+  /// Returns the connectivity for a change. Throws ContractViolation while another thread of Python, or a caller of the
+  /// current function, works on the mesh.
   meshops::Connectivity& changed() {
     meshops::require(looking_ == 0, "mesh: it cannot be changed while something else works on it");
     return kernel_;
   }
   MeshKernel& kernel() { return kernel_; }
 
-  /// While it lives, Python's lock may be let go.
+  /// Forbids changes of the mesh while it exists, so that Python's lock may be released.
   class Look {
    public:
     explicit Look(Mesh& mesh) : mesh_(mesh) { ++mesh_.looking_; }
@@ -56,14 +58,14 @@ class Mesh {
     Mesh& mesh_;
   };
 
-  std::vector<std::uint32_t> built_on;  ///< of each vertex that it was built with, the point of the faces given
+  std::vector<std::uint32_t> built_on;  ///< the point, in the given faces, of each vertex that the mesh was built with
 
  private:
   MeshKernel kernel_;
   int looking_ = 0;
 };
 
-/// A handle that names something, or None: of which a user's type checker knows.
+/// Returns a handle, or None for an invalid one, in a type that Python's type checkers know.
 template <typename Handle>
 std::optional<Handle> maybe(Handle handle) {
   return handle.is_valid() ? std::optional<Handle>(handle) : std::nullopt;
@@ -79,7 +81,7 @@ template <typename Handle>
 struct MeshHandleCaster {
   PYBIND11_TYPE_CASTER(Handle, const_name("int"));
 
-  /// Whole numbers of Python and NumPy; no truth value, and no other number, which would be rounded.
+  /// Accepts integers of Python and NumPy; refuses bool, and other numbers, which would be rounded.
   bool load(handle source, bool convert) {
     if (PyBool_Check(source.ptr())) return false;
     const auto whole = reinterpret_steal<object>(PyNumber_Index(source.ptr()));

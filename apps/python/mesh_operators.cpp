@@ -73,7 +73,7 @@ void bind_delta(py::module_& module) {
       .attr("__module__") = "rbpa.meshops";
 }
 
-/// An effect is what an operator did, and what takes it back. Handles are ints, or None.
+/// Binds an effect: the record of an operator's change, by which it can be undone. Handles are ints, or None.
 template <typename Effect, typename... Base>
 py::class_<Effect, Base...> bind_effect(py::module_& module, const char* name, const char* what) {
   py::class_<Effect, Base...> effect(module, name, what);
@@ -170,8 +170,8 @@ void bind_stellar_effects(py::module_& module) {
       .def_readonly("faces", &meshops::TriangulateFaceEffect::faces);
 }
 
-/// An operator on what is `Given`, in Python under these names, and its blocker. Neither has a state: as pointers to functions
-/// those of one signature are compiled once.
+/// Binds an operator with arguments `Given`, and its blocker. Both are stateless and bound as function pointers, so
+/// that pybind11 compiles each signature only once.
 template <typename... Given, typename Operator, typename Blocker, typename... Arguments>
 void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Blocker, const char* what,
                    const Arguments&... arguments) {
@@ -182,7 +182,7 @@ void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Bl
            ("Why " + name + "() would refuse, or None.").c_str());
 }
 
-// Operators and blockers have overloads: each pair is named by functions of its own.
+// Operators and blockers are overloaded, so that they are passed as lambdas.
 #define RBPA_OPERATOR(name) \
 #name, [](auto& on, const auto&... given) { return meshops::name(on, given...); }, \
       [](auto& on, const auto&... given) { return meshops::name##_blocker(on, given...); }
@@ -261,7 +261,7 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
       [](Mesh& m, Face given, const py::function& weight, Keep kept) {
         const auto of = [&](Vertex a, Vertex b, Vertex c) { return double(py::float_(weight(a, b, c))); };
         meshops::Connectivity& mesh_to_change = m.changed();
-        const Mesh::Look look(m);  // so that weight() cannot change it
+        const Mesh::Look look(m);  // weight() must not change the mesh
         return meshops::triangulate_face(mesh_to_change, given, of, kept);
       },
       face, arg("weight"), by_name, keep,

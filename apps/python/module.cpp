@@ -1,4 +1,4 @@
-// The extension module rbpa._core: arrays in and out, and nothing that a user should have to see.
+// What: the extension module rbpa._core: private functions of arrays.
 #include "python/module.h"
 
 #include <pybind11/pybind11.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Errors are Python's, with the library's sentences.
+/// Registers the exceptions of the library.
 void bind_errors(py::module_& module) {
   const auto describe = [&](const char* name, const char* what) {
     module.attr(name).attr("__module__") = "rbpa";
@@ -38,7 +38,7 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_locator(module);
   rbpa::python::bind_nearest(module);
   rbpa::python::bind_partial(module);
-  rbpa::python::bind_soups(module);  // before what returns them, so that signatures name what they are in Python
+  rbpa::python::bind_soups(module);  // before functions that return soups, so that signatures show the Python types
   rbpa::python::bind_mesh(module);
   rbpa::python::bind_space_points(module);
   rbpa::python::bind_surface(module);

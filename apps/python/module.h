@@ -1,4 +1,4 @@
-// What: the parts of the extension module, each in a file of its name.
+// What: the parts of the extension module; bind_NAME() is in NAME.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -17,7 +17,7 @@
 namespace rbpa::python {
 namespace {
 
-using Real = long double;  // for its exponents: squares of coordinates
+using Real = long double;  // has the exponents for squares of coordinates
 using Vector = std::array<Real, 3>;
 using Weights = std::array<double, 3>;
 
@@ -28,11 +28,11 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Finds the nearest places on facets: triangles, of which those with two equal corners are segments, and with three points.
-/// A tree of boxes halves the facets along the longest side.
+/// Finds the nearest positions on facets: triangles; segments, as triangles with two equal corners; and points, with
+/// three. A tree of boxes halves the facets along the longest side.
 class NearestPlaces {
  public:
-  /// Keeps the arrays.
+  /// Keeps the arrays alive.
   NearestPlaces(Doubles points, Indices facets)
       : points_array_(std::move(points)),
         facets_array_(std::move(facets)),
@@ -46,7 +46,7 @@ class NearestPlaces {
     if (!order_.empty()) build(0, order_.size());
   }
 
-  /// Of each query the facet, of several the first, and the weights of its corners.
+  /// Returns for each query the nearest facet, the first of equally near ones, and the weights of its corners.
   std::pair<Indices, Doubles> find(const Doubles& queries) const {
     const auto input = points3_of(queries, "queries");
     if (facets_.empty()) throw py::value_error("facets: expected some");
@@ -70,8 +70,8 @@ class NearestPlaces {
   };
   struct Box {
     Vector low, high;
-    std::size_t begin, end;    // of the order
-    std::size_t second_child;  // the first follows the box; 0: none
+    std::size_t begin, end;    // range of the ordered facets
+    std::size_t second_child;  // the first child follows the box; 0: none
   };
 
   std::size_t build(std::size_t begin, std::size_t end) {
@@ -126,7 +126,7 @@ class NearestPlaces {
                                    second = {distance(q, boxes_[box.second_child]), box.second_child};
       if (first.first < second.first) std::swap(first, second);
       open.push_back(first);
-      open.push_back(second);  // the nearer one is next
+      open.push_back(second);  // the nearer child is next
     }
     return {facet, best.weights};
   }

@@ -36,7 +36,7 @@ py::bytes as_bytes(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The bytes must outlive the span.
+/// Views bytes, which must outlive the span.
 std::span<const std::uint8_t> span_of(const py::bytes& bytes) {
   const auto text = static_cast<std::string_view>(bytes);
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -55,7 +55,7 @@ py::dict as_arrays(std::span<const CornerPolygon> polygons) {
   return result;
 }
 
-/// What there is of some regions: the bytes of what is open, and the polygons that are finished.
+/// The result for some regions: the open part as bytes, and the finished polygons.
 struct Settled {
   std::vector<std::uint8_t> open;
   std::vector<CornerPolygon> polygons;

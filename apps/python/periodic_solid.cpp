@@ -54,7 +54,7 @@ py::dict periodic_solid_of(const Doubles& points, const Box& box, double alpha, 
   }));
 }
 
-/// Of all tetrahedra, a radius by the rule.
+/// Returns the radius that the rule chooses among all tetrahedra.
 double periodic_alpha_of(const Doubles& points, const Box& box, bool in_one_piece, unsigned threads,
                          const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -76,7 +76,7 @@ std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
   return result;
 }
 
-/// With a triangulation of its own.
+/// Returns the topology of the complex; computes its own triangulation.
 py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha, bool full) {
   const auto input = points3_of(points, "points");
   PeriodicTopology made = watched(input.size(), py::none(), [&](Watch&) {

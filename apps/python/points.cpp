@@ -39,7 +39,7 @@ void require_format(bool fits, const std::string& option, const std::string& fou
   if (!fits) throw app::WrongUsage(option + ": found a format " + found + ", expected " + expected);
 }
 
-/// Each with "number", "text", or nothing where its values decide.
+/// Returns the requested columns, each of kind "number" or "text", or by its values if the kind is empty.
 using WantedFields = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<app::WantedColumn> columns_of(const WantedFields& fields, bool texts) {
@@ -79,7 +79,7 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   return source;
 }
 
-/// What is no UTF-8 with its bytes written out.
+/// Returns texts for Python, with escapes for bytes that are not UTF-8.
 py::list printable_texts(const std::vector<std::string>& texts) {
   py::list list;
   for (const std::string& text : texts) try {
@@ -90,7 +90,7 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// Of a file of the plane or of space all but normals and colors, which are emptied.
+/// Moves the data of a file, of points in the plane or in space, into a dict; normals and colors are None.
 template <typename File>
 py::dict dict_of(File& file, const app::PointSource& source) {
   py::dict result;
@@ -98,7 +98,7 @@ py::dict dict_of(File& file, const app::PointSource& source) {
   result["normals"] = py::none();
   result["colors"] = py::none();
   py::list fields;
-  file.fields.resize(source.where ? source.where->columns() : 0);  // without a point there are none
+  file.fields.resize(source.where ? source.where->columns() : 0);  // a file without points has none
   for (std::size_t k = 0; k < file.fields.size(); ++k)
     if (k < file.texts.size() && file.texts[k])
       fields.append(py::make_tuple(line<double>(std::move(file.fields[k])), printable_texts(*file.texts[k])));
@@ -116,7 +116,7 @@ py::dict dict_of(File& file, const app::PointSource& source) {
 
 template <typename Read>
 auto read_watched(Read read) {
-  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // as far as is known
+  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // the number of points is unknown
   return watched(many, py::none(), [&](Watch& watch) {
     const app::Interruption interruption(watch.until_stopped());
     return read();

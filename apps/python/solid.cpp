@@ -55,7 +55,7 @@ double alpha_of(const Indices& simplices, const Indices& neighbors, const Double
   });
 }
 
-/// Its tetrahedra and neighbors, and the corners that it leaves without a tetrahedron.
+/// Returns the tetrahedra and neighbors of a part of a solid, and the corners that are in none of them.
 py::dict within_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, double alpha) {
   Solid made = watched(static_cast<std::size_t>(radii.size()), py::none(),
                        [&](Watch&) { return within(solid_again(simplices, neighbors), line_of(radii), alpha); });
@@ -74,7 +74,7 @@ std::pair<double, double> balls_of(const Doubles& points, double radius, unsigne
   return {found.volume, found.area};
 }
 
-/// Of the full alpha complex, with a triangulation of its own.
+/// Returns the dangling simplices of the full alpha complex; computes its own triangulation.
 std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   DanglingFaces found = watched(input.size(), py::none(), [&](Watch&) {
@@ -85,7 +85,7 @@ std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double 
           line<std::int32_t>(std::move(found.points))};
 }
 
-/// All of them column by column: where the triangles and points of each begin.
+/// Adds the voids as columns, with the first triangle and the first point of each.
 void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
   std::vector<double> volume, outside, area;
   std::vector<std::array<double, 6>> box;
@@ -113,7 +113,7 @@ void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
   result["first_point"] = line<std::int64_t>(std::move(first_point));
 }
 
-/// The boundary, and all of the voids.
+/// Returns the boundary of a solid, and its voids.
 py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -141,7 +141,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
   return result;
 }
 
-/// Betti numbers of the full alpha complex and its voids, with a triangulation of its own.
+/// Returns the Betti numbers of the full alpha complex, and its voids; computes its own triangulation.
 py::dict full_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   struct Made {

@@ -1,4 +1,4 @@
-// What: a solid, and the radii of its tetrahedra, from the arrays that Python has of it.
+// What: rebuilds a solid, and the radii of its tetrahedra, from Python's arrays.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rbpa::python {
 
-/// Its tetrahedra and neighbors, nothing else.
+/// Returns a solid with its tetrahedra and neighbors only.
 inline Solid solid_again(const Indices& simplices, const Indices& neighbors) {
   Solid again;
   const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };

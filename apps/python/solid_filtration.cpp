@@ -24,7 +24,7 @@
 namespace rbpa::python {
 namespace {
 
-/// The simplices with their radii, the pairs, and the radii of two rules, of all points at once.
+/// Returns the simplices with their radii, the persistence pairs, and the radii of the rules min and auto.
 py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -74,7 +74,7 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   return result;
 }
 
-/// Of each pair what rbpa.SolidRepresentative is made of.
+/// Returns the arguments of rbpa.SolidRepresentative for each pair.
 py::list solid_representatives_of(const Doubles& points, int dimension, double min_persistence,
                                   std::optional<std::size_t> top, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -109,7 +109,7 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
   return list;
 }
 
-/// Of each plateau what rbpa.SolidPlateau is made of, the best first.
+/// Returns the arguments of rbpa.SolidPlateau for each plateau, the best first.
 py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
                            const Doubles& radii, std::size_t distinct) {
   const auto input = points3_of(points, "points");
@@ -126,7 +126,7 @@ py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, cons
   return list;
 }
 
-/// Columns of a tree of voids.
+/// Returns the nodes of the tree of voids as columns.
 py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Indices& neighbors, const Doubles& radii,
                       bool full, unsigned threads) {
   const auto input = points3_of(points, "points");

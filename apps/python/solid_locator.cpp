@@ -9,7 +9,7 @@
 namespace rbpa::python {
 namespace {
 
-/// A SolidLocator, and the arrays on which it stands.
+/// A SolidLocator that keeps its arrays alive.
 class ArraySolidLocator {
  public:
   ArraySolidLocator(Doubles points, Indices simplices, Indices neighbors)

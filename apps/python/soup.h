@@ -1,4 +1,4 @@
-// What: faces as Python has them: all corners in one array, and where each face begins.
+// What: polygon soups from Python's arrays: the corners of all faces, and the begin of each face.
 #pragma once
 
 #include "meshops/topology/polygon_soup.h"
@@ -6,7 +6,7 @@
 
 namespace rbpa::python {
 
-/// Throws ContractViolation when the beginnings are not those of faces.
+/// Returns the faces. Throws ContractViolation if `begin` does not ascend from 0 to the number of corners.
 meshops::PolygonSoup soup_of(const Indices& corners, const Begins& begin, std::size_t points);
 
 }  // namespace rbpa::python

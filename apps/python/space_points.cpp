@@ -16,7 +16,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Normals, and how sure each is.
+/// Returns the normals, and the confidence in each.
 std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints,
                                        unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -28,7 +28,7 @@ std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighb
   return {rows<double>(std::move(made.normals)), line<double>(std::move(made.certainty))};
 }
 
-/// The moved points, and by how many steps.
+/// Returns the moved points, and the number of steps.
 std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps, std::size_t neighbors,
                                        unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -46,7 +46,7 @@ Doubles chosen_radii(const Doubles& points, unsigned threads, const py::object& 
   }));
 }
 
-/// Input indices, and the distance of the median point.
+/// Returns the input indices of outliers, and the median of the points' distances.
 std::tuple<Indices, double> standing_alone(const Doubles& points, double factor, std::size_t neighbors,
                                            unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");

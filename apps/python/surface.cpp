@@ -37,7 +37,7 @@ namespace {
 
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// The sides without a neighbor, from corner to corner, the triangle on the left.
+/// Returns the sides without a neighbor as pairs of corners, with the triangle on the left.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -47,7 +47,7 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   return sides;
 }
 
-/// Columns of a surface, and what is filled in it: of each triangle whether it is new, of each curve its outcome.
+/// Returns the columns of a surface with filled holes: for each triangle whether it is new, for each curve its outcome.
 py::dict as_dict(Surface made, std::vector<std::array<std::uint32_t, 2>> boundary, const std::vector<bool>& is_new,
                  const std::vector<HoleFill>& holes, std::size_t given_up) {
   py::dict result;
@@ -75,7 +75,7 @@ py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Do
     return found;
   });
   static_assert(static_cast<std::uint32_t>(-1) == Surface::none);
-  made.levels.resize(made.triangles.size());  // of one radius there are none: all are of the first
+  made.levels.resize(made.triangles.size());  // empty for one radius: all triangles are of level 0
   py::dict result;
   result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
   result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
@@ -85,7 +85,7 @@ py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Do
   return result;
 }
 
-/// Triangles of the user's as a surface; `given` is of each which of those it is.
+/// Returns the user's triangles as a surface; `given` has the user's number of each triangle.
 py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   const auto input = points3_of(points, "points");
   const auto rows_given = triples_of(triangles, "triangles");
@@ -105,7 +105,7 @@ py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   return result;
 }
 
-/// Triangles and neighbors of a surface, which are copied without Python's lock.
+/// Triangles and neighbors of a surface, to be copied without Python's lock.
 struct Links {
   std::span<const Triple> triangles, neighbors;
 
@@ -120,7 +120,7 @@ Surface of_links(const Links& links) {
   return surface;
 }
 
-/// The number of its component for each triangle, and a row of numbers for each component.
+/// Returns the component of each triangle, and the measures of each component.
 py::dict components_of(const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
@@ -144,7 +144,7 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   return result;
 }
 
-/// Of each component, whether it is an outer shell.
+/// Returns for each component whether it is an outer shell.
 std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
@@ -154,7 +154,8 @@ std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& 
   });
 }
 
-/// The holes of at most so many edges and such a length filled; of each curve that is, its outcome.
+/// Fills the holes of at most `most_edges` edges and length `most_length`; returns the surface, and the outcome of
+/// each.
 py::dict filled(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t most_edges,
                 double most_length, bool rims, unsigned threads) {
   const auto input = points3_of(points, "points");
@@ -176,7 +177,8 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   return as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, 0);
 }
 
-/// What is new refined: the points that are added, their normals, and how many fillings are smooth, flat and as they were.
+/// Refines the new triangles; returns the added points, their normals, and how many fillings are smooth, flat or
+/// unchanged.
 py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
                  const Flags& is_new, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -201,7 +203,7 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   return result;
 }
 
-/// All holes and rims; and how many pairs of triangles cross, of the first thousand.
+/// Fills all holes and rims; returns also the number of pairs of intersecting triangles, at most a thousand.
 py::dict closed(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
@@ -223,7 +225,7 @@ py::dict closed(const Doubles& points, const Indices& triangles, const Indices& 
   return result;
 }
 
-/// Throws InvalidInput: single precision does not keep the triangles.
+/// Throws InvalidInput if single precision does not keep the triangles.
 void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::string& path) {
   std::string why = app::why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, path);
   if (why.empty()) return;
@@ -233,7 +235,7 @@ void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::str
   throw InvalidInput("save: " + why);
 }
 
-/// A mesh file by its ending; with a vertex for each fan, or the points as they are.
+/// Writes a mesh file by its ending, with a vertex for each fan if `manifold`, or with the points as vertices.
 void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
            const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
   const std::string path = name;
@@ -267,7 +269,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   });
 }
 
-/// Fills an empty mesh: face i is triangle i, glued where the surface is.
+/// Fills an empty mesh: face i is triangle i, glued to its neighbors on the surface.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);

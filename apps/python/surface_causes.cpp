@@ -21,8 +21,8 @@ namespace {
 
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// All sides of all boundary curves column by column, and where each curve begins. Without radii no ball made the
-/// surface, and sides have no cause.
+/// Returns the sides of all boundary curves as columns, and the begin of each curve. Without radii the surface was not
+/// made by a ball, and sides have no cause.
 py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, const Indices& triangles,
                   const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
   const SurfaceInput input(points, normals, radii);
@@ -71,7 +71,8 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
   return result;
 }
 
-/// Of each curve of kind hole: its number, the kind of its remedy, the radius, and where its points begin; and the points.
+/// Returns for each curve of kind hole its number, the kind of the suggested repair, the radius, the begin of its
+/// points, and these points.
 py::dict remedies_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
                      const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
                      const py::object& progress) {
@@ -112,7 +113,7 @@ py::dict remedies_of(const Doubles& points, const Doubles& normals, const Double
   return result;
 }
 
-/// Points, and the number of the cause of each.
+/// Returns the points without a triangle, and the number of the cause of each.
 std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii,
                                       const Indices& triangles, const Indices& neighbors, const Indices& levels,
                                       const Indices& duplicates, unsigned threads) {

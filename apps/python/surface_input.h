@@ -1,4 +1,4 @@
-// What: what Python's surfaces are made of, and a surface as the library had it.
+// What: the input of Python's surfaces, and the library's surface from Python's arrays.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@ namespace rbpa::python {
 
 using MaybeDoubles = std::optional<Doubles>;
 
-/// Without normals a surface is the exposed triangles of one radius; without radii no ball made it.
+/// The input of a surface. Without normals the surface is the exposed triangles of one radius; without radii it was not
+/// made by a ball.
 struct SurfaceInput {
   std::span<const Point3> points, normals;
   std::span<const double> radii;
@@ -20,7 +21,7 @@ struct SurfaceInput {
   SurfaceInput(const Doubles& given_points, const MaybeDoubles& given_normals, const Doubles& given_radii);
 };
 
-/// Of what surface_of() gave.
+/// Rebuilds a surface from the arrays that surface_of() returned.
 Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,
                       const Indices& levels, const Indices& duplicates);
 

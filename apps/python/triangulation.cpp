@@ -32,7 +32,7 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   return result;
 }
 
-/// Of each point its neighbors, ascending, one list after the other, and where each begins.
+/// Returns the ascending neighbors of each point, one list after the other, and the begin of each list.
 struct NeighborLists {
   std::vector<std::int32_t> begin, neighbors;
 };
@@ -77,12 +77,12 @@ std::tuple<Indices, Indices> vertex_neighbors(const Indices& simplices, std::siz
   return {line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors))};
 }
 
-/// Of the bits of contiguous numbers, by which an object notices that its points were changed behind its back.
+/// Returns a hash of the bits of contiguous numbers, by which an object detects that its points were changed.
 std::uint64_t fingerprint(const Doubles& points) {
   const auto words = static_cast<std::size_t>(points.size());
   const auto* const at = reinterpret_cast<const unsigned char*>(points.data());
   const py::gil_scoped_release unlocked;
-  constexpr std::size_t lanes = 8;  // each waits for its own product only
+  constexpr std::size_t lanes = 8;  // independent chains of products
   constexpr std::uint64_t prime = 0x100000001b3;
   std::array<std::uint64_t, lanes> hash{};
   const auto word = [&](std::size_t i) {

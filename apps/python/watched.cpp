@@ -11,7 +11,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Work in a thread of its own.
+/// Runs work in its own thread.
 class Running {
  public:
   Running(const std::function<void(Watch&)>& work, Watch& watch)
@@ -33,7 +33,7 @@ class Running {
     std::unique_lock lock(mutex_);
     return done_.wait_for(lock, time, [&] { return is_done_; });
   }
-  /// After it is done.
+  /// Returns the exception of the work, or null. Requires: the work has ended.
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
@@ -41,10 +41,11 @@ class Running {
   std::condition_variable done_;
   bool is_done_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  // the last, as it uses the others
+  std::thread thread_;  // the last member, as it uses the others
 };
 
-/// Requires Python's lock. Throws what a handler of signals, or the function, raises; Cancelled.
+/// Checks signals, and calls `progress` if it is time. Requires Python's lock. Throws exceptions that a signal handler
+/// or `progress` raises; Cancelled.
 void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (progress.is_none() || !is_time_to_tell) return;

@@ -1,7 +1,8 @@
-// What: a long computation without Python's lock: other threads of Python run on, Ctrl-C ends it, progress is reported.
-// How:  the work has a thread of its own where it may take long. The calling one sleeps, and looks every few hundredths of
-//       a second: only there may signals be checked, which Python allows its main thread alone, and only from there is
-//       the caller's function called, which so may touch anything that belongs to that thread.
+// What: runs a long computation without Python's lock: other Python threads continue, Ctrl-C ends the computation, and
+//       progress is reported.
+// How:  work that may take long gets a thread of its own. The calling thread sleeps, and wakes up every 20 ms to check
+//       signals, which Python allows in its main thread only, and to call the caller's function, which may therefore
+//       use objects that belong to that thread.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -18,10 +19,10 @@ namespace rbpa::python {
 
 namespace py = pybind11;
 
-/// What the work and the thread that waits for it exchange.
+/// The data that the work and the waiting thread exchange.
 class Watch {
  public:
-  /// For the library's hooks. Good while the watch is.
+  /// Return functions for the library's hooks. They must not outlive the watch.
   std::function<bool(const Progress&)> progress() {
     return [this](const Progress& now) {
       triangles_.store(now.triangles, std::memory_order_relaxed);
@@ -44,13 +45,13 @@ class Watch {
   std::atomic<std::size_t> triangles_ = 0, points_ = 0;
 };
 
-/// Runs work(watch), in a thread of its own unless `is_short`; the calling thread holds Python's lock, and lets it go.
-/// `progress` is None, or called as progress(triangles, points) every tenth of a second; what it raises, and what is false but None, ends
-/// the work, and so does a signal whose handler raises.
-/// Throws: what the work throws; Cancelled; what Python raised.
+/// Runs work(watch), in a thread of its own unless `is_short`, and releases Python's lock meanwhile. `progress` is
+/// None, or is called as progress(triangles, points) every 0.1 s. The work ends early if `progress` or a signal handler
+/// raises, or if `progress` returns a false value other than None. Requires: the calling thread holds Python's lock.
+/// Throws: exceptions of the work and of Python; Cancelled.
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress);
 
-/// The same with a result. Work on so many points or fewer is short.
+/// Runs work(watch) as run_watched(), and returns its result. Work on at most `few` points is short.
 template <typename Work>
 auto watched(std::size_t points, const py::object& progress, Work work) {
   constexpr std::size_t few = 20'000;

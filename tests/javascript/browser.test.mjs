@@ -1,4 +1,4 @@
-// The package in Chromium. RBPA_CHROMIUM is the program, RBPA_CHROMIUM_DRIVER the module that drives it.
+// Tests the package in Chromium. RBPA_CHROMIUM is the program, RBPA_CHROMIUM_DRIVER the module that drives it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";

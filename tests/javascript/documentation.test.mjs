@@ -1,4 +1,5 @@
-// What the documentation says: blocks of JavaScript run, and what stands behind "// ->" is what they return. RBPA_DOCUMENTS, parted by ":".
+// Runs the blocks of JavaScript in the documentation, and compares their results with the texts behind "// ->".
+// RBPA_DOCUMENTS has the paths, separated by ":".
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

@@ -1,4 +1,5 @@
-// The same triangles as the program for this machine has, of files. RBPA_PROGRAM and RBPA_POINTS, folders parted by ":", say where they are.
+// Compares the package with the native program rbpa on files of points. RBPA_PROGRAM is the program, RBPA_POINTS the folders,
+// separated by ":".
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -21,7 +22,7 @@ function readPoints(path, columns) {
   return coords;
 }
 
-/** Of an .npy array of 32-bit numbers. */
+/** Reads an .npy array of 32-bit numbers. */
 function readNpy(path) {
   const bytes = readFileSync(path);
   return new Uint32Array(bytes.buffer.slice(bytes.byteOffset + 10 + bytes.readUInt16LE(8), bytes.byteOffset + bytes.length));

@@ -1,11 +1,11 @@
-// The package rbpa as users have it: the plane.
+// The installed package rbpa: the plane.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { InvalidInput, load } from "rbpa";
 
 const rbpa = await load();
 
-/** Of a fixed sequence, in [0, 1). */
+/** Returns pseudorandom numbers in [0, 1) of a fixed sequence. */
 function numbers(count, seed = 1) {
   let state = seed;
   return Float64Array.from({ length: count }, () => {
@@ -32,7 +32,7 @@ function checkHalfedges({ triangles, halfedges }, coords, sign) {
   }
 }
 
-test("triangles, their neighbours and their sides belong together", () => {
+test("triangles, neighbors and halfedges are consistent", () => {
   for (const count of [0, 1, 2, 3, 4, 50, 20000]) {
     const coords = numbers(2 * count);
     for (const alpha of [Infinity, 0.01, 0.2]) {
@@ -49,7 +49,7 @@ test("triangles, their neighbours and their sides belong together", () => {
   }
 });
 
-test("points may be numbers, pairs, typed arrays; their order does not matter", () => {
+test("points may be numbers, pairs or typed arrays; their order does not matter", () => {
   const coords = numbers(2000);
   const pairs = Array.from({ length: 1000 }, (_, i) => [coords[2 * i], coords[2 * i + 1]]);
   const expected = rbpa.triangulate(coords, 0.05);
@@ -65,9 +65,9 @@ test("points may be numbers, pairs, typed arrays; their order does not matter", 
   assert.deepEqual(rows(reversed, (i) => 999 - i), rows(expected, (i) => i));
 });
 
-test("a class has the members of Delaunator", () => {
+test("the class Delaunator has the members of the package delaunator", () => {
   const square = new rbpa.Delaunator([0, 0, 4, 0, 4, 4, 0, 4, 2, 1]);
-  checkHalfedges(square, square.coords, -1);  // where y points up they are clockwise
+  checkHalfedges(square, square.coords, -1);  // clockwise if y points up
   assert.equal(square.trianglesLen, 12);
   assert.deepEqual([...square.hull].sort(), [0, 1, 2, 3]);
   const at = square.hull.indexOf(3);
@@ -107,7 +107,7 @@ test("an alpha shape has polygons with holes", () => {
   for (const ring of geojson.coordinates[0]) assert.deepEqual(ring[0], ring.at(-1));
 });
 
-test("rules choose alpha, as filtrations say", () => {
+test("rules choose the alpha that the filtration names", () => {
   const coords = numbers(4000, 3).map((x, i) => x + (i < 2000 ? 0 : 3));  // two squares
   const filtration = rbpa.filtration(coords);
   for (const rule of ["auto", "min"]) assert.equal(rbpa.alphaShape(coords, rule).alpha, filtration[rule]);
@@ -134,7 +134,7 @@ test("rules choose alpha, as filtrations say", () => {
   assert.deepEqual([rbpa.filtration([]).auto, rbpa.filtration([]).plateaus.length], [null, 0]);
 });
 
-test("a concave hull is a closed ring of the points that were given", () => {
+test("a concave hull is a closed ring of the given points", () => {
   const points = [[0, 0, "a"], [4, 0, "b"], [4, 4, "c"], [2, 3, "d"], [0, 4, "e"]];
   const ring = rbpa.concaveHull(points);
   assert.deepEqual(ring.map((p) => p[2]).join(""), "edcbae");
@@ -144,7 +144,7 @@ test("a concave hull is a closed ring of the points that were given", () => {
   assert.equal(rbpa.concaveHull(points, Infinity).length, 5);
 });
 
-test("what is no input is refused, with what was found and what was expected", () => {
+test("invalid input is refused with what was found and what was expected", () => {
   const refused = (call, message) => assert.throws(call, (e) => e instanceof InvalidInput && message.test(e.message));
   refused(() => rbpa.triangulate([[0, NaN]]), /point 0 is \(0, NaN\), expected finite coordinates/);
   refused(() => rbpa.triangulate([0, 1, Infinity, 0.5]), /point 1 is \(Infinity, 0.5\)/);
@@ -156,7 +156,7 @@ test("what is no input is refused, with what was found and what was expected", (
   for (const alpha of [0, NaN, "best", "plateau:0", "plateau:", null, {}])
     refused(() => rbpa.alphaShape([], alpha), /^alpha: found .*expected a radius above 0/);
   refused(() => rbpa.alphaShape([], 1, { minHoleArea: -1 }), /^minHoleArea: found -1/);
-  assert.equal(rbpa.triangulate([[0, 0], [1, 0], [0, 1]]).triangles.length, 3);  // and it goes on
+  assert.equal(rbpa.triangulate([[0, 0], [1, 0], [0, 1]]).triangles.length, 3);  // works after refusals
 });
 
 test("nothing leaks in ten thousand calls", async () => {

@@ -1,4 +1,4 @@
-// The package rbpa as users have it: surfaces in space.
+// The installed package rbpa: surfaces in space.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { InvalidInput, load } from "rbpa/space";
@@ -27,7 +27,7 @@ test("a sphere is closed, with normals and without", () => {
   }
 });
 
-test("normals the other way round see the inside", () => {
+test("opposite normals give the surface seen from inside", () => {
   const points = sphere(500);
   const inside = rbpa.surface(points, 0.4, points.map((p) => p.map((x) => -x)));
   const outside = rbpa.surface(points, 0.4, points);
@@ -35,7 +35,7 @@ test("normals the other way round see the inside", () => {
   assert.notDeepEqual(inside.triangles, outside.triangles);
 });
 
-test("what is no input is refused", () => {
+test("invalid input is refused", () => {
   const refused = (call, message) => assert.throws(call, (e) => e instanceof InvalidInput && message.test(e.message));
   for (const radius of [0, -1, NaN, Infinity, "1", undefined]) refused(() => rbpa.surface([], radius), /^radius: found/);
   refused(() => rbpa.surface([[0, 0, 0]], 1, [[0, 0, 1], [0, 0, 1]]), /normals: found 2, expected one of each point, 1/);
