@@ -174,7 +174,7 @@ void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   waiting_.erase(other);
 }
 
-/// Flips until no apex lies in the circle beyond: each flip lowers the surface over the points lifted to the paraboloid.
+/// Flips until no apex lies in the circle beyond. Each flip lowers the surface of the points lifted to the paraboloid.
 void Unfilled::flip_all() {
   while (!queue_.empty()) {
     const Side side = queue_.back();

@@ -133,7 +133,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
   unfilled_.look_from({task.from, task.to}, most_passed());
   look_around(task, task.side);
-  // Where the front has retreated before, it closes instead of repeating itself.
+  // If the front has retreated there before, it closes instead of repeating itself.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
   std::optional<Point> apex = placed(task, 1, clearance);
   std::optional<Choice> best;

@@ -34,8 +34,8 @@ using meshops::Site;
 
 class LoFront {
  public:
-  /// Takes the rings of the front, behind each edge of which the mesh has one face, and the places of its sites; places
-  /// of sites on no ring are arbitrary. Keeps a reference to the field.
+  /// Takes the rings of the front and the places of its sites; places of sites on no ring are arbitrary. The mesh has
+  /// one face behind each edge of the rings. Keeps a reference to the field.
   /// Throws: Cancelled, when go_on returns false.
   LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
           const std::function<bool()>& go_on);

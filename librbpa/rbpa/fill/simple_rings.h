@@ -49,9 +49,9 @@ struct RingsMeet {
   Side first, second;
 };
 
-/// Which ring lies in which; or where two meet.
-/// Rings may have a point in common, by its index, if they do not cross there. No two points may lie at one place.
-/// Requires: as check_points(), but for edges that meet.
+/// The nesting of rings, or two edges that meet. Rings may have a point in common, by its index, if they do not cross
+/// there. No two points may lie at one place.
+/// Requires: as check_points(), except for edges that meet.
 struct NestedRings {
   std::vector<RingPlace> place = {};
   std::optional<RingsMeet> meet = std::nullopt;

@@ -70,7 +70,7 @@ void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   most_ = most;
   of_look_ = 0;
   seen_ = {apex};
-  // Nothing lies right of the line to the end or left of the line back, as nothing lies right of the edge.
+  // The regions right of the line to the end and left of the line back are empty, as nothing lies right of the edge.
   closed_ = {{after(first), apex, edge.from}, {before(first), edge.to, apex}};
 }
 

@@ -11,9 +11,9 @@
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/topology.h"
 
-// A boundary side has the complex on its left. Around a point, counter-clockwise, outgoing and incoming sides alternate.
-// From an outgoing side to the next incoming one there is a fan of triangles, or nothing if an edge in no triangle leads
-// out and back; from there to the next outgoing side there is a gap:
+// A boundary side has the complex on its left. Around a point, counter-clockwise, outgoing and incoming sides
+// alternate. From an outgoing side to the next incoming one there is a fan of triangles, or nothing if an edge in no
+// triangle leads out and back; from there to the next outgoing side there is a gap:
 //
 //              gap
 //         ↘           ↗
@@ -23,8 +23,8 @@
 //         ↙           ↖
 //              gap
 //
-// A walk that continues along its fan leads around a solid component, once for its outside and once for each hole. A walk
-// that crosses the gap leads around a component of the space, likewise.
+// A walk that continues along its fan leads around a solid component, once for its outside and once for each hole. A
+// walk that crosses the gap leads around a component of the space, likewise.
 //
 // At the least point of a walk, in lexicographic order, the walk lies on one side. A fan there is narrower than 180°
 // unless the other side is in it, which happens once in a walk around a hole and never in one around the outside. A gap

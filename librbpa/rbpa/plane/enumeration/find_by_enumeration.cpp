@@ -339,7 +339,8 @@ class Enumeration {
 
   static Bits lowest(std::size_t count) { return (Bits{1} << count) - 1; }
 
-  // A pair or a triple in one number: the number of the listed point, and the others by their positions among those near it.
+  // A pair or a triple in one number: the number of the listed point, and the positions of the others among those near
+  // it.
   //   triple:  31 … 16  number of the listed point
   //            15 … 10  second corner    9 … 4  third corner    0  they are to be exchanged
   static constexpr int of_point = 16, of_second = 10, of_third = 4;

@@ -57,7 +57,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   for (const std::uint32_t c : next)
     if (c != no_index) follows[c] = true;
 
-  // Where two chains meet, both have the same edge, which is kept once.
+  // Two chains that meet have the same edge, which is kept once.
   const auto follow = [&](std::uint32_t from) {
     Chain chain = std::move(chains[from]);
     done[from] = true;

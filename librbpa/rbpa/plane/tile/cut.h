@@ -28,7 +28,7 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 /// A cutter of tiles from a grid, one after another in the same memory.
 class Cutter {
  public:
-  /// Keeps references. A tile lists the cells of hidden points as unknown, and does not assume that nothing lies beyond them.
+  /// Keeps references. A tile lists the cells of hidden points as unknown, and assumes that points may lie beyond them.
   explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
   /// Replaces `tile` by the tile of a block: its points, and the ghosts around them. The tile is empty if the block has
