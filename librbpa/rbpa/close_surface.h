@@ -1,7 +1,7 @@
 // What: closes a surface of points in space by filling every boundary curve, as 3D printing and volumes require.
 // How:  fill_holes() fills all curves. Where some stay open, it removes the triangles around them, then those around
-//       what still stays open, and so on, at most four times, and fills the holes that result. Triangles around points
-//       at which parts of the surface touch are treated likewise.
+//       the curves that still stay open, and so on, at most four times, and fills the resulting holes. Triangles around
+//       points at which parts of the surface touch are treated likewise.
 // Law:  the result depends on the points and the triangles only, not on any order. No point is added.
 // Cost: up to five times that of fill_holes().
 #pragma once

@@ -19,7 +19,7 @@ enum class CurveKind : std::uint8_t {
   /// The end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
   /// component's area. A square has one, and so has half a sphere; a cube without its bottom has none.
   rim,
-  hole,    ///< any other curve of a component that is no island
+  hole,    ///< any other curve of a component that is not an island
   island,  ///< a curve of a component whose area is less than a hundredth of the largest component's
 };
 

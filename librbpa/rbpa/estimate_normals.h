@@ -3,8 +3,8 @@
 // Law:    the normals depend on the set of points only, not on its order or on threads; multiplying all points by a
 //         power of two changes nothing. Equal points have equal normals, unless their viewpoints differ. The result is
 //         an estimate, in rounded numbers; docs/surface.md, section 3 tells when it is wrong.
-// Cost:   O(n log n); about 30 times as much on a scanner's lines, ten times on closed bodies thinner than the distance
-//         of the points. Memory: at most about 25 neighbors + 100 bytes a point.
+// Cost:   O(n log n); about 30 times as much on a scanner's lines, ten times on closed bodies thinner than the spacing
+//         of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
 

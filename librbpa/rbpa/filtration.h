@@ -50,7 +50,7 @@ inline Filtration filtration(const Triangulation& delaunay, std::span<const Poin
 /// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of triangulate(points, alpha,
 /// {.neighbors = true}), without triangulating again.
 /// Requires: the filtration is that of the triangulation.
-/// Throws:   ContractViolation when the filtration is visibly of another triangulation, or alpha is no radius.
+/// Throws:   ContractViolation when the filtration is visibly of another triangulation, or alpha is not a valid radius.
 /// Cost:     linear.
 RBPA_API Triangulation complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
 

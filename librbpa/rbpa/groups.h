@@ -57,8 +57,8 @@ struct Group {
 };
 
 /// Calls visit(Group) once for each group, in any order and thread.
-/// Throws: InvalidInput when the offsets or members are no Groups of these points; any exception of `visit`, after
-///         which some groups are not visited; Cancelled.
+/// Throws: InvalidInput when the offsets or members are not valid Groups of these points; any exception of `visit`,
+///         after which some groups are not visited; Cancelled.
 RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups,
                              const std::function<void(const Group&)>& visit, const GroupOptions& options = {});
 

@@ -35,7 +35,7 @@ struct RimEdge {
   /// the smaller radii.
   std::array<bool, 3> corners = {};
   /// When blocked, for the side of `next` across from each corner: whether it is an interior edge of the smaller radii,
-  /// though its ends are no interior points.
+  /// though its ends are not interior points.
   std::array<bool, 3> sides = {};
   friend bool operator==(const RimEdge&, const RimEdge&) = default;
 };

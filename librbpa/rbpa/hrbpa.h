@@ -77,7 +77,7 @@ struct Hierarchy {
 ///           exception of the functions in `options`.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
-/// Returns the level at which a face came into the complex, as a position in `levels`.
+/// Returns the level on which a face was added to the complex, as a position in `levels`.
 RBPA_API std::size_t level_of(const Hierarchy& hierarchy, std::size_t face);
 
 }  // namespace rbpa

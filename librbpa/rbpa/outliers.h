@@ -35,7 +35,7 @@ struct OutlierOptions {
 
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
-  /// The distance of the median point, rounded; 0 for fewer than two distinct points, which are no outliers.
+  /// The distance of the median point, rounded; 0 for fewer than two distinct points, which are not outliers.
   double distance = 0;
 };
 

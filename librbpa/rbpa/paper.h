@@ -18,11 +18,11 @@ namespace rbpa::paper {
 /// The default of HierarchyOptions::leaf_capacity in this namespace. Larger leaves make the first grid coarser.
 inline constexpr std::size_t usual_leaf_capacity = 32;
 
-/// Computes what rbpa::rbpa() computes, with the same requirements and exceptions. One thread works, whatever `options`
+/// Computes the result of rbpa::rbpa(), with the same requirements and exceptions. One thread works, whatever `options`
 /// specify.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Computes what rbpa::hrbpa() computes, with the levels of the paper, on which every transferred point takes part. One
+/// Computes the result of rbpa::hrbpa(), with the levels of the paper, on which every transferred point takes part. One
 /// thread works.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 

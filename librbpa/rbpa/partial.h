@@ -1,5 +1,5 @@
 // What:   the contribution of a region of the plane to a solid alpha complex: counts, finished polygons, and the rim,
-//         which depends on regions not merged yet. Contributions of all regions merge to the whole.
+//         which depends on regions not merged yet. The contributions of all regions are merged to the whole.
 // Law:    partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
 //         commutative: bytes (partial_bytes.h) depend on which regions were merged, not on the order. When the whole
 //         plane is merged, finish() returns what rbpa(), count() and polygons() compute for all points.

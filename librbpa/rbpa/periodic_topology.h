@@ -48,8 +48,8 @@ struct PeriodicTopology {
 /// Computes the topology of the full alpha complex, whose voids a ball of radius alpha cannot leave, or of the solid
 /// one. `threads` is as in SolidOptions.
 /// Requires: periodic_solid() at infinity with neighbors, and its circumradii.
-/// Throws:   ContractViolation on others; InvalidInput when alpha is no radius; Cancelled when `go_on`, which one
-///           thread at a time calls every few milliseconds, returns false.
+/// Throws:   ContractViolation on others; InvalidInput when alpha is not a valid radius; Cancelled when `go_on`, which
+///           one thread at a time calls every few milliseconds, returns false.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
                                             VoidWalls walls = VoidWalls::full, unsigned threads = 0,
                                             const std::function<bool()>& go_on = {});
