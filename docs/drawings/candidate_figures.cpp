@@ -21,7 +21,8 @@ struct Candidate {
   double angle;
 };
 
-/// Ends of the edge and third point of the triangle behind it, as indices into `places`, which also has the points around.
+/// Ends of the edge and third point of the triangle behind it, as indices into `places`, which also has the points
+/// around.
 constexpr Site a = 0, b = 1, behind = 2;
 const std::vector<Place> places = {{0, 0},       {2, 0},    {0.9, -1.9}, {1.3, 1.7},   {0.15, 2.15}, {2.6, 1.65},
                                    {1.05, 2.95}, {-1.0, 1}, {3.25, 0.8}, {-0.9, -1.3}, {2.9, -1.4}};

@@ -1,4 +1,4 @@
-// What: the arguments of the programs that print tables.
+// What: reads the arguments of the programs that print tables.
 #pragma once
 
 #include <algorithm>
@@ -21,19 +21,19 @@ struct Arguments {
   double alpha = std::numeric_limits<double>::infinity();  // in mean spacings
 };
 
-/// The options of a program beside the numbers of points and of runs.
+/// The options that a program takes besides the numbers of points and of runs.
 struct Takes {
   bool threads = false, alpha = false;
 };
 
-/// The number that is the whole of `text`; false when it is none.
+/// Parses all of `text` as a number. Returns: false when it is none.
 template <typename Number>
 bool read_number(std::string_view text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// "1,2"; false when it is not numbers with commas between them.
+/// Parses a list such as "1,2". Returns: false when it is not numbers with commas between them.
 inline bool read_threads(std::string_view list, std::vector<unsigned>& threads) {
   threads.clear();
   for (bool more = true; more;) {
@@ -45,14 +45,15 @@ inline bool read_threads(std::string_view list, std::vector<unsigned>& threads) 
   return true;
 }
 
-/// The text behind `name` in an argument that begins with it.
+/// Returns the rest of an argument that begins with `name`.
 inline std::optional<std::string_view> behind(std::string_view given, std::string_view name) {
   if (!given.starts_with(name)) return std::nullopt;
   return given.substr(name.size());
 }
 
-/// `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for programs that have them; nothing, and the
-/// usage on standard error, when there is anything else. What is not given is as in `arguments`.
+/// Parses `[--runs=N] [--points=N]`, and `[--threads=1,2]` and `[--alpha=SPACINGS]` for programs that have them;
+/// missing values are those of `arguments`. Returns: nothing, after printing the usage on standard error, when there is
+/// anything else.
 inline std::optional<Arguments> parse(int argc, char** argv, Takes takes = {}, Arguments arguments = {}) {
   for (const std::string_view given : std::vector<std::string_view>(argv + 1, argv + argc)) {
     const auto number = [&](std::string_view name, auto& into) {

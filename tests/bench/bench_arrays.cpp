@@ -1,5 +1,5 @@
-// What: the C++ side of bench_python.py: triangulate() with neighbors and boundary on a file of native float64 pairs, once
-//       for each line that comes in on standard input, and the seconds of it and of the processor on standard
+// What: the C++ side of bench_python.py: for each line of standard input, runs triangulate() with neighbors and
+//       boundary on a file of native float64 pairs, and writes its seconds and its processor seconds to standard
 //       output.
 #include <chrono>
 #include <cstdio>

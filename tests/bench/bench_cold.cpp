@@ -1,4 +1,4 @@
-// Single runs in fresh processes, in any order: the cold tables of docs/performance.md, and their targets.
+// Measures single runs in fresh processes, in any order: the cold tables of docs/performance.md, and their targets.
 //   bench_cold [--runs=N] [--points=N]      15 runs of each, 1,000,000 points
 #include <cstdio>
 #include <numeric>
@@ -16,24 +16,24 @@
 namespace rbpa_bench {
 namespace {
 
-/// What one contestant's runs on one set cost.
+/// The costs of the runs of one contestant on one set.
 struct Cold {
-  Timings nanoseconds;  // a point
-  Timings processor;    // the same of the processor's time
-  Timings bytes;        // a point
+  Timings nanoseconds;  // per point
+  Timings processor;    // nanoseconds of processor time per point
+  Timings bytes;        // per point
   std::size_t triangles = 0;
 };
 
 struct Row {
   std::string set;
   std::size_t points;
-  std::vector<Cold> of;  // each contestant
+  std::vector<Cold> of;  // for each contestant
 
   double time(std::size_t contestant) const { return of[contestant].nanoseconds.lower_quartile(); }
   double processor(std::size_t contestant) const { return of[contestant].processor.lower_quartile(); }
 };
 
-/// Numbers of cold_contestants().
+/// Indices into cold_contestants().
 enum { mesh, mesh_2, arrays, arrays_2, neighbors, neighbors_2, cgal };
 
 Row run_all(const std::string& program, const Workload& workload, std::size_t count, int runs) {
@@ -41,7 +41,7 @@ Row run_all(const std::string& program, const Workload& workload, std::size_t co
   const PointsFile file(points);
   const std::size_t contestants = cold_contestants().size();
   Row row{workload.name, points.size(), std::vector<Cold>(contestants)};
-  // In another order each round: what a process leaves behind is felt by the next one, and nobody's by one alone.
+  // The order differs in each round: a process affects the next one, and this must not always be the same pair.
   rbpa_test::Random random(1);
   std::vector<std::size_t> order(contestants);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -93,7 +93,7 @@ void print_bytes(const Row& row) {
   std::printf("\n");
 }
 
-/// The target of a set: how many times as fast as CGAL.
+/// The target of a set: the factor by which it must be faster than CGAL.
 struct Wanted {
   const Workload& workload;
   double mesh, arrays;

@@ -1,7 +1,8 @@
-// The data of the figures of docs/performance.md: time a point against the number of points, against alpha, and against
-// how uneven the points are. Writes performance_scaling.csv, performance_alpha.csv and performance_density.csv, each
-// whole or not at all, which draw_figures draws; nanoseconds a point, medians.
-//   bench_curves [--runs=N] [--points=N] [--threads=1,2] FOLDER      5 runs of each; 1,000,000 points, up to 16 times as many
+// Measures the data of the figures of docs/performance.md: time per point against the number of points, against alpha,
+// and against the unevenness of the points. Writes performance_scaling.csv, performance_alpha.csv and
+// performance_density.csv, each complete or not at all, which draw_figures draws; values are medians in nanoseconds per
+// point.
+//   bench_curves [--runs=N] [--points=N] [--threads=1,2] FOLDER   5 runs of each; 1,000,000 points and up to 16 times
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,16 +20,16 @@
 namespace rbpa_bench {
 namespace {
 
-/// A contestant and the name of its column.
+/// Contestant with the name of its column.
 struct Column {
   std::string name;
   Contestant contestant;
 };
 
-/// A file of one curve for each contestant, written beside and renamed when all is measured.
+/// File with one curve for each contestant, written beside its target and renamed when everything is measured.
 class CurveFile {
  public:
-  /// The first column is `x`; the number of points is another one where it is not that.
+  /// Starts a file whose first column is `x`; the number of points is another column, unless it is `x`.
   CurveFile(std::filesystem::path path, const std::string& x, std::vector<Column> columns, const std::string& what,
             int runs)
       : path_(std::move(path)),
@@ -82,7 +83,7 @@ class CurveFile {
   std::string text_;
 };
 
-/// Ours, CGAL's best case, and another.
+/// Returns our columns, CGAL's best case, and another contestant.
 std::vector<Column> columns_with(const std::vector<unsigned>& threads, const std::string& name,
                                  const Contestant& other) {
   std::vector<Column> columns;
@@ -112,7 +113,7 @@ void alphas(const std::filesystem::path& folder, const Arguments& with) {
   file.publish();
 }
 
-/// A hundred clusters whose widths span 0, 1, … 6 decades.
+/// Returns a hundred clusters whose widths span 0, 1, … 6 decades.
 template <int span>
 Workload clusters_over() {
   return {"clusters", [](std::size_t count) { return gaussian_clusters(count, span); }};

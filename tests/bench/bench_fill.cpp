@@ -1,4 +1,4 @@
-// The tables of docs/explanation/plane.md, section 38: fill() against CGAL's Delaunay refinement, and inputs on which
+// Measures the tables of docs/explanation/plane.md, section 38: fill() against CGAL's Delaunay refinement, and inputs on which
 // fronts get slow.
 //   bench_fill [--runs=N] [--points=N]      3 runs of each in turn, of up to 1,000,000 triangles
 #include <cmath>
@@ -32,7 +32,7 @@ Ring star(std::size_t rays, double inner) {
   return ring;
 }
 
-/// Teeth of five units that are as wide as the last places of their coordinates allow.
+/// Returns teeth five units long, as narrow as the last places of their coordinates allow.
 Ring comb(std::size_t teeth) {
   const double width = std::ldexp(1.0, -49);
   Ring ring = {{0, 0}};
@@ -49,7 +49,7 @@ Ring comb(std::size_t teeth) {
 }
 
 struct Times {
-  Timings of = {};  ///< microseconds a triangle
+  Timings of = {};  ///< microseconds per triangle
   std::size_t triangles = 0;
   void add(const FillRun& run) {
     triangles = run.triangles;
@@ -57,7 +57,8 @@ struct Times {
   }
 };
 
-/// CGAL's criterion is the longest edge, ours the target length: with it 1.5 times as long both make about as many triangles.
+/// CGAL's criterion is the longest edge, ours is the target length: with a criterion 1.5 times as long, both make about
+/// equally many triangles.
 void against_cgal(std::size_t most, int runs) {
   std::printf("Microseconds of processor time a triangle: median (min–max).\n\n");
   std::printf("| unit square | triangles | fill | CGAL's triangles | CGAL's Delaunay_mesher_2 | fill / CGAL |\n");

@@ -1,4 +1,5 @@
-// The tables of docs/hrbpa.md: hrbpa() against rbpa(), CGAL and the paper's RBPA, and what leaf capacity does.
+// Measures the tables of docs/hrbpa.md: hrbpa() against rbpa(), CGAL and the paper's RBPA, and the effect of the leaf
+// capacity.
 //   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Times of each contestant on the same points, in turn, in units of `unit` seconds.
+/// Measures each contestant on the same points, in turn, in units of `unit` seconds.
 std::vector<Timings> contest(const rbpa_test::Points& points, double alpha, const std::vector<Contestant>& contestants,
                              int runs, double unit) {
   std::vector<Timings> timings(contestants.size());
@@ -51,7 +52,7 @@ void against_cgal(std::size_t count, int runs) {
   }
 }
 
-/// Figure 9: at twice α₀, and where spacing varies much.
+/// Measures figure 9: at twice α₀, and with strongly varying spacing.
 void against_the_paper(int runs) {
   std::printf("\nMilliseconds: median (min–max).\n\n");
   std::printf(
@@ -76,7 +77,7 @@ void against_the_paper(int runs) {
   row(decades.name, decades.make(20000), 100, usual_leaves);
 }
 
-/// A pair at a distance of 10⁻¹² spacings.
+/// Measures points with a pair at a distance of 10⁻¹² spacings.
 void close_pair(std::size_t count, int runs) {
   const rbpa_test::Points points = uniform.make(count);
   rbpa_test::Points with_pair = points;

@@ -1,5 +1,5 @@
-// A table of every format read and written, each next to the same bytes read by fread() or written by fwrite(), as
-// docs/io.md shows it. Files lie in the folder for temporary ones; what is read has been read before.
+// Prints a table of every format read and written, each next to the same bytes read by fread() or written by fwrite(),
+// as in docs/io.md. Files lie in the folder for temporary files; files that are read are in the system's cache.
 //   bench_io [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <unistd.h>
 #include <zlib.h>
@@ -42,7 +42,7 @@ using rbpa::app::OutputFile;
 using rbpa::app::Triangle;
 using rbpa::app::Use;
 
-/// Removed at the end.
+/// Temporary folder, removed at the end.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("bench_io-" + std::to_string(getpid()))) {
@@ -71,14 +71,14 @@ Stream open(const std::string& path, const char* mode) {
 
 constexpr std::size_t block_size = std::size_t{1} << 20U;
 
-/// All of a file through one block.
+/// Reads all of a file through one block.
 void read_plainly(const std::string& path) {
   std::vector<char> block(block_size);
   const Stream stream = open(path, "rb");
   while (std::fread(block.data(), 1, block.size(), stream.get()) == block.size()) continue;
 }
 
-/// As many bytes as `like` has, from one block, on the disk when it returns.
+/// Writes as many bytes as `like` has, from one block; they are on the disk when it returns.
 void write_plainly(const std::string& path, const std::string& like) {
   const std::vector<char> block(block_size, '1');
   const Stream stream = open(path, "wb");
@@ -91,7 +91,8 @@ void write_plainly(const std::string& path, const std::string& like) {
   if (fsync(fileno(stream.get())) != 0) throw std::runtime_error(path + ": cannot be written");
 }
 
-/// Milliseconds of the processor, the system's work included, and of the clock, which waits for the disk and others.
+/// Milliseconds of the processor, including the system's work, and of the clock, which includes waiting for the disk
+/// and for other processes.
 struct Times {
   Timings processor, clock;
 
@@ -113,7 +114,7 @@ struct Times {
 
 struct Row {
   std::string name;
-  std::string file;  ///< read or written
+  std::string file;  ///< the file read or written
   std::size_t items;
   std::function<void()> ours, plain;
   Times of_ours = {}, of_plain = {};
@@ -207,7 +208,7 @@ class Table {
     file.publish();
     return folder_.file(name);
   }
-  /// As exports have it: a number of the point, a name, then longitude and latitude in degrees.
+  /// Writes a file as exports do: a number of the point, a name, then longitude and latitude in degrees.
   std::string headed(const std::string& name) {
     std::string content = "id,name,lon,lat\n";
     for (std::size_t i = 0; i < short_points_.size(); ++i)
@@ -224,7 +225,7 @@ class Table {
     if (gzclose(file) != Z_OK) throw std::runtime_error(name + ": cannot be compressed");
     return folder_.file(name);
   }
-  /// Version 1.2, records of 28 bytes, coordinates in thousandths.
+  /// Writes LAS version 1.2, records of 28 bytes, coordinates in thousandths.
   std::string las(const std::string& name) {
     constexpr std::size_t header_size = 227, record_size = 28;
     std::string content(header_size + record_size * points_.size(), '\0');
@@ -288,7 +289,7 @@ class Table {
     const std::string path = folder_.file(name + "." + format), other = folder_.file("plain");
     rows_.push_back({row, path, items, [=, this] { write(format, name, triangles); },
                      [=] {
-                       fs::remove(other);  // as ours, which begins with a new file
+                       fs::remove(other);  // so that both begin with a new file
                        write_plainly(other, path);
                      }});
   }

@@ -1,6 +1,6 @@
-// What goes between machines when tiles are merged two by two: bytes by level of the tree, measured on generated ground,
-// and by a model of three numbers, calibrated on another piece of ground. The tables of docs/scale.md, section 3,
-// as Markdown; the data of its figure as CSV.
+// Measures the bytes that machines exchange when tiles are merged two by two, by level of the tree: on generated
+// ground, and by a model of three numbers that is calibrated on another piece of ground. Prints the tables of
+// docs/scale.md, section 3, as Markdown, and the data of its figure as CSV.
 //   bench_merge [--across=10] [--side=128] [--alpha=2] [--seed=1] [--calibrate=24] [--predict=1000] [FILE.csv]
 //     --across N     N × N tiles are computed and merged
 //     --calibrate N  N × N tiles of another seed give the model its numbers
@@ -27,12 +27,13 @@ struct MergeArguments {
   std::string file = {};
 };
 
-/// Bytes of a Partial: so many for each, for each spacing of its border inside and of that at the end of the ground. A border
-/// counts by the share of squares in the block that have a point: none runs through water.
+/// Model of the bytes of a Partial: a number for each part, for each spacing of its border inside the ground, and for
+/// each spacing of its border at the end of the ground. A border counts by the share of squares in the block that have
+/// a point, because no border runs through water.
 struct Model {
   static constexpr std::size_t size = 3;
   std::array<double, size> of = {};
-  double share = 1;  ///< of all ground
+  double share = 1;  ///< share of the whole ground
 
   static std::array<double, size> features(const MergePlan& plan, const TileBlock& block, double share) {
     return {1, share * plan.inner_border(block), share * plan.outer_border(block)};
@@ -52,8 +53,8 @@ double share_of(const MergePlan& plan, const MergedPart& part) {
   return part.points / (part.block.tiles() * square(plan.side));
 }
 
-/// Least squares of what the model is off by, as a share of the mean of the level: each level counts as much. At the end
-/// nothing is open.
+/// Fits the model by least squares of its relative error, as a share of the mean of the level, so that each level has
+/// the same weight. At the root no border is open.
 Model fitted(const MergePlan& plan, const MergeRun& run) {
   constexpr std::size_t n = Model::size;
   struct Sum {
@@ -75,7 +76,7 @@ Model fitted(const MergePlan& plan, const MergeRun& run) {
       a[i][n] += weight * x[i] * part.bytes;
     }
   }
-  for (std::size_t i = 0; i < n; ++i)  // positive definite: no need to look for a pivot
+  for (std::size_t i = 0; i < n; ++i)  // positive definite: no pivot search is needed
     for (std::size_t j = 0; j < n; ++j) {
       if (j == i) continue;
       const double times = a[j][i] / a[i][i];
@@ -87,7 +88,7 @@ Model fitted(const MergePlan& plan, const MergeRun& run) {
   return model;
 }
 
-/// What goes up from a level.
+/// The data sent upward from a level.
 struct Level {
   double parts = 0, tiles = 0, measured = 0, modelled = 0, largest = 0;
 };
@@ -162,7 +163,7 @@ class MergeBench {
         "|--:|--:|--:|--:|--:|--:|--:|\n");
     double measured = 0, modelled = 0;
     for (const auto& [depth, level] : levels) {
-      if (depth == 0) continue;  // at the end nothing is open
+      if (depth == 0) continue;  // at the root no border is open
       std::printf("| %zu | %.0f | %.4g | %.0f | %.0f | %.2f | %.0f |\n", depth, level.parts, level.tiles / level.parts,
                   level.measured, level.modelled, level.modelled / level.measured, level.largest);
       measured += level.measured;
@@ -192,7 +193,7 @@ class MergeBench {
     std::printf("| all | | | %.3g | |\n", all);
   }
 
-  /// For draw_figures: a mean Partial by how many tiles it has.
+  /// Writes, for draw_figures, the mean Partial by its number of tiles.
   void write(const Levels& levels) const {
     std::ofstream file(arguments_.file);
     file << "# " << today() << "; " << square(arguments_.across) << " tiles of " << square(arguments_.side)
@@ -203,7 +204,7 @@ class MergeBench {
       if (at->first == 0) continue;
       const Level& level = at->second;
       const auto below = std::next(at);
-      // The lowest levels of an uneven tree have single tiles both.
+      // The two lowest levels of an uneven tree can both have single tiles.
       if (below != levels.rend() && below->second.tiles / below->second.parts <= level.tiles / level.parts) continue;
       file << level.tiles / level.parts << ',' << level.measured / level.parts << ',' << level.modelled / level.parts
            << '\n';

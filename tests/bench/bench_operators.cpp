@@ -1,5 +1,5 @@
-// The operators of libmeshops, OpenMesh and CGAL at the same sites of the same mesh. Times are of the processor, for
-// one operation. All contestants of an operation must leave the same mesh, or nothing is measured.
+// Measures the operators of libmeshops, OpenMesh and CGAL at the same sites of the same mesh. Times are processor times
+// per operation. All contestants of an operation must leave the same mesh; otherwise nothing is measured.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -14,11 +14,11 @@
 namespace meshops_bench {
 namespace {
 
-constexpr int passes = 3;  // in a repetition
+constexpr int passes = 3;  // per repetition
 
 void measure(benchmark::State& state, const Entry& entry, const Task& task) {
   const auto contestant = entry.make(task);
-  contestant->pass();  // what is allocated now is there for the passes that count
+  contestant->pass();  // allocates memory before the passes that count
   for ([[maybe_unused]] const auto _ : state)
     state.SetIterationTime(contestant->pass() / static_cast<double>(task.steps));
 }
@@ -28,13 +28,13 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape) {
              << " faces, sum of triangles " << shape.triangles;
 }
 
-/// Sewing leaves one vertex of two, and each contestant another.
+/// Returns whether two results agree. Sewing leaves one vertex of two, and each contestant may leave another one.
 bool agree(Operation operation, Shape a, Shape b) {
   if (operation == Operation::sew_curves) a.triangles = b.triangles = 0;
   return a == b;
 }
 
-/// Whether all leave the same mesh. Names on standard error those that do not.
+/// Returns whether all leave the same mesh. Names those that do not on standard error.
 bool verify(const std::string& name, const std::vector<Entry>& entries, const Task& task) {
   std::optional<Shape> expected;
   bool same = true;
@@ -58,7 +58,7 @@ std::vector<Entry> all_entries(Operation operation) {
   return entries;
 }
 
-/// Made when first needed, kept to the end: a filter pays for what it lets through.
+/// Contest that is made when first needed and kept to the end: with a filter, only the selected contests are made.
 struct Contest {
   std::string name;
   Operation operation;
@@ -104,7 +104,7 @@ void add_all() {
 }  // namespace meshops_bench
 
 int main(int argc, char** argv) {
-  // Keep what is freed: no contestant pays for pages that the system reclaims after every pass.
+  // Freed memory is kept: no contestant pays for pages that the system reclaims after every pass.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 2147483647);
   meshops_bench::add_all();

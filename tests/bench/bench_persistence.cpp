@@ -1,4 +1,5 @@
-// Persistence of points in space, by solid_filtration() and solid_persistence(), and by GUDHI, in turn in one process, one thread each.
+// Measures persistence of points in space, by solid_filtration() and solid_persistence(), and by GUDHI, in turn in one
+// process, one thread each.
 //   bench_persistence [--points=N] [--runs=N]      1,000,000 points, the least of 3 runs; GUDHI up to 100,000 points
 #include <algorithm>
 #include <array>
@@ -43,7 +44,7 @@ struct Seconds {
   double solid = infinity, radii = infinity, pairs = infinity;
 };
 
-/// Of each part the least.
+/// Returns the least time of each part.
 Seconds measure_rbpa(const Points3& points, int runs, std::array<std::size_t, 3>& pairs) {
   Seconds least;
   for (int run = 0; run < runs; ++run) {
@@ -64,7 +65,7 @@ Seconds measure_rbpa(const Points3& points, int runs, std::array<std::size_t, 3>
   return least;
 }
 
-/// Radii of flat tetrahedra are rounded by GUDHI, which makes some pairs longer than nothing.
+/// Compares numbers of pairs. GUDHI rounds radii of flat tetrahedra, which makes some pairs longer than nothing.
 bool are_near(const std::array<std::size_t, 3>& a, const std::array<std::size_t, 3>& b) {
   for (std::size_t dimension = 0; dimension < 3; ++dimension)
     if (1000 * (std::max(a[dimension], b[dimension]) - std::min(a[dimension], b[dimension])) > a[dimension])

@@ -1,4 +1,4 @@
-// Where the time of rbpa() goes, in one thread: the tables of docs/performance.md.
+// Measures the phases of rbpa(), in one thread: the tables of docs/performance.md.
 //   bench_phases [--runs=N] [--points=N] [--alpha=SPACINGS]
 //                the least of 5 runs, 1,000,000 points, no radius; alpha in mean spacings of each set
 #include <algorithm>
@@ -46,7 +46,7 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-/// rbpa() step by step.
+/// Runs rbpa() step by step.
 Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   Seconds seconds{};
   rbpa::SolidAlphaComplex complex;

@@ -1,5 +1,5 @@
-// rbpa() against CGAL and any other program, in turn on the same points, as tables of docs/performance.md: times, memory,
-// and the targets. Standard output is Markdown.
+// Compares rbpa() with CGAL and any other program, in turn on the same points, and prints the tables of
+// docs/performance.md: times, memory, and the targets. Standard output is Markdown.
 //   bench_report [--points=N] [--runs=N] [--threads=1,2] [--trap-points=N] [--large] [--check]
 //                [--peer NAME=COMMAND]…
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double infinity = INFINITY;
 
-/// A table of contests to be held.
+/// Plan of a table of contests.
 struct Plan {
   std::string heading;
   std::vector<Contestant> contestants;
@@ -43,7 +43,7 @@ class Report {
         "Nanoseconds a point: median (least–most); how many times the median of %s. `in N`: N runs only, as they take "
         "long.\n\n",
         ours_[0].name.c_str());
-    std::fflush(stdout);  // or children would have it as well
+    std::fflush(stdout);  // otherwise child processes would print it again
     const std::size_t points = arguments_.points;
     Plan delaunay = without_radius(points), alpha = with_radius(points), few = with_radius_and_few(points / 10);
     for (Plan* plan : {&delaunay, &few}) weigh_all(*plan);
@@ -65,7 +65,7 @@ class Report {
     return others;
   }
 
-  /// Peers find all Delaunay triangles, so that they meet the others where there is no radius.
+  /// Peers find all Delaunay triangles, so that they compete with the others without a radius.
   Plan without_radius(std::size_t points) const {
     Plan plan{"Without a radius", ours_and({cgal_points, cgal_indices}), {}, true};
     plan.contestants.insert(plan.contestants.end(), peers_.begin(), peers_.end());

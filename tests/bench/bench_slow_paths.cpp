@@ -1,5 +1,5 @@
-// How slow it gets: rbpa() and hrbpa() against CGAL's Delaunay triangulation of the points alone, in one process and one
-// thread, by the processor's time, on a hundred sets made to find slow ways. The table of docs/performance.md, worst first.
+// Compares rbpa() and hrbpa() with CGAL's Delaunay triangulation of the points, in one process and one thread, by
+// processor time, on a hundred sets made to find slow paths. Prints the table of docs/performance.md, worst first.
 //   bench_slow_paths [--runs=N] [--points=N]      5 runs of each; 100,000 points, and a twelfth of them
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Row {
   SlowPath path;
   Contest contest;
 
-  /// How many times CGAL's time; infinite where somebody failed.
+  /// Returns the time as a multiple of CGAL's; infinite if one of them failed.
   double times_cgal(const Contestant& ours) const {
     const auto ratio = speedup(contest, cgal_points.name, ours.name);
     return ratio.value_or(INFINITY);
@@ -28,7 +28,7 @@ struct Row {
   bool is_met() const { return rbpa() <= path.max_rbpa && levels() <= path.max_hrbpa; }
   double rbpa() const { return times_cgal(rbpa_with(1)); }
   double levels() const { return times_cgal(hrbpa); }
-  /// The ratio to the target: above 1 it is missed.
+  /// Returns the ratio to the target: above 1 it is missed.
   double badness() const { return std::max(rbpa() / path.max_rbpa, levels() / path.max_hrbpa); }
 };
 
@@ -67,7 +67,7 @@ void print(std::vector<Row> rows) {
   std::printf("\n");
 }
 
-/// What scaling by a power of two costs.
+/// Prints the cost of scaling by a power of two.
 void print_scaling(const std::vector<Row>& rows) {
   const auto time = [&](const std::string& name) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.path.workload.name == name; });

@@ -1,4 +1,5 @@
-// Small sets one after the other in one process, beside CGAL; the first call of a process; many groups in one call.
+// Measures small sets one after the other in one process, beside CGAL; the first call of a process; many groups in one
+// call.
 //   bench_small [--runs=N] [--points=N]      9 rounds; 200,000 points in each size, 30 times as many in groups
 #include <algorithm>
 #include <array>
@@ -36,7 +37,7 @@ using rbpa_test::Random;
 constexpr std::array<std::size_t, 8> sizes = {3, 10, 30, 100, 300, 1000, 3000, 10000};
 constexpr std::size_t points_of_a_group = 60;
 
-/// A kind of small set. Each call makes another one, so that no branch is foreseen from the run before.
+/// Kind of small set. Each call makes another set, so that no branch is predicted from the run before.
 struct Kind {
   std::string name;
   Points (*make)(std::size_t count, Random& random);
@@ -48,7 +49,7 @@ Points uniform_set(std::size_t count, Random& random) {
   return points;
 }
 
-/// The first points of the smallest square grid that has so many, in any order.
+/// Returns the first points of the smallest square grid with enough points, in any order.
 Points grid_set(std::size_t count, Random& random) {
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   Points points(count);
@@ -57,7 +58,7 @@ Points grid_set(std::size_t count, Random& random) {
   return points;
 }
 
-/// Five clusters, the widest a thousand times as wide as the narrowest.
+/// Returns five clusters, the widest a thousand times as wide as the narrowest.
 Points clusters_set(std::size_t count, Random& random) {
   Points points(count);
   std::array<rbpa::Point, 5> centers;
@@ -71,7 +72,7 @@ Points clusters_set(std::size_t count, Random& random) {
   return points;
 }
 
-/// Of one circle, but for rounding.
+/// Returns points of one circle, except for rounding.
 Points circle_set(std::size_t count, Random& random) {
   Points points(count);
   for (rbpa::Point& p : points) {
@@ -88,15 +89,15 @@ const std::vector<Contestant>& contestants() {
   static const std::vector<Contestant> all = {arrays_with(1), cgal_indices, cgal_points};
   return all;
 }
-enum { arrays, indices, cgal };  // their numbers
+enum { arrays, indices, cgal };  // indices of contestants
 
-/// Nanoseconds a point of each contestant on sets of one size, all sets in turn, a round each.
+/// Measures nanoseconds per point of each contestant on sets of one size, all sets in turn, one round each.
 std::vector<Timings> measure_size(const Kind& kind, std::size_t size, std::size_t points, int rounds) {
   Random random(size);
   std::vector<Points> sets;
   for (std::size_t made = 0; made < points; made += size) sets.push_back(kind.make(size, random));
   std::vector<Timings> of(contestants().size());
-  for (int round = -1; round < rounds; ++round)  // the first does not count
+  for (int round = -1; round < rounds; ++round)  // the first round does not count
     for (std::size_t c = 0; c < of.size(); ++c) {
       double seconds = 0;
       for (const Points& set : sets) seconds += contestants()[c].run(set, INFINITY, nullptr).seconds;
@@ -147,7 +148,7 @@ void first_calls(int runs, std::vector<Target>& all) {
     }
 }
 
-/// Each group by calls of its own, as one does without groups.h; returns the sum of the areas.
+/// Computes each group by a separate call, as a user does without groups.h. Returns: the sum of the areas.
 double one_call_each(std::span<const rbpa::Point> points, const rbpa::Groups& groups) {
   double area = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -175,7 +176,7 @@ void groups(const Arguments& with, std::vector<Target>& all) {
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = static_cast<std::uint32_t>(i / points_of_a_group);
   const rbpa::Groups of_points = rbpa::groups_of(labels, count);
 
-  // Of one thread the processor's time, which others on the machine disturb less.
+  // For one thread, processor time is measured, which other processes on the machine disturb less.
   const auto in_one_call = [&](const rbpa::GroupAlpha& alpha, unsigned threads) {
     rbpa::GroupShapesOptions options;
     options.threads = threads;

@@ -1,4 +1,5 @@
-// Tetrahedra of points in space by solid() and by CGAL's Delaunay_triangulation_3, in turn in one process, one thread each.
+// Measures tetrahedra of points in space by solid() and by CGAL's Delaunay_triangulation_3, in turn in one process, one
+// thread each.
 //   bench_solid [--points=N] [--runs=N]      1,000,000 points, the least of 3 runs; up to 3,000 on the moment curve
 #include <algorithm>
 #include <cmath>

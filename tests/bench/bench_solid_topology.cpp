@@ -1,4 +1,5 @@
-// What comes after solid(): boundary, measures, counts, components and voids, beside the time of solid() itself, one thread.
+// Measures the steps after solid(): boundary, measures, counts, components and voids, beside the time of solid()
+// itself, in one thread.
 //   bench_solid_topology [--points=N] [--runs=N]      1,000,000 points, the least of 3 runs
 #include <algorithm>
 #include <array>

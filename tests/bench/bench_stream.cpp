@@ -1,6 +1,6 @@
-// Points that do not fit into memory: `rbpa stream` on files that are made for it, beside what reading the input twice,
-// writing the output once and computing in memory take on the same machine at the same time. The tables of docs/scale.md,
-// section 1, as Markdown.
+// Measures points that do not fit into memory: `rbpa stream` on files made for it, beside reading the input twice,
+// writing the output once, and computing in memory, on the same machine at the same time. Prints the tables of
+// docs/scale.md, section 1, as Markdown.
 //   bench_stream [--points=1G] [--memory=1G] [--threads=2] [--scratch=DIR] …      --help for all
 #include <sys/statvfs.h>
 
@@ -36,7 +36,7 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-/// A run of one of our programs, and the statistics it writes.
+/// Run of one of our programs, with the statistics that it writes.
 struct ProgramRun {
   WatchedRun run;
   Json stats;
@@ -84,11 +84,11 @@ class StreamBench {
     std::fflush(stdout);
   }
 
-  /// Checks the disk for what will be written.
+  /// Checks that the disk has room for all files to be written.
   void require_room() const {
     constexpr double of_input = 16, of_tile = 10, of_row = 12, rows = 2;
     double bytes = points() * (of_input + of_tile) + static_cast<double>(few_) * of_input;
-    // Polygons are few; triangles are in the scratch, and in the target.
+    // Polygons are few; triangles are both in the scratch folder and in the target.
     const double row = arguments_.points < std::uint64_t{1} << 32U ? of_row : 2 * of_row;
     bytes += points() * (wants_triangles() ? 2 * rows * row : 1);
     struct statvfs status {};
@@ -96,7 +96,7 @@ class StreamBench {
     const double free = static_cast<double>(status.f_bavail) * static_cast<double>(status.f_frsize);
     std::fprintf(stderr, "disk: about %.1f GB are needed at %s, %.1f GB are free\n", bytes / gigabyte, folder_.c_str(),
                  free / gigabyte);
-    const double kept = arguments_.keep ? bytes : 0;  // some of it may be there already
+    const double kept = arguments_.keep ? bytes : 0;  // some of the input may exist already
     if (free + kept < bytes)
       throw std::runtime_error(folder_ + ": found " + number("%.1f", free / gigabyte) + " GB free, expected " +
                                number("%.1f", bytes / gigabyte));
@@ -148,7 +148,7 @@ class StreamBench {
     stream_ = run_program("stream", input_, {"--memory", arguments_.memory, "--scratch", scratch}, scratch);
     std::fprintf(stderr, "stream: %.1f s\n", stream_.run.seconds);
   }
-  /// Once before and once after, so that a machine that becomes slower is seen.
+  /// The comparison runs once before and once after, so that it shows if the machine became slower.
   void compare_after() {
     compute_in_memory();
     read_once();
@@ -168,7 +168,8 @@ class StreamBench {
     print_more();
   }
 
-  /// What more points would take on more machines like this one, of the numbers above; docs/scale.md, section 2.
+  /// Prints an estimate, from the numbers above, for more points on more machines like this one; docs/scale.md, section
+  /// 2.
   void print_more() const {
     const double tiles = most(&Moment::tile_bytes) / points(), output = stream_.output_bytes / points();
     const double bytes = 2 * input_.bytes / points() + 2 * tiles;
@@ -183,7 +184,7 @@ class StreamBench {
     };
     for (const Row& row : {Row{1e9, 1}, Row{1e10, 1}, Row{1e10, 10}, Row{1e12, 10}, Row{1e12, 100}, Row{1e12, 1000}}) {
       const double each = row.points / row.machines;
-      // One machine writes what comes out.
+      // One machine writes the output.
       const auto hours = [&](double disk) {
         return (each * (bytes / disk + computing) + row.points * output / disk) / 3600;
       };
@@ -236,7 +237,7 @@ class StreamBench {
     std::printf(".\n\n");
   }
 
-  /// Of both rounds: before and after.
+  /// Returns the mean of both rounds, before and after.
   template <typename Value>
   static double mean(Value value) {
     return (value(0) + value(1)) / 2;
@@ -270,7 +271,7 @@ class StreamBench {
                   memory.at("triangles") == stream_.stats.at("triangles") ? "as many" : "**other**",
                   memory.value("area", 0.0) == stream_.stats.value("area", 0.0) ? ", and the area is the same"
                                                                                 : "; **the area is another**");
-    // Others on the machine take less of the processor's time than of that on the wall.
+    // Other processes on the machine disturb processor time less than wall-clock time.
     const double once = mean([&](std::size_t i) { return read_processor_seconds_[i]; });
     const double warm_processor =
         2 * once + mean([&](std::size_t i) { return warm_runs_[i].processor_seconds; }) / few * points();
@@ -299,7 +300,7 @@ class StreamBench {
     }
   }
 
-  /// For draw_figures: as many rows as a picture has pixels, the largest of each.
+  /// Writes, for draw_figures, one row per pixel of the picture, with the largest values of each.
   void write_trace() const {
     if (arguments_.trace.empty()) return;
     std::ofstream file(arguments_.trace);
@@ -327,7 +328,7 @@ class StreamBench {
 
   const StreamArguments& arguments_;
   std::string folder_;
-  std::uint64_t few_;  // points of the sample, which are computed in memory
+  std::uint64_t few_;  // number of points of the sample that is computed in memory
   PointFiles input_ = {}, sample_ = {};
   std::vector<double> reads_ = {}, read_processor_seconds_ = {}, cached_ = {};
   std::vector<ProgramRun> memory_runs_ = {};

@@ -1,4 +1,4 @@
-// Ball pivoting in space: rbpa::surface(), the policy on the engine, Open3D and any other program.
+// Measures ball pivoting in space: rbpa::surface(), the policy on the engine, Open3D and any other program.
 //   bench_surface [OPTIONS]; an unknown option prints the list of options
 // Contestants run in turn in one process, as in bench_report; with --cold each run has a process of its own, as in
 // bench_cold. docs/performance.md.
@@ -29,8 +29,8 @@ struct SurfaceArguments {
   std::size_t points = 1000000, growth = 0;
   int runs = 5;
   double patience = 60;
-  double radius = 0;     // 0: all of them
-  std::string set = {};  // of this name alone; empty: all
+  double radius = 0;     // 0: all radii
+  std::string set = {};  // only the set of this name; empty: all sets
   bool cold = false, by_processor = false, without_engine = false, slow = false;
   std::vector<SurfaceContestant> programs = {};
 };
@@ -97,7 +97,7 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
   return arguments;
 }
 
-enum { one_thread, two_threads, mesh };  // numbers of contestants
+enum { one_thread, two_threads, mesh };  // indices of contestants
 
 std::vector<SurfaceContestant> contestants_of(const SurfaceArguments& arguments) {
   std::vector<SurfaceContestant> all = {surface_with(1), surface_with(2), surface_mesh_with(1)};
@@ -107,7 +107,8 @@ std::vector<SurfaceContestant> contestants_of(const SurfaceArguments& arguments)
   return all;
 }
 
-// A single run in a process of its own.
+// A single run in a process of its own
+// -----------------------------------------------------------------------------------
 
 void write_samples(const std::filesystem::path& path, const SurfacePoints& samples, double radius) {
   std::ofstream file(path, std::ios::binary);
@@ -142,7 +143,7 @@ SurfacePoints read_samples(const std::string& path, double& radius) {
   return samples;
 }
 
-/// The child: prints seconds, those of the processor, triangles and bytes.
+/// Runs in the child process: prints seconds, processor seconds, triangles and bytes.
 int one(std::string_view name, const std::string& path) {
   const std::vector<SurfaceContestant> all = contestants_of({});
   const auto found =
@@ -176,13 +177,13 @@ Run run_alone(const std::string& contestant, const std::filesystem::path& sample
   std::fclose(said);
   int status = 0;
   waitpid(child, &status, 0);
-  if (!told || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("the process told nothing");
+  if (!told || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("the process reported nothing");
   run.processor_seconds = processor;
   run.process_bytes = bytes;
   return run;
 }
 
-/// The same contestants, each run in a fresh process; programs of others are that anyway.
+/// Returns the same contestants, each run in a fresh process; other programs are run in this way anyway.
 std::vector<SurfaceContestant> alone(std::vector<SurfaceContestant> all) {
   for (SurfaceContestant& contestant : all)
     if (!contestant.is_program)
@@ -202,7 +203,7 @@ void print_head(const std::vector<SurfaceContestant>& all) {
   std::printf("\n");
 }
 
-/// The target of a contest: how many times as fast as Open3D.
+/// Adds the target of a contest: the factor by which it must be faster than Open3D.
 void add_targets(const Contest& contest, double times, bool by_processor, std::vector<Target>& targets) {
   const std::string what = contest.set + ", radius " + contest.alpha_text + ": ";
   const std::string first = surface_with(1).name, second = surface_with(2).name, whole = surface_mesh_with(1).name;
@@ -214,7 +215,7 @@ void add_targets(const Contest& contest, double times, bool by_processor, std::v
         {what + "bytes a point, mesh", Sense::at_most, 250, *outcome->bytes / static_cast<double>(contest.points)});
 }
 
-/// What others find is no measure of ours, nor ours of theirs: they have definitions of their own.
+/// Prints numbers of triangles. Contestants have different definitions, so that different numbers are no error.
 void print_triangles(const std::vector<Contest>& contests) {
   for (const Contest& contest : contests) {
     std::printf("- %s, radius %s:", contest.set.c_str(), contest.alpha_text.c_str());

@@ -1,4 +1,4 @@
-// How much of the complex tiles decide: the figures of docs/tiles.md, section 6, as a Markdown table.
+// Measures how much of the complex tiles decide: the figures of docs/tiles.md, section 6, as a Markdown table.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
 #include <cstdio>
 #include <limits>
@@ -38,7 +38,7 @@ FoundByTiles found_by_tiles(const rbpa::Sites& sites, double alpha) {
   return by_tiles;
 }
 
-/// Points of all tiles, those around their own included.
+/// Returns the number of points of all tiles, including the ghosts around them.
 std::size_t points_of_tiles(const rbpa::PointGrid& grid, std::uint32_t points_per_tile) {
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;

@@ -1,5 +1,6 @@
-// The data of figure 6: hrbpa(), also with leaves of 16 points, rbpa() and the paper's RBPA and HRBPA on uniform points at alpha = 3
-// mean spacings, against their number. CSV on standard output, which draw_figures draws; seconds are medians.
+// Measures the data of figure 6: hrbpa(), also with leaves of 16 points, rbpa() and the paper's RBPA and HRBPA on
+// uniform points at alpha = 3 mean spacings, against their number. CSV on standard output, which draw_figures draws;
+// seconds are medians.
 //   bench_timing [--runs=N] [--points=N] > docs/figures/paper_6_timing.csv      5 runs of each, up to 1,000,000 points
 #include <algorithm>
 #include <array>
@@ -19,14 +20,14 @@ namespace {
 constexpr double alpha = 3;
 constexpr std::size_t fewest = 1000;
 
-/// So small that there are levels: with the default the first radius is above alpha.
+/// Leaves so small that there are several levels: with the default, the first radius is above alpha.
 Contestant hrbpa_small_leaves() {
   return {"hrbpa_small_leaves", [](std::span<const rbpa::Point> points, double radius, Triangles*) {
             return run_hrbpa_with(points, radius, 16);
           }};
 }
 
-/// 1, 2 and 5 times the powers of ten.
+/// Returns 1, 2 and 5 times the powers of ten.
 std::vector<std::size_t> sizes(std::size_t most) {
   std::vector<std::size_t> all;
   for (std::size_t power = fewest; power <= most; power *= 10)
@@ -35,7 +36,7 @@ std::vector<std::size_t> sizes(std::size_t most) {
   return all;
 }
 
-/// Short runs are repeated more often, as they scatter more.
+/// Returns the number of runs: short runs are repeated more often, because they scatter more.
 int runs_for(std::size_t points, int runs) {
   return runs * static_cast<int>(std::clamp<std::size_t>(20000 / points, 1, 10));
 }
@@ -47,7 +48,7 @@ void print_head(int runs) {
   std::printf("points,triangles,hrbpa,hrbpa_small_leaves,rbpa,paper,paper_hrbpa\n");
 }
 
-/// False when the contestants disagree.
+/// Prints one row. Returns: false when the contestants disagree.
 bool print_row(std::size_t count, int runs) {
   const rbpa_test::Points points = uniform.make(count);
   const std::array contestants{hrbpa, hrbpa_small_leaves(), rbpa_with(1), paper_rbpa, paper_hrbpa};

@@ -67,7 +67,7 @@ ColdRun run_cold(const std::string& program, std::size_t contestant, const std::
   int status = 0;
   waitpid(child, &status, 0);
   if (!complete || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error(cold_contestants()[contestant].name + ": the process told nothing");
+    throw std::runtime_error(cold_contestants()[contestant].name + ": the process reported nothing");
   return run;
 }
 

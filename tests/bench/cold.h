@@ -1,5 +1,5 @@
-// What: what a single run in a fresh process costs, page faults included: what the user of a program pays.
-// Why:  memory that a process has for the first time is given page by page, and cleared. Runs that are repeated in one
+// What: measures a single run in a fresh process, including page faults: the cost for the user of a program.
+// Why:  memory that a process gets for the first time is provided page by page, and cleared. Repeated runs in one
 //       process do not pay that.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace rbpa_bench {
 
-/// The contestants: the meshes and arrays of one thread and two, and CGAL.
+/// Returns the contestants: the meshes and arrays of one thread and two, and CGAL.
 const std::vector<Contestant>& cold_contestants();
 
-/// A temporary file of points, for run_cold().
+/// Temporary file of points, for run_cold().
 class PointsFile {
  public:
-  /// Throws std::runtime_error when it cannot be written.
+  /// Writes the file. Throws std::runtime_error when it cannot be written.
   explicit PointsFile(const rbpa_test::Points& points);
   ~PointsFile();
   PointsFile(const PointsFile&) = delete;
@@ -29,18 +29,19 @@ class PointsFile {
   std::string path_;
 };
 
-/// One run, in a process of its own.
+/// Result of one run in a process of its own.
 struct ColdRun {
   double seconds, processor_seconds;
   std::size_t triangles;
-  double bytes;  ///< by how much resident memory rose at most; the points were there before
+  double bytes;  ///< peak rise of resident memory over the state with the points loaded
 };
 
-/// Starts `program` once more as `program --one=NUMBER FILE`, which is to run one(). Throws std::runtime_error when that
+/// Starts `program` again as `program --one=NUMBER FILE`, which must call one(). Throws std::runtime_error when that
 /// fails.
 ColdRun run_cold(const std::string& program, std::size_t contestant, const std::string& points_file);
 
-/// The child: reads the points, runs the contestant and reports on standard output. Returns: the code to end with.
+/// Runs in the child process: reads the points, runs the contestant and reports on standard output. Returns: the exit
+/// code.
 int one(std::size_t contestant, const std::string& points_file);
 
 }  // namespace rbpa_bench

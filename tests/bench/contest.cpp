@@ -33,7 +33,7 @@ Run timed_levels(Compute compute, std::span<const rbpa::Point> points, double al
   return run;
 }
 
-/// "rbpa", or how many threads there are.
+/// Returns the name, followed by the number of threads if there are several.
 std::string named(const std::string& name, unsigned threads) {
   if (threads == 1) return name;
   return name + " " + (threads == 0 ? "all" : std::to_string(threads)) + " threads";

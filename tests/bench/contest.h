@@ -1,4 +1,4 @@
-// What: the contestants: rbpa, hrbpa, CGAL, and the result of a run of one of them.
+// What: the contestants rbpa, hrbpa and CGAL, and the result of a run.
 // Law:  on the same points and alpha all contestants that accept alpha find the same number of triangles.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace rbpa_bench {
 
 using Triangles = std::vector<rbpa_test::Triangle>;
 
-/// Whose clock a time is from.
+/// Clock of a measured time.
 enum class Clock {
   here,     ///< this process: from points in memory to the finished result; freeing it is not counted
   peer,     ///< another program's own
@@ -29,46 +29,46 @@ struct Run {
   std::size_t triangles;
   Clock clock = Clock::here;
   std::optional<double> process_bytes = {};      ///< the peak of another program, all of it
-  std::optional<double> processor_seconds = {};  ///< of all threads; where the clock is ours
+  std::optional<double> processor_seconds = {};  ///< processor seconds of all threads, if the clock is ours
 };
 
-/// Somebody who makes triangles of points.
+/// Contestant: computes triangles of points.
 struct Contestant {
   std::string name;
-  /// Where the result is a list of input indices, or can be turned into one when time is up, it is left in `list`
-  /// unless that is null. Throws std::runtime_error where there is no result.
+  /// If the result is a list of input indices, or can be converted to one after the measured time, it is left in `list`
+  /// unless that is null. Throws std::runtime_error when there is no result.
   std::function<Run(std::span<const rbpa::Point> points, double alpha, Triangles* list)> run;
-  bool takes_alpha = true;  ///< if not, all Delaunay triangles are found whatever alpha is
+  bool takes_alpha = true;  ///< if false, it finds all Delaunay triangles whatever alpha is
   bool is_program = false;  ///< another program, whose memory is measured from outside
 };
 
-/// rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: as many as there are processors.
+/// Runs rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: one for each processor.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
-/// rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbors.
+/// Runs rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbors.
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
                Triangles* list = nullptr);
 
-/// rbpa::rbpa() as in the paper, and rbpa::hrbpa().
+/// Run rbpa() and hrbpa() of the paper.
 Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha);
 Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
 
-/// rbpa::hrbpa(): the mesh of rbpa(), from the bottom up, with one thread.
+/// Runs rbpa::hrbpa(): the mesh of rbpa(), from the bottom up, with one thread.
 Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
 constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity;
 Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
 
-/// Whether triangles are left out by their circumradius, in plain double arithmetic.
+/// Filter of triangles by circumradius, in plain double arithmetic.
 enum class Filter { none, circumradius };
 
-/// CGAL's Delaunay triangulation with input indices, to a list of index triples.
+/// Runs CGAL's Delaunay triangulation with input indices, to a list of index triples.
 Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list = nullptr);
 
-/// CGAL's best case: its triangulation of a range of its own points, which it sorts, without indices. The result is the
-/// triangulation itself, or with a filter a list of its faces.
+/// Runs CGAL's best case: its triangulation of a range of its own points, which it sorts, without indices. The result
+/// is the triangulation itself, or, with a filter, a list of its faces.
 Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter);
 
-/// CGAL's Alpha_shape_2: the faces that it classifies as interior at alpha.
+/// Runs CGAL's Alpha_shape_2: the faces that it classifies as interior at alpha.
 Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha);
 
 Contestant rbpa_with(unsigned threads);

@@ -63,7 +63,8 @@ Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter f
   std::vector<IndexedPoint> indexed;
   indexed.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) indexed.push_back({Point(points[i].x, points[i].y), i});
-  // Pairs sorted in place and inserted one after the other are a quarter faster than insert(first, last), which sorts
+  // Sorting pairs in place and inserting them one after the other is a quarter faster than insert(first, last), which
+  // sorts
   // indices; CGAL's other policy of the Hilbert curve is slower than this one on grids.
   CGAL::spatial_sort(indexed.begin(), indexed.end(), SortTraits());
   IndexedDelaunay triangulation;

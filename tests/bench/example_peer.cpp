@@ -1,4 +1,5 @@
-// A program that takes part in bench_report as a peer: CGAL's Delaunay triangulation, and no more than a peer has to do.
+// Example of a program that takes part in bench_report as a peer: CGAL's Delaunay triangulation, with only what a peer
+// must do.
 //   bench_report --peer "CGAL by files=example_peer"
 #include <cstdio>
 #include <exception>
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
     const rbpa_bench::Run run = rbpa_bench::run_cgal_indices(points, std::numeric_limits<double>::infinity(),
                                                              rbpa_bench::Filter::none, &triangles);
     write_triangles(argv[2], triangles);
-    std::fprintf(stderr, "seconds %.9f\n", run.seconds);  // left out, the time of the process would count
+    std::fprintf(stderr, "seconds %.9f\n", run.seconds);  // without this line, the time of the process would count
   } catch (const std::exception& error) {
     std::fprintf(stderr, "example_peer: %s\n", error.what());
     return 1;

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
-/// Points on p + d n, d being noise.
+/// Adds points p + d n, where d is noise.
 class Adder {
  public:
   Adder(KnownNormals& known, double noise, std::uint64_t seed) : known_(known), noise_(noise), random(seed) {}
@@ -32,7 +32,7 @@ class Adder {
     known_.points.push_back({p.x + d * n.x, p.y + d * n.y, p.z + d * n.z});
     known_.normals.push_back({n.x / length, n.y / length, n.z / length});
   }
-  /// A direction at random.
+  /// Returns a random direction.
   Point3 direction() {
     for (;;) {
       const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
@@ -51,7 +51,7 @@ class Adder {
   Random random;
 };
 
-/// x²/a² + y²/b² + z²/c² = 1, evenly by area.
+/// Returns points on x²/a² + y²/b² + z²/c² = 1, evenly by area.
 KnownNormals ellipsoid(const std::string& name, std::size_t count, const Point3& axes, double noise) {
   KnownNormals known{.name = name};
   const double area =
@@ -79,7 +79,7 @@ KnownNormals torus(std::size_t count, double noise) {
   return known;
 }
 
-/// A box of these sides, evenly by area, with sharp edges.
+/// Returns points on a box with these sides, evenly by area, with sharp edges.
 KnownNormals box(const std::string& name, std::size_t count, const Point3& sides, double noise) {
   KnownNormals known{.name = name};
   const double xy = sides.x * sides.y, xz = sides.x * sides.z, yz = sides.y * sides.z;
@@ -104,11 +104,11 @@ KnownNormals box(const std::string& name, std::size_t count, const Point3& sides
   return known;
 }
 
-/// Where two balls of radius 1 overlap: a ridge whose angle is as given, in degrees.
+/// Returns points on the intersection of two balls of radius 1: a ridge with the given angle, in degrees.
 KnownNormals lens(const std::string& name, std::size_t count, double angle) {
   KnownNormals known{.name = name};
   Adder to(known, 0, 5);
-  const double off = std::cos(angle / 2 * pi / 180);  // of the centers from the plane between them
+  const double off = std::cos(angle / 2 * pi / 180);  // distance of the centers from the plane between them
   while (known.points.size() < count) {
     const Point3 u = to.direction();
     if (std::abs(u.z) < off) continue;
@@ -117,7 +117,8 @@ KnownNormals lens(const std::string& name, std::size_t count, double angle) {
   return known;
 }
 
-/// Capsules from a palm, as fingers, `gap` apart: points of one that are in another are left out.
+/// Returns points on capsules that stand on a palm like fingers, `gap` apart; points of one capsule inside another are
+/// left out.
 KnownNormals fingers(const std::string& name, std::size_t count, double gap) {
   struct Capsule {
     Point3 from, to;
@@ -171,7 +172,7 @@ KnownNormals fingers(const std::string& name, std::size_t count, double gap) {
   return known;
 }
 
-/// A sheet over the square from −1 to 1, open.
+/// Returns points on an open sheet over the square from −1 to 1.
 KnownNormals sheet(const std::string& name, std::size_t count, double noise,
                    const std::function<double(double, double)>& height) {
   KnownNormals known{.name = name};
@@ -185,7 +186,8 @@ KnownNormals sheet(const std::string& name, std::size_t count, double noise,
   return known;
 }
 
-/// On the lines of a scanner across the axis of a torus: points along a line are a twentieth of the distance of lines.
+/// Returns points on scan lines across the axis of a torus: the distance of points along a line is a twentieth of the
+/// distance of lines.
 KnownNormals scan_lines() {
   KnownNormals known{.name = "torus, lines of a scanner"};
   Adder to(known, 0, 8);
@@ -202,7 +204,7 @@ KnownNormals scan_lines() {
   return known;
 }
 
-/// A shell: a ball and the surface of a cavity in it, whose normals point into the cavity.
+/// Returns points on a shell: a ball and the surface of a cavity in it, whose normals point into the cavity.
 KnownNormals shell() {
   KnownNormals known = ellipsoid("ball with a cavity", 15'000, {1, 1, 1}, 0);
   const KnownNormals inner = ellipsoid("", 5'000, {0.5, 0.5, 0.5}, 0);

@@ -7,11 +7,11 @@ namespace rbpa_bench {
 namespace {
 
 constexpr std::int64_t unit = 100;                                             // hundredths
-constexpr std::int64_t easting = 450'000 * unit, northing = 5'400'000 * unit;  // of the first point
+constexpr std::int64_t easting = 450'000 * unit, northing = 5'400'000 * unit;  // coordinates of the first point
 constexpr std::int64_t square = 32, lakes_apart = 1024;
 constexpr double share_of_ground = 0.8;
 
-/// The numbers that a hash gives.
+/// Purposes of hashed numbers.
 enum : std::uint64_t { place, of_gap, of_lake };
 
 std::uint64_t mix(std::uint64_t h) {
@@ -20,7 +20,7 @@ std::uint64_t mix(std::uint64_t h) {
   return h ^ h >> 31U;
 }
 
-/// A number of 16 bits of a hash, in [first, last].
+/// Returns a number in [first, last] from 16 bits of a hash.
 std::int64_t between(std::uint64_t bits, std::int64_t first, std::int64_t last) {
   return first + (static_cast<std::int64_t>(bits & 0xffffU) * (last - first + 1) >> 16U);
 }
@@ -41,14 +41,15 @@ std::uint64_t LidarPoints::hash(std::uint64_t kind, std::int64_t column, std::in
   return mix(mix(seed_ + kind + 4 * static_cast<std::uint64_t>(row)) + static_cast<std::uint64_t>(column));
 }
 
-/// The disks of which a square of side 32 may have a part.
+/// Finds the disks that may overlap a square of side 32.
 void LidarPoints::look_at_square(std::int64_t column, std::int64_t row) {
   if (column == square_column_ && row == square_row_) return;
   square_column_ = column;
   square_row_ = row;
   const auto middle = [](std::int64_t number, std::int64_t side) { return (number * side + side / 2) * unit; };
   gap_ = {};
-  if (const std::uint64_t h = hash(of_gap, column, row); (h & 3U) == 0)  // one in four, of radius 3 to 11
+  if (const std::uint64_t h = hash(of_gap, column, row);
+      (h & 3U) == 0)  // one square in four has a gap, of radius 3 to 11
     gap_ = {middle(column, square) + between(h >> 16U, -4 * unit, 4 * unit),
             middle(row, square) + between(h >> 32U, -4 * unit, 4 * unit), between(h >> 48U, 3 * unit, 11 * unit)};
   const std::int64_t lake_column = column / (lakes_apart / square), lake_row = row / (lakes_apart / square);

@@ -9,7 +9,8 @@
 namespace rbpa_bench {
 namespace {
 
-/// Corners ascending and lowest of equal points, sorted: what orientation, order and repetitions do not change.
+/// Returns triangles in a form that does not depend on orientation, order and repetitions: corners ascending, the
+/// lowest of equal points, sorted.
 Triangles as_set(Triangles triangles, const std::vector<std::uint32_t>& lowest) {
   for (rbpa_test::Triangle& t : triangles) {
     for (std::uint32_t& corner : t) corner = lowest[corner];
@@ -19,7 +20,7 @@ Triangles as_set(Triangles triangles, const std::vector<std::uint32_t>& lowest) 
   return triangles;
 }
 
-/// Runs a contestant; false, and why in `outcome`, where there is no result.
+/// Runs a contestant. Returns: false, with the reason in `outcome`, when there is no result.
 bool run(const Contestant& contestant, std::span<const rbpa::Point> points, double alpha, Triangles* list,
          Outcome& outcome, bool by_processor = false) {
   try {
@@ -57,7 +58,7 @@ void compare_sets(const std::vector<Contestant>& contestants, std::span<const rb
       outcomes[i].failure = once.failure;
       continue;
     }
-    if (found.empty() && once.triangles > 0) continue;  // it does not list them
+    if (found.empty() && once.triangles > 0) continue;  // it does not list its triangles
     found = as_set(std::move(found), lowest);
     std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(others));
     if (!others.empty() || found.size() != expected.size())

@@ -1,6 +1,6 @@
-// What: a contest: several contestants on the same points, in turn, and the results of each.
-// Law:  no contestant is left out: one that fails is reported as failed, one that finds other triangles than the first as
-//       wrong.
+// What: runs a contest: several contestants on the same points, in turn.
+// Law:  no contestant is left out: one that fails is reported as failed, and one that finds other triangles than the
+//       first as wrong.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace rbpa_bench {
 
 struct Settings {
   int runs = 5;
-  bool warm = false;          ///< one more round before, which does not count
+  bool warm = false;          ///< run one round before, which does not count
   bool check = false;         ///< compare the triangles themselves, not only their number
-  bool by_processor = false;  ///< seconds are those of the processor, which others on the machine disturb less
+  bool by_processor = false;  ///< measure processor seconds, which other processes disturb less
   double patience = 60;       ///< seconds after which a contestant is not run again
 };
 
@@ -26,18 +26,18 @@ struct Task {
   Workload workload;
   std::size_t count;
   double alpha;
-  std::string alpha_text;  ///< alpha as tables have it, in a unit that suits the points
+  std::string alpha_text;  ///< alpha for tables, in a unit that suits the points
 };
 
-/// How one contestant did.
+/// Results of one contestant.
 struct Outcome {
   std::string contestant;
   Timings seconds;
   std::size_t triangles = 0;
   Clock clock = Clock::here;
-  std::optional<double> bytes;  ///< peak beyond the input; of another program all of it
-  std::string failure;          ///< why it has no result, or it is empty
-  std::string wrong;            ///< how its result differs from that of the first contestant, or it is empty
+  std::optional<double> bytes;  ///< peak beyond the input; for another program, its whole peak
+  std::string failure;          ///< why it has no result; empty if it has one
+  std::string wrong;            ///< how its result differs from that of the first contestant; empty if it does not
 
   bool is_good() const { return failure.empty() && wrong.empty(); }
 };
@@ -47,23 +47,23 @@ struct Contest {
   std::size_t points = 0;
   std::vector<Outcome> outcomes;
 
-  /// Absent when the contestant was not there.
+  /// Returns the results of a contestant; null when it did not take part.
   const Outcome* of(const std::string& contestant) const;
   double nanoseconds_a_point(const Outcome& outcome) const {
     return 1e9 * outcome.seconds.median() / static_cast<double>(points);
   }
 };
 
-/// By how many bytes resident memory rises at most beyond the input, in a process of its own; of another program, from its
-/// runs. That process is forked: threads of this process are missing there, so call it before any contest.
+/// Returns the peak rise of resident memory beyond the input, in bytes, in a process of its own; for another program,
+/// from its runs. That process is forked and lacks the threads of this process, so call it before any contest.
 std::optional<double> weigh(const Task& task, const Contestant& contestant);
 
-/// All in turn, each round beginning with another one, as long as patience lasts.
-/// The first contestant is the reference for the others: their number of triangles where they take alpha or it is
-/// infinite, and on request the triangles, for those that list them.
+/// Runs all contestants in turn, each round beginning with another one, as long as patience lasts.
+/// The first contestant is the reference for the others: they must find its number of triangles if they take alpha or
+/// it is infinite, and on request the same triangles, if they list them.
 Contest measure(const Task& task, const std::vector<Contestant>& contestants, const Settings& settings);
 
-/// How many times the time of `ours` that of `peer` is; absent where one was not there or is not good.
+/// Returns the time of `peer` divided by that of `ours`; nothing when one of them is missing or has no valid result.
 std::optional<double> speedup(const Contest& contest, const std::string& ours, const std::string& peer);
 
 }  // namespace rbpa_bench

@@ -41,13 +41,13 @@ TEST_CASE("contestants run in turn, and each begins a round") {
   CHECK(order == "abcbcacab");
 }
 
-TEST_CASE("who finds another number of triangles is wrong") {
+TEST_CASE("a contestant that finds another number of triangles is wrong") {
   const Contest contest = held({finding("ours", 1, {{0, 1, 2}}), finding("peer", 2, {})});
   CHECK(contest.of("peer")->wrong == "0 triangles, expected 1");
   CHECK_FALSE(speedup(contest, "ours", "peer"));
 }
 
-TEST_CASE("who leaves alpha out need not find the triangles at a finite alpha") {
+TEST_CASE("a contestant that ignores alpha need not find the triangles at a finite alpha") {
   const std::vector<Contestant> both{finding("ours", 1, {{0, 1, 2}}), finding("peer", 2, {}, false)};
   CHECK(held(both, true, 1.0).of("peer")->is_good());
   CHECK_FALSE(held(both, true).of("peer")->is_good());
@@ -61,7 +61,7 @@ TEST_CASE("triangles are compared as sets: order, orientation and repeated point
   CHECK(contest.of("other")->wrong == "1 of 1 triangles are others");
 }
 
-TEST_CASE("who fails stays in the contest as failed") {
+TEST_CASE("a contestant that fails stays in the contest as failed") {
   int runs = 0;
   const Contestant failing{"peer", [&runs](std::span<const rbpa::Point>, double, Triangles*) -> Run {
                              if (++runs == 2) throw std::runtime_error("no memory");
@@ -74,7 +74,7 @@ TEST_CASE("who fails stays in the contest as failed") {
   CHECK_FALSE(contest.of("nobody"));
 }
 
-TEST_CASE("a target is met by the ratio of medians, and without a contest by nothing") {
+TEST_CASE("a target is met by the ratio of medians, and is not met without a contest") {
   Measured measured;
   const auto contest = [](const Workload& workload, std::size_t points, double ours, double peer) {
     Contest result{workload.name, "∞", points, std::vector<Outcome>(2)};

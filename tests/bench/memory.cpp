@@ -10,7 +10,7 @@
 namespace rbpa_bench {
 namespace {
 
-/// A line "name:  1234 kB" of /proc/self/status, in bytes.
+/// Reads a line "name:  1234 kB" of /proc/self/status. Returns: bytes.
 std::optional<double> status_bytes(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -18,7 +18,7 @@ std::optional<double> status_bytes(const std::string& name) {
   return std::nullopt;
 }
 
-/// Lets the peak start again from the present. Linux 4.0 and later.
+/// Resets the peak to the present value. Requires Linux 4.0 or later.
 bool reset_peak() {
   std::ofstream control("/proc/self/clear_refs");
   control << "5" << std::flush;
@@ -28,7 +28,7 @@ bool reset_peak() {
 }  // namespace
 
 std::optional<double> rise_of_peak(const std::function<void()>& work) {
-  malloc_trim(0);  // or the work would be given pages that are resident already
+  malloc_trim(0);  // otherwise the work would reuse pages that are resident already
   const bool is_reset = reset_peak();
   const std::optional<double> before = status_bytes("VmRSS");
   work();

@@ -56,7 +56,7 @@ class Merging {
     return made;
   }
 
-  /// Tiles at the end of the ground have all that is beyond.
+  /// Returns the region of a block. Tiles at the end of the ground include everything beyond.
   rbpa::Region region_of(const TileBlock& block) const {
     const rbpa::Point low = LidarPoints::corner_of(block.column * plan_.side, block.row * plan_.side),
                       high = LidarPoints::corner_of(block.last_column * plan_.side, block.last_row * plan_.side);
@@ -65,7 +65,7 @@ class Merging {
             block.last_column == plan_.across ? infinity : high.x, block.last_row == plan_.across ? infinity : high.y};
   }
 
-  /// As the next machine gets it: what is finished goes to storage, as rbpa stream has it.
+  /// Returns a Partial as the next machine receives it: finished parts go to storage, as in rbpa stream.
   rbpa::Partial sent(rbpa::Partial part, const TileBlock& block, std::size_t depth) {
     constexpr std::size_t many_corners = 256;
     const Stopwatch watch;

@@ -1,6 +1,6 @@
-// What: tiles of a square of ground, computed and merged two by two as the plane was halved, each result by way of its
-//       bytes: what a cluster sends from machine to machine.
-// Law:  a function of the size and the seed.
+// What: computes tiles of a square of ground and merges them two by two, in the order in which the plane was halved,
+//       each result by way of its bytes: the data that a cluster sends from machine to machine.
+// Law:  the result is a function of the size and the seed.
 #pragma once
 
 #include <cstddef>
@@ -9,39 +9,39 @@
 
 namespace rbpa_bench {
 
-/// A rectangle of tiles.
+/// Rectangle of tiles.
 struct TileBlock {
-  std::int64_t column, row, last_column, last_row;  ///< the last not included
+  std::int64_t column, row, last_column, last_row;  ///< the last column and row are not included
 
   double tiles() const { return static_cast<double>(last_column - column) * static_cast<double>(last_row - row); }
 };
 
-/// So many tiles by so many, with so many points along a side of each.
+/// Plan: the number of tiles along each side, and of points along a side of a tile.
 struct MergePlan {
   std::int64_t across, side;
   double alpha;
   std::uint64_t seed;
 
   TileBlock all() const { return {0, 0, across, across}; }
-  /// Lengths of the border of a block, in spacings: inside the ground, and at its end.
+  /// Return the length of the border of a block, in spacings: inside the ground, and at its end.
   double inner_border(const TileBlock& block) const;
   double outer_border(const TileBlock& block) const;
 };
 
-/// A result of the tree: of one tile, or of two results.
+/// Result in the tree: one tile, or two merged results.
 struct MergedPart {
   TileBlock block;
-  std::size_t depth;  ///< in the tree; of all tiles 0
-  double bytes;       ///< of the Partial, without the polygons and holes removed
-  double points;      ///< in the block
+  std::size_t depth;  ///< depth in the tree; 0 for all tiles together
+  double bytes;       ///< size of the Partial, without removed polygons and holes
+  double points;      ///< number of points in the block
 };
 
 struct MergeRun {
   std::vector<MergedPart> parts = {};
   double points = 0, triangles = 0;
-  double taken_bytes = 0;    ///< 16 a corner of polygons and holes that went to storage
-  double tile_seconds = 0;   ///< of the processor: partial(), without making the points
-  double merge_seconds = 0;  ///< merging, and to bytes and back
+  double taken_bytes = 0;    ///< 16 per corner of polygons and holes that went to storage
+  double tile_seconds = 0;   ///< processor time of partial(), without making the points
+  double merge_seconds = 0;  ///< time of merging, and of converting to bytes and back
 };
 
 /// The two halves of a block of more than one tile.

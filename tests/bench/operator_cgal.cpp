@@ -12,7 +12,7 @@
 namespace meshops_bench {
 namespace {
 
-using Point = CGAL::Simple_cartesian<float>::Point_3;  // as OpenMesh's default
+using Point = CGAL::Simple_cartesian<float>::Point_3;  // float, as is OpenMesh's default
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
 using Vertex = SurfaceMesh::Vertex_index;
 using Halfedge = SurfaceMesh::Halfedge_index;

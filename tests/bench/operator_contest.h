@@ -1,4 +1,5 @@
-// What: a contestant of bench_operators: it prepares a mesh once, and operates on a fresh copy of it in every pass.
+// What: the contestants of bench_operators: each prepares a mesh once, and operates on a fresh copy of it in every
+//       pass.
 #pragma once
 
 #include <time.h>
@@ -15,10 +16,12 @@
 
 namespace meshops_bench {
 
-/// What all contestants must agree on after a pass. Vertices are numbered alike, so that triangles can be compared.
+/// Result that must be equal for all contestants after a pass. Vertices are numbered alike, so that triangles can be
+/// compared.
 struct Shape {
   std::size_t vertices = 0, edges = 0, faces = 0;
-  std::uint64_t triangles = 0;  ///< the sum of a hash of each, of its direction but not of its beginning
+  std::uint64_t triangles =
+      0;  ///< sum of the hashes of all triangles, which depend on direction but not on the first corner
 
   void add_triangle(Corners corners) {
     ++faces;
@@ -39,20 +42,21 @@ class Contestant {
   Contestant(const Contestant&) = delete;
   Contestant& operator=(const Contestant&) = delete;
   virtual ~Contestant() = default;
-  /// Operates at all sites of a fresh copy. Returns the seconds that it took the processor.
+  /// Operates at all sites of a fresh copy. Returns: the seconds of processor time.
   virtual double pass() = 0;
-  /// Of the mesh that the last pass left.
+  /// Returns the shape of the mesh after the last pass.
   virtual Shape shape() const = 0;
 };
 
-/// Processor time of this thread: other work on the machine that takes turns with it does not count.
+/// Returns the processor time of this thread; other work on the machine that takes turns with it does not count.
 inline double seconds_of_thread() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// step(mesh, site) at every site, one after the other. `copy(from, to)` makes room for what the steps add.
+/// Contestant that calls step(mesh, site) at every site, one after the other. `copy(from, to)` reserves room for the
+/// elements that the steps add.
 template <typename Mesh, typename Handles, typename Copy, typename Step, typename ShapeOf>
 class AtSites : public Contestant {
  public:
@@ -80,7 +84,7 @@ struct Entry {
   std::unique_ptr<Contestant> (*make)(const Task& task);
 };
 
-/// Those who can do the operation; none may be.
+/// Return the contestants that can do the operation, which may be none.
 std::vector<Entry> meshops_entries(Operation operation);
 std::vector<Entry> openmesh_entries(Operation operation);
 std::vector<Entry> cgal_entries(Operation operation);

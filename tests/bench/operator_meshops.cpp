@@ -37,7 +37,7 @@ meshops::PolygonSoup soup_of(const Task& task) {
   return soup;
 }
 
-/// Of side i of triangle t at 3t + i: the side of an earlier triangle that it is glued to, or -1.
+/// Returns a table: entry 3t + i is the side of an earlier triangle to which side i of triangle t is glued, or -1.
 std::vector<int> earlier_sides(const Task& task) {
   std::unordered_map<std::uint64_t, int> sides;
   std::vector<int> earlier;
@@ -51,7 +51,7 @@ std::vector<int> earlier_sides(const Task& task) {
   return earlier;
 }
 
-/// A front has the boundary halfedge to which each triangle is attached; here a table does.
+/// Inserts triangles. A front knows the boundary halfedge to which each triangle is attached; here a table gives it.
 std::unique_ptr<Contestant> insert_triangles(const Task& task) {
   return at_once(
       [&task](TriMesh& m) {
@@ -73,7 +73,8 @@ std::unique_ptr<Contestant> insert_triangles(const Task& task) {
       });
 }
 
-/// The boundary halfedge of the last vertex of either tube (see operator_task.cpp), one the mate of the other.
+/// Zips two tubes, beginning at the boundary halfedge of the last vertex of either tube (see operator_task.cpp), which
+/// are mates.
 std::unique_ptr<Contestant> zip_tubes(const Task& task) {
   return at_once([start = mesh_of(task)](TriMesh& m) { m = start; },
                  [&task](TriMesh& m) {

@@ -1,4 +1,4 @@
-// What: the mesh on which libmeshops and OpenMesh compete, and the queries that both sides make.
+// What: the mesh on which libmeshops and OpenMesh compete, and the queries that both make.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -12,7 +12,7 @@ struct TriMesh : OpenMesh::TriMesh_ArrayKernelT<> {
   TriMesh();
 };
 
-/// By OpenMesh's add_face().
+/// Builds a mesh by OpenMesh's add_face().
 TriMesh mesh_of(const Task& task);
 void copy_with_room(const TriMesh& from, TriMesh& to);
 Shape shape_of(const TriMesh& mesh);
@@ -21,7 +21,7 @@ OpenMesh::VertexHandle vertex(std::uint32_t index);
 OpenMesh::HalfedgeHandle halfedge(const TriMesh& mesh, std::uint32_t from, std::uint32_t to);
 OpenMesh::FaceHandle face(const TriMesh& mesh, const Site& site);
 
-/// A contestant whose step gets the result of `locate(mesh, site)` for each site.
+/// Contestant whose step gets the result of `locate(mesh, site)` for each site.
 template <typename Locate, typename Step>
 std::unique_ptr<Contestant> at_sites(TriMesh mesh, const Task& task, Locate locate, Step step) {
   using Handles = decltype(locate(mesh, task.sites.front()));
@@ -31,7 +31,7 @@ std::unique_ptr<Contestant> at_sites(TriMesh mesh, const Task& task, Locate loca
   return std::make_unique<Result>(std::move(mesh), std::move(sites), &copy_with_room, step, &shape_of);
 }
 
-/// A contestant that does all at once: prepare(mesh) is not timed, run(mesh) is.
+/// Contestant that operates on the whole mesh at once: prepare(mesh) is not timed, run(mesh) is.
 template <typename Prepare, typename Run>
 class AtOnce : public Contestant {
  public:

@@ -11,8 +11,8 @@
 namespace meshops_bench {
 namespace {
 
-/// Rows of squares. In the first row the upper triangle of a square comes first, then the lower: every triangle is
-/// then glued to earlier ones at an edge, and meets them nowhere else.
+/// Returns rows of squares. In the first row, the upper triangle of a square comes before the lower one: every triangle
+/// is then glued to earlier ones at an edge, and meets them nowhere else.
 Task grid_of(std::uint32_t side) {
   Task task{};
   task.vertices = (side + 1) * (side + 1);
@@ -26,7 +26,7 @@ Task grid_of(std::uint32_t side) {
   return task;
 }
 
-/// Two tubes of two rows of vertices each, the second begins where the numbers of the first end.
+/// Returns two tubes, each with two rows of vertices; the numbers of the second follow those of the first.
 Task tubes_of(std::uint32_t length) {
   Task task{};
   task.vertices = 4 * length;
@@ -36,7 +36,7 @@ Task tubes_of(std::uint32_t length) {
       task.triangles.push_back({a, b, c});
       task.triangles.push_back({a, c, d});
     }
-  // The upper curve of the first and the lower one of the second tube, as boundary halfedges that meet head to tail.
+  // The upper curve of the first tube and the lower one of the second, as boundary halfedges that meet head to tail.
   for (std::uint32_t i = 0; i < length; ++i) {
     const std::uint32_t next = (i + 1) % length;
     task.sites.push_back({length + i, length + next, 0});
@@ -69,7 +69,8 @@ void mix(Task& task, std::mt19937& random) {
     for (std::uint32_t& corner : corners) corner = number[corner];
     task.triangles.push_back(corners);
   }
-  // Not all at random: OpenMesh's add_face() refuses a triangle that would close a vertex in the wrong order.
+  // The order cannot be fully random: OpenMesh's add_face() refuses a triangle that would close a vertex in the wrong
+  // order.
 }
 
 std::uint32_t index(meshops::Vertex v) { return static_cast<std::uint32_t>(v.idx()); }
@@ -94,7 +95,7 @@ class SiteFinder {
     }
     return sites;
   }
-  /// Edges that can be flipped one after the other.
+  /// Returns edges that can be flipped one after the other.
   std::vector<Site> flips(std::size_t count) {
     std::vector<Site> sites;
     for (const meshops::Edge e : shuffled<meshops::Edge>(mesh_.n_edges())) {
@@ -105,7 +106,7 @@ class SiteFinder {
     }
     return sites;
   }
-  /// Halfedges of inner vertices whose stars share no vertex, and which can be collapsed one after the other.
+  /// Returns halfedges of inner vertices whose stars share no vertex, and which can be collapsed one after the other.
   std::vector<Site> collapses() {
     return apart([&](meshops::Vertex v) { return ends(mesh_.halfedge_handle(v)); },
                  [&](const Site& s) {
@@ -115,7 +116,7 @@ class SiteFinder {
                    return true;
                  });
   }
-  /// Inner vertices whose stars share no vertex, each with two neighbors half a turn apart.
+  /// Returns inner vertices whose stars share no vertex, each with two neighbors half a turn apart.
   std::vector<Site> vertices() {
     return apart(
         [&](meshops::Vertex v) {
@@ -127,7 +128,7 @@ class SiteFinder {
         },
         [](const Site&) { return true; });
   }
-  /// Faces at these stars.
+  /// Returns faces at these stars.
   std::vector<Site> faces_apart() {
     return apart([&](meshops::Vertex v) { return corners_of(mesh_, mesh_.face_handle(mesh_.halfedge_handle(v))); },
                  [](const Site&) { return true; });

@@ -1,6 +1,6 @@
-// What: what the contestants of bench_operators are given: a mesh as triangles, and the sites at which to operate, in
+// What: the task of the contestants of bench_operators: a mesh as triangles, and the sites at which to operate, in
 //       order.
-// Law:  made from fixed seeds; at every site of a task the operation is allowed when its turn comes.
+// Law:  a task is made from fixed seeds; at every site the operation is allowed when its turn comes.
 #pragma once
 
 #include <array>
@@ -30,20 +30,21 @@ std::string_view name(Operation operation);
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// An edge or halfedge by its two ends; a face by its corners; the vertex to split, with the ends of left and right.
+/// Site: an edge or halfedge by its two ends; a face by its corners; a vertex to split, with the ends of left and
+///       right.
 using Site = Corners;
 
 struct Task {
   Operation operation;
   std::uint32_t vertices = 0;
   std::vector<Corners> triangles;
-  std::vector<Site> sites;  ///< empty where the operation is for the whole mesh
-  std::size_t steps = 0;    ///< operations in a pass, by which the time is divided
+  std::vector<Site> sites;  ///< empty if the operation is for the whole mesh
+  std::size_t steps = 0;    ///< number of operations in a pass, by which the time is divided
 };
 
 enum class Ground {
   grid,   ///< rows of squares in two triangles each, in order
-  random  ///< the same after as many random flips as it has edges, with vertices and triangles in random order
+  random  ///< a grid after as many random flips as it has edges, with vertices and triangles in random order
 };
 
 std::string_view name(Ground ground);

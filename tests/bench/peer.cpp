@@ -47,7 +47,7 @@ Run run_peer(const std::string& command, std::span<const rbpa::Point> points, Tr
   const auto in = folder / "points", out = folder / "triangles", said_here = folder / "said";
   static_assert(sizeof(rbpa::Point) == 2 * sizeof(double));
   write_all(in, points);
-  malloc_trim(0);  // what this process has at the start of another counts as the other's
+  malloc_trim(0);  // memory of this process at the start of another counts as the other's
   const std::optional<double> own_bytes = resident_bytes();
   const ShellRun ended = run_shell(command + " " + quoted(in.string()) + " " + quoted(out.string()), said_here);
 

@@ -14,7 +14,7 @@ namespace {
 
 const rbpa_test::Points corner{{0, 0}, {1, 0}, {0, 1}};
 
-/// Why a command has no result.
+/// Returns why a command has no result.
 std::string failure(const std::string& command) {
   try {
     run_peer(command, corner);
@@ -24,7 +24,7 @@ std::string failure(const std::string& command) {
   return "";
 }
 
-/// A command that writes the bytes that printf makes of `format`.
+/// Returns a command that writes the bytes that printf makes of `format`.
 std::string writes(const std::string& format) { return "sh -c 'printf \"" + format + "\" >\"$2\"' peer"; }
 
 }  // namespace
@@ -47,7 +47,7 @@ TEST_CASE("a peer's time is the one it reports, or that of its process") {
   CHECK(silent.clock == Clock::process);
 }
 
-TEST_CASE("a peer that fails is reported as failed, and how") {
+TEST_CASE("a peer that fails is reported as failed, with the reason") {
   CHECK(failure("sh -c 'exit 3' peer") == "ended with 3");
   CHECK(failure("sh -c 'echo no memory >&2; exit 1' peer") == "ended with 1: no memory");
   CHECK(failure("sh -c 'kill -9 $$' peer").starts_with("ended "));  // the shell may turn signal 9 into 137

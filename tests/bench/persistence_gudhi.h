@@ -1,4 +1,5 @@
-// What: GUDHI's persistence of the alpha complex in space as a user runs it: AlphaComplex with precision "fast", cohomology with coefficients in Z/2.
+// What: runs GUDHI's persistence of the alpha complex in space as a user does: AlphaComplex with precision "fast",
+//       cohomology with coefficients in Z/2.
 #pragma once
 
 #include <array>
@@ -10,12 +11,12 @@
 namespace rbpa_bench {
 
 struct PersistenceRun {
-  std::array<std::size_t, 3> pairs;  ///< of each dimension, those that last longer than rounding
-  double complex_seconds;            ///< of the processor: until the simplices have radii
+  std::array<std::size_t, 3> pairs;  ///< for each dimension, the number of pairs that last longer than rounding
+  double complex_seconds;            ///< processor time until the simplices have radii
   double pairs_seconds;
 };
 
-/// From points to pairs.
+/// Computes pairs from points.
 PersistenceRun persistence_by_gudhi(std::span<const rbpa::Point3> points);
 
 }  // namespace rbpa_bench

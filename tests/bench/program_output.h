@@ -1,4 +1,4 @@
-// What: a program that is run by the shell, and its output.
+// What: runs a program by the shell and returns its output.
 #pragma once
 
 #include <doctest/doctest.h>

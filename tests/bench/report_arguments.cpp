@@ -16,7 +16,7 @@ bool read_peer(std::string_view text, std::vector<ReportArguments::Peer>& peers)
 }
 
 bool take(std::string_view given, ReportArguments& into) {
-  constexpr std::size_t fewest = 100;  // a tenth of them still make triangles
+  constexpr std::size_t fewest = 100;  // a tenth of these still makes triangles
   if (const auto text = behind(given, "--points=")) return read_number(*text, into.points) && into.points >= fewest;
   if (const auto text = behind(given, "--trap-points="))
     return read_number(*text, into.trap_points) && (into.trap_points == 0 || into.trap_points >= fewest);

@@ -1,4 +1,4 @@
-// What: the command line of bench_report.
+// What: reads the command line of bench_report.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@ struct ReportArguments {
   std::vector<unsigned> threads{1, 2};  ///< the first is the reference for all others
   std::vector<Peer> peers;
   bool check = false;  ///< compare sets of triangles, not only their numbers
-  bool large = false;  ///< sixteen times the points as well
+  bool large = false;  ///< also measure sixteen times the points
 };
 
-/// Absent, and the usage on standard error, when there is anything else.
+/// Parses the command line. Returns: nothing, after printing the usage on standard error, when there is anything else.
 std::optional<ReportArguments> parse_report(int argc, char** argv);
 
 }  // namespace rbpa_bench

@@ -42,7 +42,7 @@ TEST_CASE("a report ends with the targets, which name what was not measured") {
   CHECK(all.text.find("| uniform, α = ∞, a point: at 3200 / at 20 ≤ 1.35 | – | not measured |") != std::string::npos);
 }
 
-TEST_CASE("an argument that is none is refused with the usage") {
+TEST_CASE("an unknown argument is refused with the usage") {
   for (const char* argument : {"--points=ten", "--points=10", "--runs=0", "--threads=1,", "--threads=", "--peer=name",
                                "--peer", "--peer==command", "--quick"}) {
     CAPTURE(argument);
@@ -52,7 +52,7 @@ TEST_CASE("an argument that is none is refused with the usage") {
   }
 }
 
-TEST_CASE("cold runs have every set in every contestant, the same triangles and targets") {
+TEST_CASE("cold runs measure every set with every contestant, with the same triangles, and print targets") {
   const Report all = run(RBPA_BENCH_COLD, "--points=400 --runs=1");
   CHECK(all.code == 0);
   CHECK(all.text.find("**wrong**") == std::string::npos);

@@ -41,7 +41,7 @@ Ended wait_for_shell(const std::string& command, const std::filesystem::path& ou
   return ended;
 }
 
-/// Its standard error: its time, and the last line, as the reason for a failure.
+/// Contents of standard error: the time, and the last line, which is the reason for a failure.
 struct ErrorOutput {
   std::optional<double> seconds;
   std::string last_line;

@@ -1,4 +1,4 @@
-// What: a command of the shell that is timed, and the files that it reads and writes.
+// What: runs and times a command of the shell, with files that it reads and writes.
 // Time: the value of a line `seconds VALUE` on its standard error, or else of its whole process, files included.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace rbpa_bench {
 
-/// A folder for the files of one run, gone with it.
+/// Folder for the files of one run, removed with it.
 class RunFolder {
  public:
   RunFolder();
@@ -23,17 +23,17 @@ class RunFolder {
   std::filesystem::path path_;
 };
 
-/// One word for the shell.
+/// Returns a word quoted for the shell.
 std::string quoted(const std::string& word);
 
 struct ShellRun {
   double seconds;
-  Clock clock;        ///< whose they are
-  double peak_bytes;  ///< of its process
+  Clock clock;        ///< clock of the seconds
+  double peak_bytes;  ///< peak memory of its process
 };
 
-/// Runs the command and waits. What it writes on standard output is dropped, on standard error goes to the file.
-/// Throws std::runtime_error: it ended with a code or a signal, or its line of seconds is not a number.
+/// Runs the command and waits. Its standard output is dropped; its standard error goes to the file `said_here`.
+/// Throws std::runtime_error when it ended with a code or a signal, or its line of seconds is not a number.
 ShellRun run_shell(const std::string& command, const std::filesystem::path& said_here);
 
 }  // namespace rbpa_bench

@@ -6,7 +6,7 @@ namespace {
 
 using rbpa::Point;
 
-/// Points of so many circles around one center.
+/// Returns points of `number` circles around one center.
 Points circles(std::size_t count, int number, std::uint64_t seed) {
   return scattered(count, seed, [=](Random& random) {
     const double radius = random.integer(1, number) / static_cast<double>(number);
@@ -14,7 +14,7 @@ Points circles(std::size_t count, int number, std::uint64_t seed) {
   });
 }
 
-/// A share of the points on a circle, the others anywhere in it.
+/// Returns a share of the points on a circle, and the others anywhere in it.
 Points circle_and_inside(std::size_t count, double share, std::uint64_t seed) {
   return scattered(count, seed, [=](Random& random) {
     const double radius = random.chance(share) ? 1 : std::sqrt(random.unit());

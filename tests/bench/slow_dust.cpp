@@ -8,14 +8,14 @@ namespace {
 
 using rbpa::Point;
 
-/// A number whose ternary digits are 0 and 2.
+/// Returns a number whose ternary digits are 0 and 2.
 double cantor(Random& random) {
   double x = 0, digit = 2.0 / 3;
   for (int i = 0; i < 30; ++i, digit /= 3) x += random.chance(0.5) ? digit : 0;
   return x;
 }
 
-/// x ↦ a x + b y + e, y ↦ c x + d y + f, chosen with a probability.
+/// Map x ↦ a x + b y + e, y ↦ c x + d y + f, chosen with a probability.
 struct Affine {
   double a, b, c, d, e, f, probability;
 };
@@ -63,7 +63,7 @@ Points sierpinski_carpet(std::size_t count) {
   });
 }
 
-/// Steps whose length has no mean.
+/// Returns a walk with steps whose length has no mean.
 Points levy_flight(std::size_t count) {
   Point at{0, 0};
   return scattered(count, 43, [&](Random& random) {
@@ -82,7 +82,7 @@ Points henon(std::size_t count) {
   });
 }
 
-/// Quarters of quarters, one of which has most of the points.
+/// Returns nested quarters, one of which has most of the points.
 Points cascade(std::size_t count) {
   return scattered(count, 45, [](Random& random) {
     Point p{0, 0};
@@ -96,7 +96,7 @@ Points cascade(std::size_t count) {
   });
 }
 
-/// So many crowds of a width, in a square of side 1; the others anywhere.
+/// Returns `number` crowds of a width in a square of side 1, and the other points anywhere.
 Points crowds(std::size_t count, int number, double width, double share, std::uint64_t seed) {
   const Points centre = scattered(static_cast<std::size_t>(number), seed, [](Random& random) {
     const double x = random.unit();

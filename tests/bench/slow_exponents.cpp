@@ -8,7 +8,7 @@ namespace {
 
 using rbpa::Point;
 
-/// Thirty times what neighbors along x are apart on average.
+/// Returns thirty times the mean distance of neighbors along x.
 double thirty_along_x(const Points& points) {
   const auto [least, most] =
       std::minmax_element(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });

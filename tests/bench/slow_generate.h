@@ -1,4 +1,4 @@
-// What: how the sets of slow_paths.h are made.
+// What: generates the sets of slow_paths.h.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace rbpa_bench {
 using rbpa_test::Points;
 using rbpa_test::Random;
 
-/// So many points made by make(Random&).
+/// Returns `count` points made by make(Random&).
 template <typename Make>
 Points scattered(std::size_t count, std::uint64_t seed, Make make) {
   Random random(seed);
@@ -24,7 +24,7 @@ Points scattered(std::size_t count, std::uint64_t seed, Make make) {
   return points;
 }
 
-/// Points at(t) of a curve, t uniform in [0, 1), in any order.
+/// Returns points at(t) of a curve, t uniform in [0, 1), in any order.
 template <typename At>
 Points along(std::size_t count, std::uint64_t seed, At at) {
   return scattered(count, seed, [&](Random& random) -> rbpa::Point { return at(random.unit()); });

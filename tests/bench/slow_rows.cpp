@@ -8,7 +8,8 @@ namespace {
 
 using rbpa::Point;
 
-/// Points anywhere on so many lines along x, the lines `apart` mean distances of neighbors within one from each other.
+/// Returns points anywhere on `number` lines along x, which are `apart` mean distances of neighbors within one line
+/// from each other.
 Points rows(std::size_t count, int number, double apart, std::uint64_t seed) {
   number = std::max(number, 2);
   const double length = static_cast<double>(count) / number;
@@ -18,7 +19,7 @@ Points rows(std::size_t count, int number, double apart, std::uint64_t seed) {
   });
 }
 
-/// The same on a lattice.
+/// Returns such rows with points on a lattice.
 Points even_rows(std::size_t count, int number, double apart) {
   number = std::max(number, 2);
   Points points;
@@ -28,7 +29,7 @@ Points even_rows(std::size_t count, int number, double apart) {
   return points;
 }
 
-/// On the lines y = slope x.
+/// Returns points on the line y = slope x, and the others.
 Points line_with(std::size_t count, double slope, const Points& others, std::uint64_t seed) {
   Points points = along(count - others.size(), seed, [=](double t) { return Point{t, slope * t}; });
   points.insert(points.end(), others.begin(), others.end());
@@ -51,7 +52,7 @@ Points outline(std::size_t count, std::uint64_t seed) {
   });
 }
 
-/// Vertical teeth of length 1 on a line of length 1, dense along them.
+/// Returns vertical teeth of length 1 on a line of length 1, dense along them.
 Points comb(std::size_t count, int teeth, std::uint64_t seed) {
   return scattered(count, seed, [=](Random& random) {
     if (random.chance(0.1)) return Point{random.unit(), 0};

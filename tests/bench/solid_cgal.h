@@ -1,4 +1,5 @@
-// What: CGAL's Delaunay_triangulation_3 as a user runs it who wants tetrahedra: points alone, default options, one thread.
+// What: runs CGAL's Delaunay_triangulation_3 as a user who wants tetrahedra does: points alone, default options, one
+//       thread.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,7 @@ namespace rbpa_bench {
 
 struct SolidRun {
   std::size_t tetrahedra;
-  double seconds;  ///< of the processor: others may share the machine
+  double seconds;  ///< processor time: other processes may share the machine
 };
 
 /// Inserts the points, and counts the finite cells of circumradius at most alpha, in rounded numbers.

@@ -1,4 +1,4 @@
-// What: the time since it was made, by the clock on the wall and by the processor.
+// What: measures the time since its construction, by the wall clock and by the processor.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,8 @@ namespace rbpa_bench {
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  /// What all threads of this process were given: with one thread, its time on a machine that it shared with nobody.
+  /// Returns the processor time of all threads of this process; with one thread, this is its time on a machine without
+  /// other work.
   double processor_seconds() const { return processor_now() - processor_start_; }
 
  private:

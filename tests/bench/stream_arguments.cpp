@@ -9,7 +9,7 @@
 namespace rbpa_bench {
 namespace {
 
-/// "1000", or with K, M or G behind it for thousands, millions and billions.
+/// Parses a count such as "1000"; K, M or G at the end stand for thousands, millions and billions.
 bool read_count(std::string_view text, std::uint64_t& count) {
   std::uint64_t unit = 1;
   if (text.ends_with('K')) unit = 1000;

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t points_at_once = std::size_t{1} << 16U;
 
-/// A file that is open.
+/// Open file.
 class File {
  public:
   File(const std::string& path, int flags) : path_(path), descriptor_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {
@@ -60,7 +60,7 @@ class File {
   int descriptor_;
 };
 
-/// Bytes of a file that are in the system's memory.
+/// Returns the bytes of a file that are in the system's cache.
 double cached_bytes(const File& file) {
   const std::size_t size = file.size();
   if (size == 0) return 0;
@@ -96,7 +96,7 @@ PointFiles write_files(const Wanted& wanted, const std::string& folder) {
     number.insert(0, 4 - std::min<std::size_t>(number.size(), 4), '0');
     made.paths.push_back(folder + "/" + number + "." + wanted.format);
   }
-  // The list, which marks them as whole, is written last.
+  // The list is written last and marks the files as complete.
   const std::string list = folder + "/content.txt";
   if (content_of(list) != text_of(wanted)) {
     fs::remove_all(folder);
@@ -149,7 +149,7 @@ double seconds_to_read(const PointFiles& files) {
 }
 
 double seconds_to_write(const std::string& path, double bytes) {
-  // Not all the same bytes, which a disk may compress.
+  // The bytes differ, because a disk may compress equal ones.
   std::vector<std::uint64_t> block(std::size_t{1} << 17U);
   std::uint64_t number = 1;
   for (std::uint64_t& word : block) word = number = number * 0x5851f42d4c957f2dU + 0x14057b7ef767814fU;

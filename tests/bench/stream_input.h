@@ -1,4 +1,5 @@
-// What: the files that bench_stream gives to the programs, and what reading and writing so much takes by itself.
+// What: makes the files that bench_stream gives to the programs, and measures plain reading and writing of the same
+//       amount.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ struct PointFiles {
   double bytes = 0;
 };
 
-/// What the files have.
+/// Required contents of the files.
 struct Wanted {
   Ground ground;
   std::uint64_t points, seed;
@@ -22,17 +23,17 @@ struct Wanted {
   std::size_t files;
 };
 
-/// Files in `folder`, which is made; those of an earlier run are used again where they are the same. They are on the disk
-/// when this returns. Throws std::runtime_error.
+/// Makes files in `folder`, and the folder; matching files of an earlier run are used again. They are on the disk when
+/// this returns. Throws std::runtime_error.
 PointFiles write_files(const Wanted& wanted, const std::string& folder);
 
-/// Advises the system to keep nothing of the files in memory. Returns: the share of them that stays all the same.
+/// Advises the system to drop the files from its cache. Returns: the share of them that stays.
 double forget(const PointFiles& files);
 
-/// Seconds in which the reader of `rbpa stream` gives all points of the files, one thread.
+/// Returns the seconds that the reader of `rbpa stream` takes for all points of the files, in one thread.
 double seconds_to_read(const PointFiles& files);
 
-/// Seconds in which so many bytes are written to a file and on the disk.
+/// Returns the seconds to write that many bytes to a file on the disk.
 double seconds_to_write(const std::string& path, double bytes);
 
 }  // namespace rbpa_bench

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that is gone at the end.
+/// Temporary folder, removed at the end.
 class Folder {
  public:
   Folder() {
@@ -62,7 +62,7 @@ TEST_CASE("lidar points are as many as were requested, whatever the blocks, and 
   CHECK(points_of(Ground::jittered, 1, 5).size() == 1);
 }
 
-TEST_CASE("the points of some squares are those that come by row") {
+TEST_CASE("the points of squares are those that come row by row") {
   LidarPoints points(Ground::jittered, 40000, 3);
   std::vector<rbpa::Point> by_row, some;
   points.next(by_row, 40000);
@@ -80,7 +80,7 @@ TEST_CASE("the points of some squares are those that come by row") {
   CHECK(std::adjacent_find(indices.begin(), indices.end()) == indices.end());
 }
 
-TEST_CASE("the model of merges is near what tiles of other ground send") {
+TEST_CASE("the model of merges is near the bytes that tiles of other ground send") {
   const Folder folder;
   const std::string file = folder.path() + "/merge.csv";
   const Report all = run(RBPA_BENCH_MERGE, "--across=4 --side=48 --calibrate=5 --predict=3 " + file);
@@ -95,7 +95,7 @@ TEST_CASE("the model of merges is near what tiles of other ground send") {
   CHECK(run(RBPA_BENCH_MERGE, "--across=0").code == 2);
 }
 
-TEST_CASE("a run in tiles finds what the run in memory does, which the report states, and leaves nothing") {
+TEST_CASE("a run in tiles finds the result of the run in memory, reports that, and leaves no file") {
   for (const char* options : {"--target=geojson --ground=uniform --input=npy", "--target=npy --threads=1"}) {
     CAPTURE(options);
     const Folder folder;
@@ -117,7 +117,7 @@ TEST_CASE("a run in tiles finds what the run in memory does, which the report st
   }
 }
 
-TEST_CASE("a benchmark of streams reports what went wrong, and leaves nothing") {
+TEST_CASE("a benchmark of streams reports a failure, and leaves no file") {
   const Folder folder;
   const Report failed = run(RBPA_BENCH_STREAM, "--points=1K --program=/bin/false --scratch=" + folder.path());
   CHECK(failed.code == 1);

@@ -1,4 +1,4 @@
-// Where Open3D is not there.
+// Replaces surface_open3d.cpp in builds without Open3D.
 #include "bench/surface_contest.h"
 
 namespace rbpa_bench {

@@ -24,7 +24,7 @@ Point3 any(double size, Random& random) {
   return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }
 
-/// One of the two tori: around an axis through `center` on the x axis.
+/// One of the two tori, around an axis through `center` on the x axis.
 struct Torus {
   static constexpr double wide = 1, tube = 0.35;
   double centre;
@@ -33,7 +33,7 @@ struct Torus {
     const double out = wide + tube * std::cos(turn);
     return {centre + out * std::cos(around), out * std::sin(around), tube * std::sin(turn)};
   }
-  /// Distance from it, below 0 inside, with its gradient.
+  /// Returns the distance from the torus, negative inside, with its gradient.
   double distance(const Point3& p, Point3& gradient) const {
     const double x = p.x - centre, flat = std::hypot(x, p.y), out = flat - wide, far = std::hypot(out, p.z);
     gradient = {out / far * x / flat, out / far * p.y / flat, p.z / far};
@@ -42,7 +42,7 @@ struct Torus {
 };
 constexpr std::array<Torus, 2> tori = {Torus{-1}, Torus{1}};
 
-/// 0 on the common surface: the lesser distance, rounded where both are alike.
+/// Returns 0 on the common surface: the lesser distance, rounded where both are similar.
 double both(const Point3& p, Point3& gradient) {
   constexpr double sharp = 12;
   std::array<Point3, 2> slope;
@@ -53,7 +53,7 @@ double both(const Point3& p, Point3& gradient) {
   return least - std::log(std::exp(-sharp * (one - least)) + std::exp(-sharp * (other - least))) / sharp;
 }
 
-/// Keeps points that are not too near to one that was kept before.
+/// Filter that keeps points that are not too near to one that was kept before.
 class Thinning {
  public:
   explicit Thinning(double distance) : distance_(distance) {}
@@ -92,7 +92,7 @@ SurfacePoints with_spacing(double spacing) {
       for (double step = 0; step < steps; ++step) {
         Point3 p = tori[t].at(2 * pi * (step + std::fmod(ring, 2) / 2) / steps, turn) + any(moved * spacing, random), n;
         const double to_other = tori[1 - t].distance(p, n);
-        if (to_other < 0) continue;  // the other one is around it
+        if (to_other < 0) continue;  // inside the other torus
         for (int times = 0; times < 6; ++times) {
           const double value = both(p, n);
           p = p + -value / dot(n, n) * n;
@@ -134,7 +134,7 @@ SurfacePoints on_double_torus(std::size_t count) {
 
 SurfacePoints on_scan_lines(std::size_t count) {
   constexpr double denser = 20, tube = 0.5;
-  // Rings of length 2 pi out around the axis, in points pi / lines / denser apart.
+  // Rings of length 2 pi out around the axis, with points pi / lines / denser apart.
   const double lines = std::round(std::sqrt(static_cast<double>(count) / (2 * denser))),
                spacing = 2 * pi * tube / lines;
   SurfacePoints samples{"scan lines", {}, {}, spacing};
@@ -169,7 +169,7 @@ SurfacePoints on_street(std::size_t count) {
     // Directions of a scanner are even, so that density falls with the square of the distance.
     const double distance = near * std::pow(far / near, random.unit()), angle = random.between(0, 2 * pi);
     Point3 p = {distance * std::cos(angle), distance * std::sin(angle), random.between(-0.02, 0.02)}, n = {0, 0, 1};
-    if (std::abs(p.y) > facade) {  // where the ray meets the facade
+    if (std::abs(p.y) > facade) {  // the point at which the ray meets the facade
       const double share = facade / std::abs(p.y);
       p = {p.x * share, std::copysign(facade, p.y) + random.between(-0.02, 0.02), height * random.unit()};
       n = {0, -std::copysign(1.0, p.y), 0};

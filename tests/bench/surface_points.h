@@ -1,5 +1,5 @@
 // What: points with normals on surfaces, with a given spacing, for the contest of ball pivoting.
-// Law:  a function of the arguments alone, but for the last bits of sines and cosines.
+// Law:  a set is a function of the arguments alone, except for the last bits of sines and cosines.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +13,33 @@ namespace rbpa_bench {
 struct SurfacePoints {
   std::string name;
   std::vector<rbpa::Point3> points, normals;
-  double spacing;  ///< the square root of the area that a point has
+  double spacing;  ///< square root of the area per point
 };
 
-/// On the unit sphere along a golden spiral, whose points are evenly spread; each is then moved at random by up to 0.2
+/// Returns points on the unit sphere along a golden spiral, which are evenly spread; each is then moved at random by up
+/// to 0.2
 /// spacings along the sphere, and by up to `noise` spacings along the normal.
 SurfacePoints on_sphere(std::size_t count, double noise);
 
-/// About as many on two tori that have grown together, of genus 2: around the tubes of both in rings one spacing apart,
-/// points of neighboring rings half a spacing apart, moved like those of the sphere, brought to the common surface,
-/// and of any two that are nearer than half a spacing to each other, which are where the tori meet, only one.
+/// Returns about `count` points on two merged tori, of genus 2: around the tubes of both in rings one spacing apart,
+/// with points of neighboring rings half a spacing apart. They are moved like those of the sphere, and brought to the
+/// common surface. Of two points nearer than half a spacing to each other, which occur where the tori meet, one is
+/// kept.
 SurfacePoints on_double_torus(std::size_t count);
 
 // Sets on which a point may cost much more than on a smooth surface.
 
-/// On a torus, as a scanner with lines sees it: the spacing is that of the lines, and points along a line are a twentieth of it
-/// apart.
+/// Returns points on a torus as from a scanner with lines: the spacing is that of the lines, and points along a line
+/// are a twentieth of it apart.
 SurfacePoints on_scan_lines(std::size_t count);
-/// on_sphere(), and one point in twenty anywhere in a cube of four times its width.
+/// Returns on_sphere(), and one point in twenty anywhere in a cube of four times its width.
 SurfacePoints with_outliers(std::size_t count);
-/// Ground and facades around a scanner, up to a hundred times as dense near it as far away; the spacing is that of the farthest
-/// tenth.
+/// Returns ground and facades around a scanner, up to a hundred times as dense near it as far away; the spacing is that
+/// of the farthest tenth.
 SurfacePoints on_street(std::size_t count);
-/// All points of an integer grid in a cube: ties of every kind.
+/// Returns all points of an integer grid in a cube: ties of every kind.
 SurfacePoints on_grid(std::size_t count);
-/// on_sphere(), each point ten times.
+/// Returns on_sphere() with each point ten times.
 SurfacePoints ten_times(std::size_t count);
 
 }  // namespace rbpa_bench

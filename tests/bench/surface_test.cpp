@@ -19,8 +19,7 @@ std::string failure(const std::string& command) { return hold(surface_program("o
 
 }  // namespace
 
-TEST_CASE(
-    "points on the sphere and on the double torus have the spacing that they say, and the surface of their genus") {
+TEST_CASE("points on the sphere and on the double torus have the stated spacing, and the surface of their genus") {
   const SurfacePoints sphere = on_sphere(5000, 0), noisy = on_sphere(5000, 0.1), torus = on_double_torus(20000);
   CHECK(sphere.points.size() == 5000);
   CHECK(std::abs(static_cast<double>(torus.points.size()) - 20000) < 500);
@@ -48,7 +47,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the mesh and the policy on the engine have the triangles of the arrays; who has others is said to be wrong") {
+    "the mesh and the policy on the engine have the triangles of the arrays, and other triangles are reported as "
+    "wrong") {
   for (const SurfaceContestant& exact : {surface_with(2), surface_mesh_with(1), ball_pivoting_on_engine()}) {
     const Contest contest = hold(exact);
     CHECK(contest.outcomes[0].triangles == 1996);
@@ -69,7 +69,7 @@ TEST_CASE("a program reads the points as PLY, receives the radius, and the faces
   CHECK(contest.outcomes[1].clock == Clock::peer);
 }
 
-TEST_CASE("a program that fails is reported as failed, and how; one that cannot work is refused") {
+TEST_CASE("a program that fails is reported with the reason, and a command that cannot work is refused") {
   CHECK(failure(": {in} {out}") == "wrote no mesh");
   CHECK(failure("cp {in} {out}") == "wrote PLY without faces");
   CHECK(failure("echo no >{out}; : {in}") == "wrote something that is not PLY");

@@ -9,7 +9,7 @@
 namespace rbpa_bench {
 namespace {
 
-/// Text that does not end a cell.
+/// Returns text that does not end a cell.
 std::string in_cell(std::string text) {
   std::replace(text.begin(), text.end(), '|', '/');
   return text;
@@ -21,7 +21,7 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-/// Three digits.
+/// Returns a value with three digits.
 std::string significant(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", value);

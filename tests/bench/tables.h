@@ -1,4 +1,4 @@
-// What: contests and targets as Markdown tables on standard output.
+// What: prints contests and targets as Markdown tables on standard output.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace rbpa_bench {
 
-/// The machine, the build and how often each ran.
+/// Prints the machine, the build and the number of runs.
 void print_machine(int runs);
 
-/// A table of times, row by row as they come.
+/// Print a table of times: the head, and each row when it is measured.
 void print_time_head(const std::vector<Contestant>& contestants);
 void print_time_row(const Contest& contest);
 
-/// Below the tables: memory, and by whose clocks other programs were timed.
+/// Prints, below the tables, memory, and the clock of each other program.
 void print_memory(const std::vector<Contest>& contests);
 void print_clocks(const std::vector<Contest>& contests);
 

@@ -6,7 +6,7 @@
 namespace rbpa_bench {
 namespace {
 
-/// Grids have a whole number of rows: about as many points as requested.
+/// Returns whether the number is about the requested one: grids have a whole number of rows.
 bool is_about(std::size_t found, std::size_t asked) {
   const auto f = static_cast<double>(found), a = static_cast<double>(asked);
   return std::abs(f - a) < 0.05 * a;
@@ -33,7 +33,7 @@ std::optional<double> ratio(std::optional<double> a, std::optional<double> b) {
   return a && b ? std::optional(*a / *b) : std::nullopt;
 }
 
-/// Time a triangle, the worst against the best.
+/// Returns the worst time per triangle divided by the best.
 std::optional<double> worst_to_best(const std::vector<Contest>& sweep, const std::string& ours) {
   std::vector<double> each;
   for (const Contest& contest : sweep) {

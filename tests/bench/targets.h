@@ -1,4 +1,4 @@
-// What: how fast it has to be, as ratios of medians that were measured in turn, and how fast it is.
+// What: the targets of speed, as ratios of medians that were measured in turn, and the measured ratios.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Target {
   std::string what;
   Sense sense;
   double bound;
-  std::optional<double> measured;  ///< absent where the contest was not held, or one of the two failed or was wrong
+  std::optional<double> measured;  ///< absent if the contest was not held, or one of the two failed or was wrong
 };
 
 inline bool is_met(const Target& target) {
@@ -23,16 +23,16 @@ inline bool is_met(const Target& target) {
          (target.sense == Sense::at_least ? *target.measured >= target.bound : *target.measured <= target.bound);
 }
 
-/// What was measured, by kind.
+/// Measured contests, by kind.
 struct Measured {
   std::vector<Contest> delaunay;  ///< without a radius
-  std::vector<Contest> alpha;     ///< with one
+  std::vector<Contest> alpha;     ///< with a radius
   std::vector<Contest> traps;
-  std::vector<Contest> sweep;  ///< the same points at one alpha after the other
+  std::vector<Contest> sweep;  ///< the same points with several alphas
 };
 
-/// All targets for one thread and two.
-/// `points` is the number of points of the large contests; others have a tenth and sixteen times of it.
+/// Returns all targets for one thread and two. `points` is the number of points of the large contests; others have a
+/// tenth of it or sixteen times as many.
 std::vector<Target> targets(const Measured& measured, std::size_t points);
 
 }  // namespace rbpa_bench

@@ -10,10 +10,10 @@
 namespace rbpa_bench {
 
 struct Timings {
-  std::vector<double> of;  ///< each run, in one unit
+  std::vector<double> of;  ///< time of each run, in one unit
 
   double sum() const { return std::accumulate(of.begin(), of.end(), 0.0); }
-  /// A quarter of the runs were at least so fast: what a run costs that others disturb little.
+  /// Returns the lower quartile: the cost of a run that is little disturbed.
   double lower_quartile() const {
     std::vector<double> sorted = of;
     std::sort(sorted.begin(), sorted.end());
@@ -25,7 +25,7 @@ struct Timings {
     const std::size_t middle = sorted.size() / 2;
     return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
   }
-  /// Median (least–most).
+  /// Returns a text: median (least–most).
   std::string text(int digits = 0) const {
     const auto [least, most] = std::minmax_element(of.begin(), of.end());
     char line[96];

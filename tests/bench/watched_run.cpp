@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 double bytes_in(const fs::path& folder) {
   double bytes = 0;
-  std::error_code error;  // files go while they are looked at
+  std::error_code error;  // files can disappear during the scan
   for (auto file = fs::recursive_directory_iterator(folder, error); !error && file != fs::end(file);
        file.increment(error)) {
     std::error_code gone;
@@ -32,7 +32,7 @@ double bytes_in(const fs::path& folder) {
   return bytes;
 }
 
-/// The processor's time is in the 14th and 15th word of a line whose second is a name in brackets.
+/// Reads the processor time: words 14 and 15 of a line whose second word is a name in brackets.
 double processor_seconds_of(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string line;
@@ -102,7 +102,7 @@ WatchedRun run_watched(const std::vector<std::string>& command, const std::strin
     const double now = watch.seconds();
     if (now >= next) {
       const Moment moment = look_at(child, now, scratch);
-      if (moment.resident_bytes > 0) run.moments.push_back(moment);  // none while it ends
+      if (moment.resident_bytes > 0) run.moments.push_back(moment);  // 0 while the process ends
       next = now + std::max(rest, part * (watch.seconds() - now));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -14,7 +14,7 @@ using rbpa_test::Random;
 
 int columns(std::size_t count) { return static_cast<int>(std::lround(std::sqrt(static_cast<double>(count)))); }
 
-/// At a distance whose share of points below it is given, in any direction.
+/// Returns points in random directions, at distances given by the share of points below them.
 template <typename Distance>
 Points round_about(std::size_t count, std::uint64_t seed, Distance distance) {
   Random random(seed);
@@ -27,7 +27,7 @@ Points round_about(std::size_t count, std::uint64_t seed, Distance distance) {
   return points;
 }
 
-/// On one circle around the origin, in any order.
+/// Returns points on one circle around the origin, in any order.
 Points on_circle(std::size_t count, double radius, std::uint64_t seed) {
   return round_about(count, seed, [radius](double) { return radius; });
 }
@@ -74,7 +74,7 @@ const Workload jittered{"jittered", [](std::size_t count) { return rbpa_test::ji
 const Workload grid{"grid", [](std::size_t count) { return rbpa_test::perfect_grid(columns(count), 1); }};
 const Workload clusters{"clusters", [](std::size_t count) { return gaussian_clusters(count, 3); }};
 const Workload kuzmin{"Kuzmin", [](std::size_t count) {
-                        // The outermost 10⁻⁶ of the points would lie anywhere.
+                        // The outermost 10⁻⁶ of the points are cut off, because their distances have no bound.
                         return round_about(count, 6, [](double u) {
                           const double rest = 1 - u * (1 - 1e-6);
                           return std::sqrt(1 / (rest * rest) - 1);
@@ -92,7 +92,7 @@ const Workload curves{"curves", [](std::size_t count) { return rbpa_test::along_
 const Workload concentric{"concentric circles", ten_circles};
 
 double spacing_along_curves(const Points& points) {
-  constexpr std::size_t taking_turns = 3;  // points of the three curves
+  constexpr std::size_t taking_turns = 3;  // one point of each of the three curves in turn
   double sum = 0;
   for (std::size_t i = taking_turns; i < points.size(); ++i)
     sum += std::hypot(points[i].x - points[i - taking_turns].x, points[i].y - points[i - taking_turns].y);

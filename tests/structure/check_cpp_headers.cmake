@@ -29,7 +29,7 @@ foreach(library librbpa libmeshops)
       if((library STREQUAL "librbpa" AND named EQUAL -1) OR NOT inner EQUAL -1)
         continue()
       endif()
-      # The comment goes on for as long as lines are indented.
+      # The comment continues as long as lines are indented.
       if(NOT source MATCHES "// What: +([^\n]*(\n//   +[^\n]*)*)")
         message(FATAL_ERROR "${library}/${header} has no line \"// What:\"")
       endif()

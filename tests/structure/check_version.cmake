@@ -20,7 +20,7 @@ endforeach()
 if(checked LESS 4)
   message(FATAL_ERROR "only ${checked} times find_package found: the check looks in the wrong place")
 endif()
-# What packages say of themselves.
+# The versions that packages state.
 foreach(place "debian/changelog>^rbpa \\(${VERSION}\\) " "CITATION.cff>\nversion: ${VERSION}\n"
     "packaging/vcpkg/vcpkg.json>\"version\": \"${VERSION}\"" "apps/javascript/package.json>\"version\": \"${VERSION}\"")
   string(REGEX MATCH "^([^>]+)>(.+)$" both "${place}")

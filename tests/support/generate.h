@@ -22,7 +22,7 @@ Points jittered_grid(int columns, double jitter, std::uint64_t seed);
 /// (i · pitch, j · pitch): exactly cocircular squares where pitch is a power of two, nearly where it is not.
 Points perfect_grid(int columns, double pitch);
 
-/// As many points as a grid has cells, with a `kept` share of the cells occupied.
+/// perfect_grid() of pitch 1, of which a share of about `kept` points is kept.
 Points sparse_grid(int columns, double kept, std::uint64_t seed);
 
 /// The integer lattice turned by the angle of the 3-4-5 triangle, still on integers: (3i − 4j, 4i + 3j).

@@ -17,7 +17,7 @@ class MESHOPS_API ContractViolation : public std::logic_error {
 
 namespace detail {
 
-/// Throws ContractViolation. Out of line, so that a check costs no more than a comparison.
+/// Throws ContractViolation. Out of line, so that a check costs only a comparison.
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
 
 }  // namespace detail

@@ -1,5 +1,5 @@
-// What: the boundary halfedges of a front that wait for a triangle: active ones for their turn, deferred ones for a change,
-//       frozen ones for the next level.
+// What: the boundary halfedges of a front that wait for a triangle: active ones for their turn, deferred ones for a
+//       change, frozen ones for the next level.
 // Law:  a boundary halfedge waits in at most one way, however often it was queued; a halfedge that left the boundary
 //       does not wait.
 #pragma once

@@ -1,6 +1,7 @@
 // What:   the operators that cut a face in two along a diagonal, and that merge two faces by removing an edge between
 //         them.
-// Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores every live record of the mesh. The topology stays.
+// Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores every live record of the mesh. The topology
+//         stays.
 // Source: Mäntylä, An introduction to solid modeling (1988): make edge and face, kill edge and face.
 #pragma once
 

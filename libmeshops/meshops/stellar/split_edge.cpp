@@ -41,7 +41,7 @@ std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, 
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", split_edge_refusal(mesh, h, keep));
-  // The same change as detail::open_vertex() at b, without its case distinctions: the only edge that moves is known.
+  // Does what detail::open_vertex() does at b, without its case distinctions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);

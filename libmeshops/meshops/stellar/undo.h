@@ -1,5 +1,5 @@
-// What: undoes weld_edge(), weld_face(), collapse() and remove_vertex(); for flip() see flip.h. A split is undone by its
-//       inverse operator, which restores all live records itself.
+// What: undoes weld_edge(), weld_face(), collapse() and remove_vertex(); for flip() see flip.h. A split is undone by
+//       its inverse operator, which restores all live records itself.
 // Law:  undo(weld()) restores every live record of the mesh. A sound mesh stays sound, whatever the effect contains.
 #pragma once
 

@@ -7,8 +7,8 @@
 // Law:    a meridian of a torus is a handle loop, a loop around its hole is a tunnel loop; turning the surface inside
 //         out changes nothing. For two tori linked like a chain, loops around their holes are neither.
 // Cost:   for each two loops whose boxes intersect, the product of their numbers of edges.
-// Source: Dey, Li, Sun, Cohen-Steiner, Computing geometry-aware handle and tunnel loops in 3D models (2008) for the terms; Klenin and
-//         Langowski, Computation of writhe in modeling of supercoiled DNA (2000) for the sum.
+// Source: Dey, Li, Sun, Cohen-Steiner, Computing geometry-aware handle and tunnel loops in 3D models (2008) for the
+//         terms; Klenin and Langowski, Computation of writhe in modeling of supercoiled DNA (2000) for the sum.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ enum class LoopKind : std::uint8_t {
   tunnel,   ///< bounds outside and not inside: through a tunnel
   neither,  ///< bounds on neither side: a sum of both kinds, or another component passes through it
   both,     ///< bounds on both sides, hence on the surface; or is no loop of a basis
-  unknown,  ///< not decided: the component has a boundary, or the surface is folded flat there, or so thin that a sum is near no integer
+  unknown,  ///< the component has a boundary, or the surface is folded flat or so thin that a sum is near no integer
 };
 
 /// Returns the kind of each loop. `positions` has the position of each vertex by index. The inside of a component of

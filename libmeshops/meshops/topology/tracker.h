@@ -22,8 +22,8 @@ namespace meshops {
 /// Tracker of the counts of a mesh. Report each operator with note() and the effect that it returned, before the next
 /// operator. Operators that depend on components are also members: these use the tracker's components instead of a
 /// search. A flip changes nothing that is tracked. Do a remove_triangle() as its unglue() and destroy_triangle().
-/// An effect that names elements which do not exist, or which come from an operator that was not recorded, is a ContractViolation, and
-/// nothing is changed.
+/// An effect that names elements which do not exist, or which come from an operator that was not recorded, is a
+/// ContractViolation, and nothing is changed.
 class MESHOPS_API TopologyTracker {
  public:
   /// Counts the mesh once. Keeps a reference. Requires: validate(mesh) is empty.
