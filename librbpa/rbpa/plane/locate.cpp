@@ -139,7 +139,7 @@ class Locator::Impl {
       at = of_.neighbors[at][k];
       if (at == no_index) return no_index;  // beyond the convex hull
     }
-    throw meshops::ContractViolation("locator: a walk goes round in circles, so the triangulation is not Delaunay");
+    throw meshops::ContractViolation("locator: a walk goes in circles, so the triangulation is not Delaunay");
   }
 
   std::size_t points() const { return points_.size(); }

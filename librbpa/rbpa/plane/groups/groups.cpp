@@ -38,7 +38,7 @@ void check(std::span<const Point> points, const Groups& groups) {
            std::to_string(groups.offsets.back()));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string name = "offset " + std::to_string(g + 1);
-    if (groups.offsets[g + 1] < groups.offsets[g]) refuse("found a lesser " + name + ", expected offsets that ascend");
+    if (groups.offsets[g + 1] < groups.offsets[g]) refuse("found a lesser " + name + ", expected ascending offsets");
     if (groups.offsets[g + 1] > groups.members.size()) refuse("found " + name + " behind the last member");
     const std::span<const std::uint32_t> members = groups[g];
     for (std::size_t k = 0; k < members.size(); ++k)

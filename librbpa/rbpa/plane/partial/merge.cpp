@@ -133,8 +133,8 @@ Partial merge(Partial&& a, Partial&& b) {
     throw InvalidInput("alpha is " + text(a.alpha()) + " and " + text(b.alpha()) + ", expected the same");
   Cover cover = a.state().cover + b.state().cover;
   if (const std::optional<Point> twice = cover.wrong())
-    throw InvalidInput("the place from (" + text(twice->x) + ", " + text(twice->y) +
-                       ") on is in both, expected regions that share no place");
+    throw InvalidInput("both sets of regions contain the points from (" + text(twice->x) + ", " + text(twice->y) +
+                       ") on, expected disjoint regions");
 
   PartialState state = std::move(a.state()), other = std::move(b.state());
   number_behind(state, other);

@@ -60,7 +60,7 @@ std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners) {
 WholeComplex finish(Partial&& partial) {
   const PartialState& state = partial.state();
   if (const std::optional<Point> place = state.cover.missing())
-    throw InvalidInput("regions do not cover the plane: none has the place from (" + text(place->x) + ", " +
+    throw InvalidInput("regions do not cover the plane: none contains the points from (" + text(place->x) + ", " +
                        text(place->y) + ") on");
   if (!state.shared.empty()) {
     const SharedTriangle& triangle = state.shared[0];

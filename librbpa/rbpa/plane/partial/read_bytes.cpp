@@ -96,7 +96,7 @@ class Reader {
     sums.names = names();
     const ExactSum twice_area = sum(), lengths = sum();
     const std::uint64_t infinite = number();
-    if (infinite > 1) wrong("where 0 or 1 stands", infinite);
+    if (infinite > 1) wrong("as a flag", infinite);
     sums.measure = BoundaryMeasure(twice_area, LengthSum::of(lengths, infinite == 1));
     return sums;
   }
@@ -119,7 +119,7 @@ class Reader {
  private:
   [[noreturn]] void wrong(const char* what, std::uint64_t value) const {
     refuse(std::to_string(value) + " " + what + " at byte " + std::to_string(at_ - word) +
-           ", expected at most as many as fit");
+           ", expected a smaller number");
   }
   std::size_t left() const { return (bytes_.size() - at_) / word; }
 

@@ -235,7 +235,7 @@ TEST_CASE("labels, offsets, members and radii that are wrong are refused") {
   CHECK(rbpa::groups_of({}, 0).size() == 0);
   CHECK(refusal(points, {{0, 2}, {0, 1, 2}}) == "groups: found 3 members, expected as many as the last offset, 2");
   CHECK(refusal(points, {{1, 3}, {0, 1, 2}}) == "groups: found no offset 0 at the beginning, expected one");
-  CHECK(refusal(points, {{0, 3, 2, 3}, {0, 1, 2}}) == "groups: found a lesser offset 2, expected offsets that ascend");
+  CHECK(refusal(points, {{0, 3, 2, 3}, {0, 1, 2}}) == "groups: found a lesser offset 2, expected ascending offsets");
   CHECK(refusal(points, {{0, 9, 3}, {0, 1, 2}}) == "groups: found offset 1 behind the last member");
   CHECK(refusal(points, {{0, 3}, {0, 1, 3}}) ==
         "groups: found member 3 in group 0, expected indices of the 3 points, ascending");

@@ -276,18 +276,18 @@ TEST_CASE("other radii and regions that overlap are not merged") {
     return rbpa::partial(region, given(region, points, alpha), alpha);
   };
   CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[1], 2)); }), "alpha is 1 and 2"));
-  CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[0], 1)); }), "is in both"));
+  CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[0], 1)); }), "both sets of regions contain"));
   CHECK(says(refusal([&] {
                rbpa::merge(part({0, 0, 6, 9}, 1), part({5, 8, 7, 12}, 1));
              }),
-             "from (5, 8) on is in both"));
+             "from (5, 8) on, expected disjoint regions"));
 }
 
 TEST_CASE("a refusal names what is missing") {
   const Points points = uniform(400, 1);
   const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
-  CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }), "none has the place from (10, -inf) on"));
-  CHECK(says(refusal([] { rbpa::finish(Partial()); }), "none has the place from (-inf, -inf) on"));
+  CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }), "none contains the points from (10, -inf) on"));
+  CHECK(says(refusal([] { rbpa::finish(Partial()); }), "none contains the points from (-inf, -inf) on"));
   CHECK(refusal([&] { rbpa::finish(rbpa::merge(part(halves[0]), part(halves[1]))); }).empty());
 }
 
