@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds the program `rbpa` in release mode and triangulates a bundled real point set.
-# Leaves a mesh, a picture and a page to look at in rbpa-demo/ and says so.
+# Writes a mesh, a picture and a page to look at into rbpa-demo/, and prints their names.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [ $# -gt 0 ]; then
@@ -17,7 +17,7 @@ if [ $# -gt 0 ]; then
 fi
 bash tests/install_packages.sh g++ cmake ninja-build ccache libopenmesh-dev libboost-graph-dev libhwy-dev libtbb-dev libcli11-dev libpng-dev \
   libeigen3-dev libnanoflann-dev zlib1g-dev liblzf-dev nlohmann-json3-dev
-# What is compiled here is not compiled again by tests/run.sh: the same folder, flags and cache.
+# tests/run.sh uses the same folder, flags and cache, so that nothing is compiled twice.
 . tests/build_environment.sh
 cmake --preset programs
 cmake --build --preset programs --parallel "$(nproc)" --target rbpa_cli

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are given and not there yet. Says nothing when there is nothing to do.
+# Installs the given Debian packages that are not installed yet. Prints nothing if there are none.
 # usage: tests/install_packages.sh PACKAGE...
 set -euo pipefail
 . "$(dirname "$0")/refuse_options.sh"

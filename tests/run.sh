@@ -20,7 +20,7 @@ packages=(g++ cmake make ninja-build ccache libopenmesh-dev libboost-graph-dev l
 [ "$preset" = clang ] || [ "$preset" = quick ] && packages+=(clang-14)
 [ "$preset" = nightly ] && packages+=(chromium patchelf)
 [ "$preset" = javascript ] || [ "$preset" = site ] && packages+=(emscripten chromium)
-# Node.js of other sources brings npm with it, and does not bear Debian's beside it.
+# A Node.js from another source contains npm, and conflicts with Debian's npm.
 [ "$preset" = javascript ] && ! command -v npm >/dev/null && packages+=(npm)
 [ "$preset" = site ] && packages+=(python3-sphinx python3-myst-parser python3-sphinx-rtd-theme doxygen)
 [ "$preset" = gdal ] || [ "$preset" = nightly ] && packages+=(libgdal-dev)
@@ -30,7 +30,8 @@ build() {
   cmake --preset "$1"
   cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}"
 }
-# Runs suites, names those that failed, and counts all in a last line, with those that are left out because something is missing.
+# Runs suites, names those that failed, and prints a last line with the number of all and of those that are left out
+# because something is missing.
 test_preset() {
   local status=0 folder=$PWD/build/$1 not_run=()
   ctest --preset "$2" --output-junit "$folder/suites.xml" "${@:3}" || status=$?
@@ -64,7 +65,7 @@ if [ "$preset" = nightly ]; then
 elif [ "$preset" = further ]; then
   build release --target test_apps test_rbpa oracle_hierarchy oracle_data oracle_shape oracle_space
   test_preset release further --parallel "$(nproc)"
-elif [ "$preset" = threads ]; then  # what its tests run
+elif [ "$preset" = threads ]; then  # only the programs that its tests run
   build threads --target test_rbpa oracle_remainder fuzz_fronts example_{nearest,placing,filling,grid,ear}_front
   test_preset threads threads --parallel "$(nproc)"
 elif [ "$preset" = javascript ]; then

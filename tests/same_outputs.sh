@@ -1,10 +1,10 @@
 #!/bin/bash
-# What:  whether two builds of the programs do the same: bytes of all files written, standard output, standard error and exit
-#        code, of every verb with its important options, on real inputs, on the same in other formats, and on broken ones.
+# What:  compares two builds of the programs: bytes of all files written, standard output, standard error and exit code, for
+#        every verb with its important options, on real inputs, on the same inputs in other formats, and on broken ones.
 # usage: tests/same_outputs.sh OLD_BIN NEW_BIN [FOLDER...]
-#        OLD_BIN and NEW_BIN are folders with rbpa and meshtopo. Without FOLDER tests/data, files of at most 100 kB; with
-#        folders all of their files of at most 3 MB.
-# Exit:  0 when nothing differs, 1 when something does, 2 when there is nothing to compare. The last line counts the runs.
+#        OLD_BIN and NEW_BIN are folders with rbpa and meshtopo. Without FOLDER, runs on files of at most 100 kB in
+#        tests/data; with folders, on all of their files of at most 3 MB.
+# Exit:  0 if nothing differs, 1 if something does, 2 if there is nothing to compare. The last line counts the runs.
 set -u
 . "$(dirname "$0")/refuse_options.sh"
 here=$(cd "$(dirname "$0")" && pwd)
@@ -23,7 +23,7 @@ trap 'rm -rf "$work"' EXIT
 ln -s ../in "$work/old/in" && ln -s ../in "$work/new/in"
 runs=0 differ=0
 
-# one FOLDER_OF_PROGRAMS SIDE PROGRAM ARGUMENT...: leaves everything that comes out in SIDE/out.
+# one FOLDER_OF_PROGRAMS SIDE PROGRAM ARGUMENT...: runs a program and puts all of its output into SIDE/out.
 one() {
   local bin=$1 side=$2 program=$3
   shift 3
@@ -36,7 +36,7 @@ one() {
   echo $? > out/exit_code
 }
 
-# tasks FOLDER_OF_PROGRAMS ARGUMENT...: rbpa stream as tasks, which are rbpa tile and rbpa merge, one after the other.
+# tasks FOLDER_OF_PROGRAMS ARGUMENT...: runs the tasks of rbpa stream, rbpa tile and rbpa merge, one after the other.
 tasks() {
   local bin=$1 list
   shift
@@ -94,7 +94,7 @@ polygons() {
   same rbpa fill "$1" --size 1 --quiet -o out/x.vtu
 }
 
-# What breaks a file: it ends early, it says too much, it is packed, it is empty, it has another name.
+# Breaks a file in several ways: truncated, empty, with a faulty line at its end, compressed, with a name that is not UTF-8.
 broken() {
   local file=$1 check=$2 name size
   name=$(basename "$file")
@@ -114,7 +114,7 @@ broken() {
 }
 info_only() { same rbpa info "$1"; same rbpa stream "$1" --alpha 1 -o out/x.npy; }
 
-# Tables as people have them, from lines of two or of three numbers.
+# Common forms of tables, from lines of two or three numbers.
 tables() {
   local points=$1 solid=$2 cells=$work/in
   awk 'BEGIN {print "id,lat,lon,class,z"} !/^#/ && NF > 1 {printf "%d,%s,%s,%d,%d\n", NR, $2, $1, NR % 3, NR % 7}' "$points" > "$cells/header.csv"
@@ -171,7 +171,7 @@ if [ "$count" = 0 ]; then
   exit 2
 fi
 
-# The same points in other formats, which the old build writes, and what is wrong with each when it is broken.
+# The same points in other formats, which the old build writes, and broken files in each format.
 points=$(find "$work/in" -name '*.xy' -size -40k | sort | head -n 1)
 solid=$(find "$work/in" -name 'm3_cube*.off' -o -name 'm3_torus.off' | sort | tail -n 1)
 if [ -n "$points" ] && [ -n "$solid" ]; then
@@ -234,7 +234,7 @@ PYTHON
 
   same tasks "in/$(basename "$points")" --alpha 1 --tile-size 500
 
-  # Wrong calls, names that are none, standard input.
+  # Wrong command lines, missing files, standard input.
   same rbpa info in/none.xy
   same rbpa info in
   same rbpa info in/f8.nothing

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# Prints the twenty sources, or batches of sources, that took longest to compile in a build folder of Ninja, in seconds.
+# Prints the twenty sources, or batches of sources, that took longest to compile in a Ninja build folder, with seconds.
 #   cmake -DBUILD=build/release -P tests/slowest_sources.cmake
 if(NOT EXISTS ${BUILD}/.ninja_log)
   message(FATAL_ERROR "${BUILD}: found no .ninja_log, expected -DBUILD=<a folder that Ninja has built in>")

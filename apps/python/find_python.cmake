@@ -1,6 +1,6 @@
-# What the Python package is built for and with: a Python, and pybind11. Sets RBPA_PYTHON_IS_FOUND, and RBPA_PYTHON_MISSING
-# to what is not there. The Python is Python_EXECUTABLE where that is given (by pip, which hides NumPy from a build), else
-# the first on the path that has NumPy, and last that of the system.
+# Finds the Python that the package is built for, and pybind11. Sets RBPA_PYTHON_IS_FOUND, and RBPA_PYTHON_MISSING to what
+# is missing. The Python is Python_EXECUTABLE if that is given (by pip, which hides NumPy from a build); otherwise the first
+# on the path that has NumPy; otherwise the system's.
 set(RBPA_PYTHON_MISSING "")
 if(NOT Python_EXECUTABLE)
   string(REPLACE ":" ";" folders "$ENV{PATH}:/usr/bin")
@@ -23,12 +23,12 @@ if(Python_EXECUTABLE)
 else()
   set(RBPA_PYTHON_MISSING "a python3 with NumPy (python3-numpy)")
 endif()
-set(PYBIND11_NOPYTHON ON)  # it would look for a Python of its own
+set(PYBIND11_NOPYTHON ON)  # pybind11 would search for a Python itself
 find_package(pybind11 2.9 QUIET CONFIG)
 if(NOT pybind11_FOUND)
   set(RBPA_PYTHON_MISSING "pybind11 (pybind11-dev)")
 endif()
-foreach(package IN ITEMS "PNG libpng-dev" "ZLIB zlib1g-dev" "nlohmann_json nlohmann-json3-dev")  # it reads files
+foreach(package IN ITEMS "PNG libpng-dev" "ZLIB zlib1g-dev" "nlohmann_json nlohmann-json3-dev")  # for reading files
   string(REPLACE " " ";" package "${package}")
   list(POP_FRONT package name)
   find_package(${name} QUIET)

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Writes OUTPUT, a source with the page of FOLDER in three parts: STYLES and SCRIPTS are put into page.html, and what it
-# has around @TITLE@ and @DATA@ are the parts, whose names begin with NAME.
+# Writes OUTPUT, a C++ source with the page of FOLDER in three parts: puts STYLES and SCRIPTS into page.html, and splits it
+# at @TITLE@ and @DATA@. The names of the parts begin with NAME.
 file(READ ${FOLDER}/page.html page)
 set(style "")
 foreach(name ${STYLES})
@@ -19,7 +19,7 @@ foreach(mark TITLE STYLE DATA SCRIPT)
     message(FATAL_ERROR "${FOLDER}/page.html: found @${mark}@ ${count} times, expected it once")
   endif()
 endforeach()
-# Where the text of one part would be read as the end of another.
+# Refuse a text that would end the HTML element or the C++ raw string that contains it.
 foreach(text style script)
   string(REGEX MATCH "</s[ct]|\\)page\"" found "${${text}}")
   if(found)

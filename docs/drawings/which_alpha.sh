@@ -1,8 +1,8 @@
 #!/bin/bash
-# Draws the pictures of docs/how_to/choose_alpha.md: shapes of real sets at the alphas that the page speaks of.
+# Draws the pictures of docs/how_to/choose_alpha.md: shapes of real sets at the alphas that the page discusses.
 # usage: bash docs/drawings/which_alpha.sh PROGRAM FOLDER...
 #   PROGRAM  rbpa
-#   FOLDER   where point sets are: tests/data, and any that has the two that are not there
+#   FOLDER   folders of point sets: tests/data, and one with the two sets that are not there
 set -euo pipefail
 . "$(dirname "$0")/../../tests/refuse_options.sh"
 if [ $# -lt 2 ]; then

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The site, in build/site: the pages of docs/, the references of C++ (Doxygen) and Python (docstrings), and a page that computes in the browser.
-# Needs Sphinx with MyST and the theme of Read the Docs, Doxygen, and what the presets `release` and `javascript` have built.
+# Builds the site in build/site: the pages of docs/, the references of C++ (Doxygen) and Python (docstrings), and a page
+# that computes in the browser.
+# Needs Sphinx with MyST and the theme of Read the Docs, Doxygen, and builds of the presets `release` and `javascript`.
 # usage: docs/site/build.sh
 set -euo pipefail
 MOST_ARGUMENTS=0
@@ -13,7 +14,8 @@ done
 rm -rf build/site "$pages"
 mkdir -p "$pages/extra/rbpa"
 
-# Pages, in their folders, so that links lead to the same places. README is the first one; what is not on the site keeps its name, without a link.
+# Pages, in their folders, so that links still work. README is the first page. Files that are not on the site keep their
+# names, without a link.
 mkdir -p "$pages/docs" "$pages/extra/docs"
 cp -r docs/README.md docs/{tutorials,how_to,reference,explanation,contributing,figures} "$pages/docs"
 cp -r docs/figures "$pages/extra/docs"  # for images in HTML
@@ -44,12 +46,12 @@ PYTHON
   echo "INPUT = $(echo libmeshops/meshops libmeshops/meshops/{core,front,graph,handle,history,patch,stellar,topology} librbpa/rbpa librbpa/rbpa/base)"
 } | doxygen -
 
-# The page that computes.
+# The page that computes in the browser.
 cp docs/site/try.html "$pages/extra/"
 cp build/javascript/javascript/index.js "$pages/extra/rbpa/"
 cp tests/data/mol_2xhe_xy.xy "$pages/extra/molecule.xy"
 
-# Navigation: folder by folder, the pages of each in the order in which questions come up.
+# Navigation by folders; the pages of each in the order in which a reader needs them.
 navigation() {  # CAPTION PAGE...
   printf '\n```{toctree}\n:hidden:\n:caption: %s\n\n' "$1"
   printf '%s\n' "${@:2}" '```'

@@ -1,4 +1,4 @@
-# What both libraries rest on: the packages that they need, what they are compiled with, how they are installed.
+# The common basis of both libraries: required packages, compile options, installation.
 option(RBPA_WARNINGS_AS_ERRORS "Turn compiler warnings into errors" OFF)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 set(RBPA_LEAST_BOOST 1.74)
@@ -9,15 +9,15 @@ find_package(Boost ${RBPA_LEAST_BOOST} REQUIRED)
 include(InstallLibrary)
 include(ForwardHeaders)
 
-# What every target of the project is compiled with, and no consumer of it.
+# Compile options of all targets of the project, but not of its consumers.
 add_library(rbpa_development INTERFACE)
 target_compile_features(rbpa_development INTERFACE cxx_std_20)
 target_compile_options(rbpa_development INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-  # Where sizes have 32 bits other conversions are narrow.
+  # With sizes of 32 bits other conversions are narrowing.
   $<$<NOT:$<BOOL:${EMSCRIPTEN}>>:-Wconversion> $<$<NOT:$<BOOL:${EMSCRIPTEN}>>:-Wsign-conversion>
   $<$<BOOL:${RBPA_WARNINGS_AS_ERRORS}>:-Werror>
-  # A fused multiply-add breaks the splitting on which exact products rest (predicate/expansion.h).
+  # Fused multiply-add would break the splitting that exact products are based on (predicate/expansion.h).
   -ffp-contract=off
-  # Nothing here reads errno or floating-point exceptions; without them loops of selections vectorise.
+  # The code reads neither errno nor floating-point exceptions; without them, loops of selections vectorize.
   -fno-math-errno -fno-trapping-math)

@@ -1,8 +1,8 @@
-# What both libraries do alike: hide what is not marked, version the shared object, install so that the tree can be moved.
+# Common settings of both libraries: hidden symbols unless marked, a versioned shared object, a relocatable installation.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Before 1.0 a minor version may break: then packages must agree in it, and the shared object has it in its name.
+# Before 1.0 a minor version may break compatibility: packages must agree in it, and it is part of the shared object's name.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(rbpa_compatibility SameMinorVersion)
   set(rbpa_soversion 0.${PROJECT_VERSION_MINOR})
@@ -11,8 +11,8 @@ else()
   set(rbpa_soversion ${PROJECT_VERSION_MAJOR})
 endif()
 
-# A shared library looks beside itself for the other: the path in a user's program does not reach what it only needs
-# through us.
+# A shared library searches the other one beside itself: the path in a user's program does not apply to indirect
+# dependencies.
 function(rbpa_library_properties target)
   set_target_properties(${target} PROPERTIES
     VERSION ${PROJECT_VERSION}
@@ -20,7 +20,7 @@ function(rbpa_library_properties target)
     INSTALL_RPATH $ORIGIN)
 endfunction()
 
-# Installs programs that find the shared libraries wherever the tree is moved.
+# Installs programs that find the shared libraries even if the tree is moved.
 function(rbpa_install_programs)
   if(BUILD_SHARED_LIBS)
     file(RELATIVE_PATH libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
@@ -33,12 +33,12 @@ function(rbpa_hide_symbols target)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
-  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON OR RBPA_POSITION_INDEPENDENT)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides, for those who link us into their own
+  if(BUILD_SHARED_LIBS OR RBPA_BUILD_PYTHON OR RBPA_POSITION_INDEPENDENT)  # otherwise CMAKE_POSITION_INDEPENDENT_CODE decides
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   endif()
 endfunction()
 
-# Installs the library, <name>Config.cmake and <name>.pc from the caller's folder cmake/. Headers are the caller's.
+# Installs the library, and <name>Config.cmake and <name>.pc from the caller's folder cmake/. The caller installs headers.
 function(rbpa_install_library name)
   set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/${name})
   set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

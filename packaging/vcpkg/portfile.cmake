@@ -1,4 +1,4 @@
-# An overlay port: the sources are those beside it.
+# An overlay port of the sources that contain it.
 set(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../..")
 
 vcpkg_cmake_configure(

@@ -1,10 +1,10 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when docs/reference/command_line.md is not made of what the programs say of themselves (--man). Write it anew by
+# Fails if docs/reference/command_line.md differs from what the programs' manual pages (--man) give. Regenerate it by
 #   cmake -DRBPA=build/release/bin/rbpa -DMESHTOPO=build/release/bin/meshtopo -DROOT=. -DWRITE=ON -P tests/apps/command_line_is_current.cmake
 get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(page ${ROOT}/docs/reference/command_line.md)
 
-# The lines of a manual page as a list, without roff; what lists cannot hold is put back by shown().
+# Returns the lines of a manual page as a list, without roff; shown() restores characters that lists cannot hold.
 function(read_manual program out)
   execute_process(COMMAND ${program} --man OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE ";" "@semicolon@" text "${text}")

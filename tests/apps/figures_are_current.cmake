@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# Draws all figures anew and fails when one differs from the committed one, by a byte or by its absence.
+# Draws all figures and fails if one differs by a byte from the committed one, or is missing.
 file(REMOVE_RECURSE ${FOLDER})
 execute_process(COMMAND ${PROGRAM} ${FOLDER} RESULT_VARIABLE failed)
 if(failed)

@@ -1,5 +1,5 @@
 # Configures, builds and runs the project SOURCE in WORK. It finds the libraries in PREFIX, or their sources in
-# RBPA_SOURCE. The configuration must not warn: it is the user's, who can do nothing about it.
+# RBPA_SOURCE. The configuration must not warn, as users could do nothing about it.
 cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE "${WORK}")
 if(LAUNCHER)

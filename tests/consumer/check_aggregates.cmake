@@ -1,5 +1,5 @@
-# Every aggregate of a public header is made by T{}, with the compiler of the build and with clang: OpenMesh's handles
-# have an explicit default constructor, so that a member without an initializer forbids it there.
+# Checks that every aggregate T of a public header can be made by T{}, with the compiler of the build and with clang:
+# OpenMesh's handles have an explicit default constructor, so that a handle without an initializer forbids it.
 # usage: cmake -DSOURCE=... -DWORK=... -DCOMPILERS=... -P check_aggregates.cmake
 file(GLOB_RECURSE headers RELATIVE "${SOURCE}/libmeshops" "${SOURCE}/libmeshops/meshops/*.h")
 file(GLOB of_rbpa RELATIVE "${SOURCE}/librbpa" "${SOURCE}/librbpa/rbpa/*.h" "${SOURCE}/librbpa/rbpa/base/*.h")

@@ -1,4 +1,4 @@
-# Fails when one of the files that were compiled in FOLDER includes one whose path matches NEVER.
+# Fails if a file that was compiled in FOLDER includes one whose path matches NEVER.
 file(GLOB_RECURSE dependencies ${FOLDER}/*.o.d)
 list(LENGTH dependencies count)
 if(count LESS 10)

@@ -1,6 +1,6 @@
-# Installs COMPONENTS (a,b) of the build BUILD, moves the tree to WORK, and checks that it can live there: that no file names
-# the place it was built or installed in, that headers include installed headers only, that shared libraries find each
-# other, that PROGRAMS start.
+# Installs COMPONENTS (a,b) of the build BUILD, moves the tree to WORK, and checks that it works there: no file names the
+# folder where it was built or installed, headers include only installed headers, shared libraries find each other, and
+# PROGRAMS start.
 cmake_minimum_required(VERSION 3.22)
 string(REPLACE "," ";" COMPONENTS "${COMPONENTS}")
 string(REPLACE "," ";" PROGRAMS "${PROGRAMS}")
@@ -35,7 +35,7 @@ foreach(file ${files})
     endforeach()
   endif()
 
-  # Debug information and sanitizers name sources, and that is what they are for.
+  # Debug information and sanitizers name sources on purpose.
   set(is_text FALSE)
   if(file MATCHES "\\.(cmake|pc|h|1)$|LICENSE$|/share/")
     set(is_text TRUE)

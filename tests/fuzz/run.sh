@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the fuzz targets and lets libFuzzer look for bytes that break them. What it finds is left in build/fuzz/found.
+# Builds the fuzz targets and lets libFuzzer search for bytes that break them. Findings are in build/fuzz/found.
 # usage: tests/fuzz/run.sh [SECONDS [TARGET...]]      600 seconds for every target
 set -euo pipefail
 . "$(dirname "$0")/../refuse_options.sh"
@@ -14,7 +14,7 @@ targets=("${@:2}")
 for target in "${targets[@]}"; do
   mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found"
   dictionary=tests/fuzz/dictionaries/$target.dict
-  # What is found on the way goes to the first folder; the committed corpus is only read. A kilobyte that takes ten
+  # New inputs are written into the first folder; the committed corpus is only read. An input of a kilobyte that takes ten
   # seconds or 512 MiB is a finding.
   "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -max_len=1024 -timeout=10 -rss_limit_mb=2048 \
     -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target-" \

@@ -1,5 +1,5 @@
-# CGAL for tests and benchmarks: headers, and the number types below them. Found by hand, because CGAL's own package
-# file prints and changes flags. Defines the target test_cgal.
+# Finds CGAL's headers and its number types, for tests and benchmarks, and defines the target test_cgal. Does not use CGAL's
+# own package file, which prints messages and changes flags.
 if(NOT TARGET test_cgal)
   find_path(CGAL_INCLUDE_DIR CGAL/Delaunay_triangulation_2.h REQUIRED)
   find_path(GMP_INCLUDE_DIR gmp.h REQUIRED)

@@ -1,4 +1,4 @@
-# GEOS by its C interface, for tests; its GeoJSON reader came with 3.10. Defines the target test_geos.
+# Finds the C interface of GEOS, 3.10 or newer for its GeoJSON reader, and defines the target test_geos.
 if(NOT TARGET test_geos)
   find_path(GEOS_INCLUDE_DIR geos_c.h REQUIRED)
   find_library(GEOS_C_LIBRARY geos_c REQUIRED)

@@ -1,4 +1,4 @@
-# GUDHI for tests: headers only, on CGAL kernels of any dimension, which need Eigen. Defines the target test_gudhi.
+# Finds GUDHI's headers, which use CGAL's kernels of any dimension and so Eigen, and defines the target test_gudhi.
 include(${CMAKE_CURRENT_LIST_DIR}/cgal.cmake)
 if(NOT TARGET test_gudhi)
   find_path(GUDHI_INCLUDE_DIR gudhi/Alpha_complex.h REQUIRED)

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when a file is not formatted by .clang-format. Other versions of clang-format break lines elsewhere.
+# Fails if a file is not formatted by .clang-format. Needs version 14, as other versions break lines elsewhere.
 find_program(formatter NAMES clang-format-14)
 if(NOT formatter)
   message(STATUS "SKIPPED: there is no clang-format-14")

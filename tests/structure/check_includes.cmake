@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when a file includes one of a folder that its own folder must not include.
-# Each line has a folder and those that it may include; a folder may always include itself.
+# Fails if a file includes one from a folder that its own folder must not include.
+# Each line has a folder and the folders that it may include; a folder may always include itself.
 set(allowed
   "meshops: meshops/core meshops/front meshops/graph meshops/handle meshops/history meshops/patch meshops/stellar
     meshops/topology"
@@ -60,7 +60,7 @@ set(allowed
   "rbpa/paper: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/hierarchy rbpa/plane/mesh
     rbpa/plane/predicate"
 
-  # Programs: folders of ours first, then what each uses of the libraries.
+  # Programs: for each, first the folders of apps, then those of the libraries.
   "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon picture program report stream tasks triangulation"
   "examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa"
   "io: rbpa/base"
@@ -85,7 +85,7 @@ foreach(line ${allowed})
   list(POP_FRONT folders from)
   foreach(to ${folders})
     list(APPEND arrows "${from}>${to}")
-    # The plane and space are siblings on base: what both need lives there.
+    # plane and space are siblings on base, which has what both need.
     if("${from}>${to}" MATCHES "^rbpa/plane.*>rbpa/space" OR "${from}>${to}" MATCHES "^rbpa/space.*>rbpa/plane"
        OR "${from}>${to}" MATCHES "^rbpa/base.*>rbpa/(plane|space|fill|paper)" OR "${from}>${to}" MATCHES "^meshops.*>rbpa")
       message(FATAL_ERROR "${from} must not be allowed to include ${to}")
@@ -111,8 +111,9 @@ foreach(root libmeshops librbpa apps)
   endforeach()
 endforeach()
 
-# Headers that users see, and programs, which are users too, include no internal header of librbpa: it is not installed,
-# hidden in a shared library, exact under the flags of this project only. What docs/drawings draws is there.
+# Public headers, and programs, which are users too, include no internal header of librbpa: these are not installed, their
+# symbols are hidden in a shared library, and they are exact only with the compile options of this project. docs/drawings
+# may include them, as it draws internals.
 file(STRINGS ${ROOT}/librbpa/CMakeLists.txt lines REGEX "rbpa/[a-z0-9_/]+\\.h")
 list(FILTER lines EXCLUDE REGEX ">")  # old paths
 string(REGEX MATCHALL "rbpa/[a-z0-9_/]+\\.h" installed "${lines}")

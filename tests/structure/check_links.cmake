@@ -1,13 +1,13 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when a link of a page leads to no file, or to a heading that its file does not have; when a path in back quotes leads to nothing; and when
-# there are more than 30 pages, or README is long.
+# Fails if a link of a page leads to no file or to a missing heading, if a path in back quotes does not exist, if there are
+# more than 30 pages, or if README is too long.
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
 list(LENGTH pages count)
 if(count LESS 20 OR count GREATER 30)
   message(SEND_ERROR "docs has ${count} pages, expected 20 to 30")
 endif()
 
-# Text without what CMake's lists cannot hold; where the target of a link begins there is a character that no page has.
+# Returns the text without characters that CMake's lists cannot hold; a character that no page has marks the targets of links.
 string(ASCII 1 link_begin)
 function(read_page file result)
   file(READ ${file} text)
@@ -16,7 +16,7 @@ function(read_page file result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# The anchors of a page as GitHub makes them of its headings, each between two spaces.
+# Returns the anchors that GitHub makes from the headings of a page, each between two spaces.
 function(anchors_of file result)
   read_page(${file} text)
   string(REGEX MATCHALL "\n#+ [^\n]+" headings "\n${text}")
@@ -41,7 +41,7 @@ foreach(page ${ROOT}/README.md ${ROOT}/CONTRIBUTING.md ${ROOT}/packaging/README.
   read_page(${page} text)
   file(RELATIVE_PATH name ${ROOT} ${page})
   cmake_path(GET page PARENT_PATH folder)
-  # Blocks of code, which have neither.
+  # Skip blocks of code, which have neither links nor paths.
   while(text MATCHES "\n```")
     string(FIND "${text}" "\n```" begin)
     math(EXPR inside "${begin} + 4")
@@ -76,7 +76,7 @@ foreach(page ${ROOT}/README.md ${ROOT}/CONTRIBUTING.md ${ROOT}/packaging/README.
       endif()
     endif()
   endforeach()
-  # Paths in back quotes: from the root of the repository, or as they are included.
+  # Paths in back quotes: from the root of the repository, or as in #include.
   string(REGEX MATCHALL "`(libmeshops|librbpa|apps|tests|docs|packaging|debian|rbpa|meshops)/[-_a-zA-Z0-9./*]+`" found "${text}")
   foreach(path IN LISTS found)
     string(REPLACE "`" "" path "${path}")

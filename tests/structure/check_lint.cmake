@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when clang-tidy finds in HEADERS, a file that includes all headers, what .clang-tidy forbids.
+# Fails if clang-tidy finds anything that .clang-tidy forbids in HEADERS, a file that includes all headers.
 find_program(tidy NAMES clang-tidy-14)
 if(NOT tidy)
   message(STATUS "SKIPPED: there is no clang-tidy-14")

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when meshops/meshops.h does not include every header that users may: all but those whose contents are in
-# namespace meshops::detail.
+# Fails if meshops/meshops.h does not include every public header: all except those whose contents are in namespace
+# meshops::detail.
 set(library ${ROOT}/libmeshops)
 file(READ ${library}/meshops/meshops.h umbrella)
 file(GLOB_RECURSE headers RELATIVE ${library} ${library}/meshops/*.h)

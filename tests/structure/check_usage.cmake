@@ -1,5 +1,5 @@
-# Every script and every program of ours prints its usage for --help, and refuses what else begins with - before it does
-# anything. usage: cmake -DROOT=... -DWORK=... "-DPROGRAMS=..." -P check_usage.cmake
+# Fails unless every script and every program of ours prints its usage for --help, and refuses any other argument that begins
+# with - before it does anything. usage: cmake -DROOT=... -DWORK=... "-DPROGRAMS=..." -P check_usage.cmake
 file(GLOB scripts "${ROOT}/*/*.sh" "${ROOT}/docs/*/*.sh" "${ROOT}/tests/*/*.sh" "${ROOT}/packaging/*/*.sh")
 list(FILTER scripts EXCLUDE REGEX "/(build_environment|refuse_options)\\.sh$")  # sourced
 list(LENGTH scripts count)
@@ -26,7 +26,7 @@ function(check name)  # COMMAND...
 endfunction()
 
 foreach(script IN LISTS scripts)
-  # What does not look at its arguments is not run: it would build or install something.
+  # A script that does not check its arguments is not run, as it would build or install something.
   file(READ "${script}" text)
   if(NOT text MATCHES "refuse_options\\.sh|--help\\)")
     message(FATAL_ERROR "${script} does not look at its arguments (source tests/refuse_options.sh)")
@@ -34,7 +34,7 @@ foreach(script IN LISTS scripts)
   check("${script}" bash "${script}")
 endforeach()
 foreach(program IN LISTS PROGRAMS)
-  if(EXISTS "${program}")  # some are built by night
+  if(EXISTS "${program}")  # some are built nightly only
     check("${program}" "${program}")
   endif()
 endforeach()

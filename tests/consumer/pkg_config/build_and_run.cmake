@@ -1,4 +1,4 @@
-# Compiles ../use_both.cpp with the flags of pkg-config, and runs it.
+# Compiles ../use_both.cpp with the flags that pkg-config prints, and runs it.
 cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")

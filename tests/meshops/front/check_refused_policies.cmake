@@ -1,4 +1,4 @@
-# refused_policies.cpp does not compile, for six reasons, each with its message.
+# Checks that refused_policies.cpp does not compile, and that each of its six errors has the right message.
 # usage: cmake -DCOMPILER=... -DLIBRARY=... -DSOURCE=... -P check_refused_policies.cmake
 execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${LIBRARY} ${SOURCE} RESULT_VARIABLE status ERROR_VARIABLE messages)
 if(status EQUAL 0)
