@@ -1,7 +1,7 @@
 // What: a filling of polygons as a halfedge mesh.
 // Law:  an oriented 2-manifold with boundary, glued as the filling is. Vertex v stands on point v of the filling, and
 //       face f is triangle f; unused points are isolated vertices. If several fans of triangles meet at a point,
-//       because rings touch or groups overlap, the fans after the first have additional vertices, numbered behind the
+//       because rings touch or groups overlap, the fans after the first have additional vertices, numbered after the
 //       last point.
 // Cost: linear.
 #pragma once

@@ -34,7 +34,7 @@ struct RimEdge {
   /// For each corner of `next`: whether a normal there disagrees; or, when blocked, whether it is an interior point of
   /// the smaller radii.
   std::array<bool, 3> corners = {};
-  /// When blocked, for the side of `next` across from each corner: whether it is an interior edge of the smaller radii,
+  /// For the side of `next` across from each corner, when blocked: whether it is an interior edge of the smaller radii,
   /// though its ends are not interior points.
   std::array<bool, 3> sides = {};
   friend bool operator==(const RimEdge&, const RimEdge&) = default;

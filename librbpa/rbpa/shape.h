@@ -30,7 +30,7 @@ struct Ring {
 /// A polygon: a solid component. Its interior is connected; rings touch each other at single points, if at all.
 struct Polygon {
   Ring shell = {};  ///< counter-clockwise
-  /// Clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
+  /// The holes: clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
   std::vector<Ring> holes = {};
   double area = 0;  ///< of the shell without the holes: the real number rounded once
   /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³; infinite, as is the area, beyond the range of

@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// Calls visit(index) for each of the indices below `points` that is no duplicate, ascending.
+/// Calls visit(index) for each of the indices below `points` that is not a duplicate, ascending.
 /// Requires: duplicates ascend by index.
 template <typename Visit>
 void for_each_distinct(std::size_t points, std::span<const Duplicate> duplicates, Visit visit) {

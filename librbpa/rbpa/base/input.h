@@ -19,7 +19,7 @@ std::string text(double value);
 inline constexpr std::size_t max_points = std::numeric_limits<int>::max() / 6;
 static_assert(max_points == 357'913'941);
 
-/// Throws InvalidInput when there are more than `max_points`.
+/// Checks that there are at most `max_points` points. Throws: InvalidInput.
 void check_number(std::size_t points);
 
 /// Checks that 0 < alpha ≤ infinity and that the points are finite and at most `max_points`.

@@ -25,7 +25,7 @@ template <std::size_t corners>
 class SimplicesAt {
  public:
   SimplicesAt() = default;
-  /// Requires: corners below `points`.
+  /// Sorts the simplices by corner. Requires: corners below `points`.
   SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
       : begin_(points + 2, 0) {
     // begin_[p + 1] is where the simplices at p begin; each simplex put there advances it, until it is where they end.

@@ -1,9 +1,9 @@
 // Ideal seeds, which Theorem 1 requires. A triangle that the front does not reach has no edge in the mesh, and its
 // corners are isolated or on the boundary. At such a corner v:
-//   1. The ball rests on v and a point beside which no triangle is missing: at the last edge of a fan, or at the nearest
-//      point.
-//   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; a pivot finds out whether
-//      it has one on its left. That is a seed.
+//   1. The ball rests on v and a point beside which no triangle is missing: at the last edge of a fan, or at the
+//      nearest point.
+//   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; a pivot finds out
+//      whether it has one on its left. That is a seed.
 //   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
 // docs/seeding.md proves that this finds every triangle.
 #include "rbpa/paper/rbpa.h"

@@ -62,7 +62,7 @@ void put_in_order(NumberedRest& a, NumberedRest& b) {
   b = {b.key ^ change, b.number ^ change_number};
 }
 
-/// Sorting networks: pairs of places to be put in order, one after the other.
+/// A sorting network: pairs of places to be put in order, one after the other.
 template <std::size_t size>
 struct Network;
 template <>
@@ -95,7 +95,7 @@ void put_few(const R* few, std::size_t count, Put put) {
 }
 
 /// Puts the triangles at one smallest corner in order: two on average, and up to a dozen if it is one of the least
-/// corners of all. At least max_network are put; those behind the last have no meaning.
+/// corners of all. At least max_network are put; those after the last have no meaning.
 template <typename R, typename Put>
 void put_star(R* star, std::size_t count, Put put) {
   if (count <= 4) return put_few<4>(star, count, put);
@@ -106,7 +106,7 @@ void put_star(R* star, std::size_t count, Put put) {
 
 }  // namespace
 
-/// One bucket while it is sorted.
+/// The memory for sorting one bucket.
 template <typename Item>
 struct CanonicalOrder<Item>::Workspace {
   using Rests = std::vector<decltype(rest_of(Item()))>;

@@ -37,7 +37,7 @@ class QuadEdges {
     return {a.first, b.last};
   }
 
-  /// Directed edges are numbered from 0 to size() − 1; some are not in use. Of these lnext() is 0.
+  /// Returns one more than the greatest edge number. Directed edges are numbered from 0; for unused ones lnext() is 0.
   std::size_t size() const { return size_; }
 
   static Edge sym(Edge e) { return e ^ 1; }

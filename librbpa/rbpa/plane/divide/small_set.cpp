@@ -66,7 +66,7 @@ class SortedTriangles {
         found_(std::make_unique_for_overwrite<Found[]>(2 * places.size())),
         first_(points + 1, 0) {}
 
-  /// `admits` returns whether a triangle is kept.
+  /// Finds the triangles for which `admits` returns true.
   template <typename Admits>
   void find(const Admits& admits) {
     // Two loops, as only the second has branches that are mispredicted.

@@ -31,7 +31,7 @@ class OwnedPoints {
     float x_low, x_high, y_low, y_high;
   };
   static constexpr std::size_t word = 64;     ///< bits of a word
-  static constexpr std::size_t padding = 16;  ///< labels behind the last point, as a whole register is read
+  static constexpr std::size_t padding = 16;  ///< labels after the last point, as a whole register is read
 
   explicit OwnedPoints(EnumerationWorkspace& own) : labels_(own.labels), bits_(own.owned_bits) {}
 

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const
 /// Gaps of the complex while alpha falls: triangles that are not in it, connected through sides that are not in it.
 class Gaps {
  public:
-  /// Makes each face a gap; the outside is one more face, behind the last.
+  /// Makes each face a gap; the outside is one more face, after the last.
   explicit Gaps(std::uint32_t faces) : outside_(faces), sets_(faces + std::size_t{1}), next_(sets_.size()) {
     std::iota(next_.begin(), next_.end(), 0u);
   }

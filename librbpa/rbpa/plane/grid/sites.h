@@ -29,7 +29,7 @@ class Sites {
   /// Returns the points in the window, times 2^exponent.
   const PointGrid& grid() const { return grid_; }
   const Window& window() const { return window_; }
-  /// Returns the points beyond the window, unscaled; the first of them is the site behind those of the grid.
+  /// Returns the points beyond the window, unscaled; the first of them is the site after those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
   /// Returns the places of the points beyond, in the scale of the window.
   const HiddenPoints& hidden() const { return hidden_; }

@@ -36,8 +36,8 @@ class Ladder {
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
   /// Returns a level such that the radii of all before it are less than `radius`, which may be rounded; seldom one
-  /// level too early. The level may lie behind the last one if that has a finite radius; an infinite last radius
-  /// reaches everything finite.
+  /// level too early. The level may be above the last one if that has a finite radius; an infinite last radius reaches
+  /// everything finite.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;

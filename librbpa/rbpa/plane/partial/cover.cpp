@@ -21,7 +21,7 @@ class Heights {
     y_.erase(std::unique(y_.begin(), y_.end()), y_.end());
     leaves_ = std::bit_ceil(y_.size());
     nodes_.resize(2 * leaves_);
-    // Places behind the last one are covered as the last is.
+    // Places after the last one are covered as the last is.
   }
 
   void add(double y, int weight) {

@@ -37,7 +37,7 @@ void append(std::vector<Item>& to, std::vector<Item>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Renumbers `b` behind the numbers of `a`; open components come first and then held polygons.
+/// Renumbers `b` after the numbers of `a`; open components come first and then held polygons.
 void number_behind(PartialState& a, PartialState& b) {
   const auto of_a = static_cast<std::uint32_t>(a.open.size()), of_b = static_cast<std::uint32_t>(b.open.size());
   const auto held_a = static_cast<std::uint32_t>(a.held.size());

@@ -10,7 +10,7 @@
 namespace rbpa {
 
 /// Adds the rings of a closed boundary curve, triangles on the left.
-/// Throws: InvalidInput when it is no boundary curve of triangles. Cost: n log n.
+/// Throws: InvalidInput when it is not a boundary curve of triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
 /// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two compare

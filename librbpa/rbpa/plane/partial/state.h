@@ -48,7 +48,7 @@ struct OpenComponent {
 
 /// A set of points at which the same components touch: they count in the component whose polygon comes first.
 struct Pinch {
-  /// Numbers of open components, and beyond these of held polygons: those that may come first, ascending.
+  /// Numbers of open components, and after these of held polygons: those that may come first, ascending.
   std::vector<std::uint32_t> members;
   std::uint64_t points;
 };

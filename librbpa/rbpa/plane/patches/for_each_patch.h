@@ -1,9 +1,10 @@
 // What: the solid alpha complex, patch by patch: those of tiles, then one of the triangles that tiles leave over.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
-// How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h). 2. A finder makes a patch of each, and
-//       marks the stars that are settled (patches/find_patch.h). If these are few, tiles are skipped
-//       (patches/skipped_tiles.h). 3. A sink joins patches, one at a time where they depend on each other. 4. Sites
-//       whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
+// How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
+//       2. A finder makes a patch of each, and marks the settled stars (patches/find_patch.h). If these are few, tiles
+//          are skipped (patches/skipped_tiles.h).
+//       3. A sink joins patches, one at a time where they depend on each other.
+//       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear if the density is even; at worst O(n log n).
 #pragma once
 

@@ -164,7 +164,7 @@ class ApexSearch {
     return ends;
   }
 
-  /// Among the points of at most three short rows; none: search again. Every point has a bit:
+  /// Returns the winner among the points of at most three short rows; none: search again. Every point has a bit:
   ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;

@@ -60,7 +60,7 @@ class Chord {
   }
 
   Point from_, to_;
-  Two<Real> a_, b_, mirrored_;  // the ends; b − a, but for the sign of y
+  Two<Real> a_, b_, mirrored_;  // the ends; b − a, except for the sign of y
 };
 
 }  // namespace rbpa

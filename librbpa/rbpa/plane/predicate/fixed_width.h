@@ -25,11 +25,11 @@ struct FixedVector {
   std::int64_t cross(const FixedVector& v) const { return x * v.y - y * v.x; }
 };
 
-/// N vectors from one point to others.
+/// A set of N vectors from one point to others.
 template <std::size_t N>
 class FixedVectors {
  public:
-  /// Requires: points that fit double (base/exact/magnitude.h).
+  /// Computes the vectors. Requires: points that fit double (base/exact/magnitude.h).
   FixedVectors(int bits, const Point& from, const std::array<const Point*, N>& to) {
     std::array<double, 2 * N> difference;
     double greatest = 0;

@@ -66,7 +66,7 @@ class Predicates {
         const FixedVector &ab = fixed[0], &ap = fixed[1], &aq = fixed[2];
         return sign_of(Integer128{ap.dot(ap - ab)} * ab.cross(aq) - Integer128{aq.dot(aq - ab)} * ab.cross(ap));
       }
-      // Cocircular but for rounding. A few bits more nearly always decide.
+      // Cocircular up to rounding. A few bits more nearly always decide.
       if constexpr (has_extended) {
         const CircleTest<long double> finer(a, b, p, q);
         if (finer.is_sure()) return finer.sign();

@@ -14,7 +14,7 @@ constexpr int least_bit = -1074, end_bits = 1024;
 /// Returns the least exponent of the window that has the most points.
 int best_window(std::span<const Point> points, std::uint32_t& most) {
   std::array<std::int64_t, end_bits - least_bit + width + 2>
-      more{};  // for each first exponent, how many more than before
+      more{};  // for each first exponent, the increase of the number of points
   for (const Point& p : points) {
     const Magnitude m = magnitude({&p, 1});
     if (p == Point{} || m.highest - m.lowest > width) continue;

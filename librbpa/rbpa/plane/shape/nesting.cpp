@@ -50,7 +50,7 @@ class Sweep {
     end_ = ends_.begin();
   }
 
-  /// Returns the place where the next edges begin; absent behind the last.
+  /// Returns the place where the next edges begin; absent after the last.
   std::optional<Point> next_start() const {
     if (start_ == starts_.end()) return std::nullopt;
     return (*start_)->low;

@@ -36,7 +36,7 @@ void filter_on(const TileCoordinates& at, const LocalFront& front, double alpha,
     hn::Vec<decltype(dn)> a, b, c, again;
     hn::LoadInterleaved4(dn, front.corners() + 4 * t, a, b, c, again);
     const auto coordinates = [&](auto corner, V& x, V& y) {
-      const auto i = hn::Min(hn::PromoteTo(di, corner), last);  // entries behind the last triangle are undefined
+      const auto i = hn::Min(hn::PromoteTo(di, corner), last);  // entries after the last triangle are undefined
       x = hn::GatherIndex(d, at.x.data(), i);
       y = hn::GatherIndex(d, at.y.data(), i);
     };

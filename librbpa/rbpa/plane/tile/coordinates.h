@@ -16,7 +16,7 @@ namespace rbpa {
 struct TileCoordinates {
   static constexpr float unit_roundoff = 0x1p-24f;
   static constexpr float rounding = 0x1.05p-25f;  ///< half a unit in the last place of 1, plus the error before it
-  static constexpr std::size_t padding = 16;      ///< floats that can be read behind the last
+  static constexpr std::size_t padding = 16;      ///< floats that can be read after the last
 
   double scale = 1;  ///< a power of two
   std::vector<float> x, y;

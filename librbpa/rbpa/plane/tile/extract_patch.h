@@ -19,7 +19,7 @@ namespace rbpa {
 struct ExtractionWorkspace {
   std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
   std::vector<std::uint16_t> owned;                   // for each triangle: the tile owns its least corner
-  std::vector<std::uint16_t> number;                  // for each side: what the one across stores of it
+  std::vector<std::uint16_t> number;                  // for each side: the entry of the side across
   std::vector<std::uint16_t> elsewhere;               // for each point: triangles around it that other tiles own
   std::vector<int> last,
       ending;  // for each point: the side that leaves it in an outline, or a side of the rim that ends there

@@ -13,7 +13,7 @@
 
 namespace rbpa {
 
-/// Measured: smaller tiles have more seams, larger ones leave the cache.
+/// Target number of points of a tile. Measured: smaller tiles have more seams, larger ones leave the cache.
 inline constexpr std::uint32_t points_per_tile = 2048;
 
 /// Calls, for each tile of the sites in the window, work(const Tile&, Workspace&) in any thread; then join(number,

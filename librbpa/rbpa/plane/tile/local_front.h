@@ -15,7 +15,7 @@ class LocalFront {
   using Index = std::uint16_t;
   static constexpr Index none = 0;            ///< no side: sides of triangles are numbered from 4 on
   static constexpr Index nothing = 1;         ///< no side, and none will be added
-  static constexpr std::size_t padding = 16;  ///< triangles that can be read behind the last
+  static constexpr std::size_t padding = 16;  ///< triangles that can be read after the last
 
   /// Removes all triangles and prepares for at most Tile::max_points points.
   void begin(std::size_t points) {
@@ -120,7 +120,7 @@ class LocalFront {
 
   std::vector<Index> head_;             // for each point, the first side on the front that ends there
   std::vector<Index> link_;             // for each side on the front, the next side that ends at the same point
-  std::vector<Index> corner_, across_;  // a triangle's first corner is repeated behind its last
+  std::vector<Index> corner_, across_;  // a triangle's first corner is repeated after its last
   // as wide as the others: the compiler assumes that a write of bytes may change them, and reads them again
   std::vector<Index> touched_;
   std::size_t triangles_ = 1;
