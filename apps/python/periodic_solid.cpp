@@ -79,10 +79,12 @@ std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
 /// Returns the topology of the complex; computes its own triangulation.
 py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha, bool full) {
   const auto input = points3_of(points, "points");
-  PeriodicTopology made = watched(input.size(), py::none(), [&](Watch&) {
-    const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity());
-    return periodic_topology(all, circumradii(all.positions, all.simplices), alpha,
-                             full ? VoidWalls::full : VoidWalls::solid);
+  PeriodicTopology made = watched(input.size(), py::none(), [&](Watch& watch) {
+    const std::function<bool()> go_on = watch.until_stopped();
+    const PeriodicSolid all =
+        periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
+    return periodic_topology(all, circumradii(all.positions, all.simplices, 0, go_on), alpha,
+                             full ? VoidWalls::full : VoidWalls::solid, 0, go_on);
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.betti[0], made.betti[1], made.betti[2], made.betti[3]);

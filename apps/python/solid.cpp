@@ -77,9 +77,9 @@ std::pair<double, double> balls_of(const Doubles& points, double radius, unsigne
 /// Returns the dangling simplices of the full alpha complex; computes its own triangulation.
 std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
-  DanglingFaces found = watched(input.size(), py::none(), [&](Watch&) {
-    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity());
-    return dangling_faces(input, delaunay, circumradii(input, delaunay.simplices), alpha);
+  DanglingFaces found = watched(input.size(), py::none(), [&](Watch& watch) {
+    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
+    return dangling_faces(input, delaunay, circumradii(input, delaunay.simplices, 0, watch.until_stopped()), alpha);
   });
   return {rows<std::int32_t>(std::move(found.triangles)), rows<std::int32_t>(std::move(found.edges)),
           line<std::int32_t>(std::move(found.points))};
@@ -148,11 +148,12 @@ py::dict full_of(const Doubles& points, double alpha) {
     FullCounts counts;
     FullVoids voids;
   };
-  Made made = watched(input.size(), py::none(), [&](Watch&) {
-    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity());
-    const std::vector<double> radii = circumradii(input, delaunay.simplices);
-    return Made{count_full(input, delaunay, radii, alpha),
-                full_voids(input, void_space(input, delaunay, radii, alpha), alpha)};
+  Made made = watched(input.size(), py::none(), [&](Watch& watch) {
+    const std::function<bool()> go_on = watch.until_stopped();
+    const Solid delaunay = solid(input, std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
+    const std::vector<double> radii = circumradii(input, delaunay.simplices, 0, go_on);
+    return Made{count_full(input, delaunay, radii, alpha, 0, go_on),
+                full_voids(input, void_space(input, delaunay, radii, alpha, 0, go_on), alpha, 0, go_on)};
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.counts.components, made.counts.tunnels, made.counts.voids);

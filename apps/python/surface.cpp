@@ -124,8 +124,9 @@ Surface of_links(const Links& links) {
 py::dict components_of(const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
-  SurfaceComponents found =
-      watched(links.triangles.size(), py::none(), [&](Watch&) { return surface_components(input, of_links(links)); });
+  SurfaceComponents found = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
+    return surface_components(input, of_links(links), watch.until_stopped());
+  });
   std::vector<double> areas, volumes;
   std::vector<std::int64_t> curves;
   std::vector<std::array<Point3, 2>> boxes;
@@ -148,9 +149,10 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
 std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
-  return watched(links.triangles.size(), py::none(), [&](Watch&) {
+  return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
     const Surface shells = of_links(links);
-    return outer_shells(input, radius, shells, surface_components(input, shells));
+    const std::function<bool()> go_on = watch.until_stopped();
+    return outer_shells(input, radius, shells, surface_components(input, shells, go_on), go_on);
   });
 }
 
@@ -161,10 +163,11 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   std::vector<std::array<std::uint32_t, 2>> boundary;
-  FilledSurface made = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
-    const Surface open = indexable_surface(of_links(links));
-    const std::vector<Hole> curves = surface_curves(input, open);
-    const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open), curves);
+  FilledSurface made = watched(long_work, py::none(), [&](Watch& watch) {
+    const std::function<bool()> go_on = watch.until_stopped();
+    const Surface open = indexable_surface(of_links(links), go_on);
+    const std::vector<Hole> curves = surface_curves(input, open, go_on);
+    const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open, go_on), curves);
     std::vector<Hole> chosen;
     for (std::size_t i = 0; i < curves.size(); ++i)
       if ((rims || kinds[i] == CurveKind::hole) && curves[i].edges.size() <= most_edges &&
@@ -188,7 +191,7 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   const std::vector<bool> flags(is_new.data(), is_new.data() + is_new.shape(0));
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<Point3> further;
-  RefinedSurface made = watched(links.triangles.size(), progress, [&](Watch& watch) {
+  RefinedSurface made = watched(long_work, progress, [&](Watch& watch) {
     RefinedSurface result =
         refine_filling(input, of_links(links), flags, {.threads = threads, .progress = watch.progress()});
     if (!vectors.empty()) further = normals_between(vectors, result.between);
@@ -209,11 +212,12 @@ py::dict closed(const Doubles& points, const Indices& triangles, const Indices& 
   const Links links(triangles, neighbors);
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::size_t curves = 0, crossing = 0;
-  ClosedSurface made = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
+  ClosedSurface made = watched(long_work, py::none(), [&](Watch& watch) {
+    const std::function<bool()> go_on = watch.until_stopped();
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    ClosedSurface result = close_surface(input, indexable_surface(of_links(links)), options);
+    ClosedSurface result = close_surface(input, indexable_surface(of_links(links), go_on), options);
     boundary = boundary_of(result.surface);
-    curves = surface_curves(input, result.surface).size();
+    curves = surface_curves(input, result.surface, go_on).size();
     constexpr std::size_t most = 1000;
     crossing = crossing_triangles(input, result.surface.triangles, most, options).size();
     return result;
@@ -248,14 +252,14 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
     throw InvalidInput("save: found the ending " + app::in_quotes(app::ending(path)) + ", expected one of " +
                        std::string(formats));
   with_file_errors([&] {
-    return watched(links.triangles.size(), py::none(), [&](Watch&) {
+    return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
       app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
       if (shift) mesh.shift = app::parse_shift("shift", *shift);
       if (app::has_single_precision(*format)) require_kept(*format, mesh, path);
       SplitFans fans;
       std::optional<app::VerticesOfPoints> own;
       if (*format == app::Format::glb || (manifold && *format != app::Format::npy)) {
-        fans = split_fans(of_links(links));
+        fans = split_fans(of_links(links), watch.until_stopped());
         own.emplace(mesh, fans.triangles, fans.point, true);
         mesh = own->mesh();
       }

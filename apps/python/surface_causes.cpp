@@ -34,9 +34,10 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
   watched(input.points.size(), py::none(), [&](Watch& watch) {
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
     const std::vector<Hole> found = input.radii.empty()
-                                        ? surface_curves(input.points, made)
+                                        ? surface_curves(input.points, made, watch.until_stopped())
                                         : holes(input.points, input.normals, input.radii, made, options);
-    for (const CurveKind kind : curve_kinds(input.points, surface_components(input.points, made), found))
+    for (const CurveKind kind :
+         curve_kinds(input.points, surface_components(input.points, made, watch.until_stopped()), found))
       kinds.push_back(static_cast<std::uint8_t>(kind));
     for (const Hole& hole : found) {
       all.insert(all.end(), hole.edges.begin(), hole.edges.end());
@@ -83,7 +84,8 @@ py::dict remedies_of(const Doubles& points, const Doubles& normals, const Double
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
     std::vector<Hole> wanted;
     const std::vector<Hole> curves = holes(input.points, input.normals, input.radii, made, options);
-    const std::vector<CurveKind> kinds = curve_kinds(input.points, surface_components(input.points, made), curves);
+    const std::vector<CurveKind> kinds =
+        curve_kinds(input.points, surface_components(input.points, made, watch.until_stopped()), curves);
     for (std::size_t i = 0; i < curves.size(); ++i) {
       if (kinds[i] != CurveKind::hole) continue;
       number.push_back(static_cast<std::int32_t>(i));

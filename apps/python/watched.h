@@ -51,6 +51,9 @@ class Watch {
 /// Throws: exceptions of the work and of Python; Cancelled.
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress);
 
+/// The number of points to pass to watched() for work that may take long on few points, such as closing holes.
+inline constexpr std::size_t long_work = static_cast<std::size_t>(-1);
+
 /// Runs work(watch) as run_watched(), and returns its result. Work on at most `few` points is short.
 template <typename Work>
 auto watched(std::size_t points, const py::object& progress, Work work) {

@@ -15,7 +15,7 @@ import time
 import numpy as np
 import pytest
 import rbpa
-from sets import uniform
+from sets import DATA, uniform
 
 MANY = uniform(300_000)
 
@@ -51,6 +51,7 @@ TRIANGULATION = rbpa.Delaunay(MANY)
 MESH = rbpa.meshops.Mesh(TRIANGULATION.simplices)
 BALL = np.random.default_rng(1).normal(size=(100_000, 3))
 BALL /= np.linalg.norm(BALL, axis=1)[:, None]
+SKEW = rbpa.surface(rbpa.read_points(DATA / "findings/scan_hang/skew300.xyz", space=True).points)
 FILE = pathlib.Path(tempfile.gettempdir(), f"rbpa_many_{os.getpid()}.csv")
 atexit.register(FILE.unlink)
 np.savetxt(FILE, MANY, "%.17g", ",")
@@ -61,6 +62,8 @@ LONG_RUNS = {
     "read_points": lambda: rbpa.read_points(FILE),
     "report": MESH.report,
     "estimate_normals": lambda: rbpa.estimate_normals(BALL),
+    "full_complex": lambda: rbpa.solid(BALL[:30_000] * np.linspace(0.5, 1, 30_000)[:, None], 0.05).full(),
+    "fill_holes": lambda: SKEW.fill_holes(rims=True),
     "surface": lambda: rbpa.surface(BALL[:30_000], BALL[:30_000], 0.03),
     "vertex_neighbor_vertices": lambda: rbpa._core.vertex_neighbors(TRIANGULATION.simplices, len(MANY)),
 }
