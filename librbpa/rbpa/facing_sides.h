@@ -1,8 +1,8 @@
 // What: pairs the sides of triangles that face each other around an edge of several triangles, so that they can be
 //       glued.
-// Law:  exact, on any finite input. Sort the triangles at an edge around it, counter-clockwise: a side whose triangle
-//       has its positive side after it faces the next one, if that has its positive side before it. Each side faces at
-//       most one other, and that one faces it. The result is a function of the set of sides.
+// Law:  exact, on any finite input. Let the triangles at an edge be sorted counter-clockwise around it: sides of two
+//       consecutive triangles face each other if the wedge between the triangles is on the positive side of both. Each
+//       side faces at most one other, and that one faces it. The result is a function of the set of sides.
 // Cost: a sort; an exact orientation test for each comparison at edges of more than two sides.
 #pragma once
 

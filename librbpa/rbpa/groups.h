@@ -76,7 +76,7 @@ struct GroupAlpha {
 
 struct GroupShapesOptions : GroupOptions {
   PolygonFilter filter = {};
-  bool triangles = false;  ///< fills in GroupShapes::triangles
+  bool triangles = false;  ///< whether GroupShapes::triangles are filled in
 };
 
 /// The reason why a group has no polygon.

@@ -19,7 +19,7 @@ namespace rbpa {
 
 struct SurfaceComponent {
   std::size_t triangles = 0;
-  std::size_t boundary_sides = 0;  ///< 0: the component is closed
+  std::size_t boundary_sides = 0;  ///< number of sides without a neighbor; 0 if the component is closed
   std::size_t boundary_curves = 0;
   double area = 0;    ///< in squared units of the points
   double volume = 0;  ///< of a closed component, negative if the triangles face the enclosed space; otherwise 0

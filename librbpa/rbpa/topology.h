@@ -20,7 +20,7 @@ struct ComplexCounts {
   std::size_t points_covered = 0;  ///< distinct input points in triangles: the vertices of the space
   std::size_t edges = 0;
   std::size_t triangles = 0;
-  std::size_t boundary_curves = 0;  ///< of the mesh: a curve does not pass through a pinch
+  std::size_t boundary_curves = 0;  ///< boundary curves of the mesh, where a curve does not pass through a pinch
   std::size_t solid_components = 0;
   std::size_t components = 0;
   std::size_t holes = 0;

@@ -170,7 +170,7 @@ class Assembly {
     Site site = no_index;
     bool runs_up = true;
   };
-  std::vector<Site> number_;  // for each site of the outline
+  std::vector<Site> number_;  // for each site of the outline, its new number
   std::vector<First> first_;  // the first point on each edge, and the direction of their numbers
 };
 

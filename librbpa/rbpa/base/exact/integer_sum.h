@@ -12,7 +12,7 @@ namespace rbpa {
 
 class IntegerSum {
  public:
-  /// Adds a b. Requires: |a| < 2¹²⁵, |b| < 2⁶²; fewer than 2⁶⁰ terms.
+  /// Adds the product of a and b. Requires: |a| < 2¹²⁵, |b| < 2⁶²; fewer than 2⁶⁰ terms.
   void add_product(Integer128 a, std::int64_t b) {
     const Integer128 low = Integer128{b} * static_cast<std::uint64_t>(a),
                      high = Integer128{b} * static_cast<std::int64_t>(a >> 64);

@@ -33,7 +33,8 @@ meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::si
   meshops::prefer_large_pages(sorted.data(), rows.size() * sizeof(Row));
   sorted.resize(rows.size());
   meshops::FreshVector<std::uint32_t> end(bound + 1), order(rows.size()), place(rows.size());
-  const std::size_t range = bound / threads.count() + 1;  // number of first numbers for each thread
+  // each thread sorts the rows with a range of this many first numbers
+  const std::size_t range = bound / threads.count() + 1;
   for_each_part(threads, bound, range, [&](std::size_t low, std::size_t high) {
     std::fill(end.begin() + static_cast<std::ptrdiff_t>(low), end.begin() + static_cast<std::ptrdiff_t>(high), 0);
     for (const Row& row : rows)

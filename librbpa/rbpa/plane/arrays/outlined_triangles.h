@@ -56,7 +56,7 @@ class OutlinedTriangles {
   std::span<const std::uint32_t> names_;
   List& list_;
   meshops::Seams<Open> seams_;
-  std::vector<Side> outer_, rim_;  // some sides in rim_ are closed
+  std::vector<Side> outer_, rim_;  // boundary sides; some of those in rim_ turn out to be closed
 };
 
 template <typename List>

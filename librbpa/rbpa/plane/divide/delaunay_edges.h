@@ -24,7 +24,8 @@
 
 namespace rbpa {
 
-/// Calls working() at long intervals of steps, in one thread at a time; it is not called again after it has thrown.
+/// A counter of steps that calls working() once in many of them, in one thread at a time, and never again after it has
+/// thrown.
 class DivisionSteps {
  public:
   explicit DivisionSteps(const std::function<void()>& working) : working_(working) {}

@@ -25,7 +25,8 @@ class QuadEdges {
   /// Reserves memory for the edges of a triangulation of `points` points.
   explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
 
-  /// Returns enough edges for a triangulation of the points from `first` up to `last`, excluded; once for each point.
+  /// Returns unused edges for a triangulation of the points from `first` up to `last`, excluded; called once for each
+  /// point.
   /// Requires: at least one point.
   Unused unused_for(std::size_t first, std::size_t last) {
     const Unused all = {static_cast<Edge>(6 * first), static_cast<Edge>(6 * last - 2)};

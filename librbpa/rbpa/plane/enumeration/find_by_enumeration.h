@@ -21,7 +21,8 @@ struct EnumerationWorkspace {
   std::vector<TilePatch::Neighbors> near_rim;
 };
 
-/// Returns false if the search would not pay or would need points that the tile does not have.
+/// Finds the patch of a tile. Returns false if the search would not pay or would need points that the tile does not
+/// have.
 bool find_by_enumeration(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, EnumerationWorkspace& own,
                          TilePatch& found);
 

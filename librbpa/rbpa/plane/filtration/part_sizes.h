@@ -46,7 +46,7 @@ class PartSizes {
     }
   }
 
-  // Entry i holds the sizes from i without its lowest bit, exclusive, to i.
+  // Fenwick trees: entry i sums over the sizes in (j, i], where j is i without its lowest set bit.
   std::vector<std::uint32_t> count_;
   std::vector<std::size_t> sum_;
   std::size_t top_;

@@ -60,7 +60,7 @@ class Sites {
   PointGrid grid_;
   std::vector<Point> beyond_;
   std::vector<Duplicate> repeated_beyond_;
-  std::vector<std::uint32_t> index_;  // for all sites; empty if none is beyond
+  std::vector<std::uint32_t> index_;  // the input index of all sites; empty if none is beyond the window
   HiddenPoints hidden_;
 };
 

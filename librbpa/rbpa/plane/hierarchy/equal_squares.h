@@ -53,7 +53,7 @@ class EqualSquares {
   /// points that were counted.
   template <typename Visit>
   void for_each_above(std::size_t bound, std::span<const Point> points, Visit visit) const {
-    std::vector<std::uint32_t> end(held_.size());  // end of the points of such a square, in one order
+    std::vector<std::uint32_t> end(held_.size());  // for each such square, the end of its points in a common list
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < held_.size(); ++i) {
       end[i] = size;

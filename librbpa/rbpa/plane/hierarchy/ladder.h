@@ -20,8 +20,7 @@ class Ladder {
   using Real = long double;             ///< its exponents hold the circumradii of all doubles
   static constexpr int never = 0xffff;  ///< above all levels
 
-  /// Builds the radii from `least` to `last`. If `last` is infinite, no level but the last has a radius above
-  /// `largest`.
+  /// Builds the radii from `least` to `last`. If `last` is infinite, only the last level has a radius above `largest`.
   /// Requires: 0 < least < ∞.
   Ladder(double least, Radius last, Real largest) : least_(least), last_(last) {
     const Real bound =

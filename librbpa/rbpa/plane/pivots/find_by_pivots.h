@@ -20,8 +20,8 @@ struct PivotWorkspace {
   std::vector<float> circumradius;         // for each triangle
 };
 
-/// Returns false if points lie along curves: their triangles reach across empty regions, where a search from near to
-/// far takes long.
+/// Finds the patch of a tile. Returns false if points lie along curves: their triangles reach across empty regions,
+/// where a search from near to far takes long.
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found);
 

@@ -26,7 +26,7 @@ std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Po
       for (std::size_t i = 0; i < ring.points.size(); ++i) {
         const Point& a = points[ring.points[i]];
         const Point& b = points[ring.points[i + 1 == ring.points.size() ? 0 : i + 1]];
-        if (a == b) continue;  // a repeated point, as rings of others may have it
+        if (a == b) continue;  // a repeated point, which rings from outside may have
         edges.push_back({{std::min(a, b), std::max(a, b)}, p, number, number == 0 && i == 0, a < b});
       }
     };

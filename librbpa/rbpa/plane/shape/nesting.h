@@ -1,4 +1,4 @@
-// What: finds the hole in which a polygon lies, and the polygons in which points lie.
+// What: finds the hole in which each polygon lies, and the polygon in which each point lies.
 // How:  a sweep over the plane from left to right, decided exactly. Below a shell's first point is a hole, or a shell
 //       beside it, or nothing; a point lies in the polygon above the edge below it, if there is one.
 // Cost: n log n in the boundary edges and the points.

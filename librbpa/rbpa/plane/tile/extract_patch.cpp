@@ -241,7 +241,7 @@ class PatchExtraction {
     }
   }
 
-  /// Returns the side of the tile's front that a side of the patch is.
+  /// Returns the number, on the tile's front, of a side of the patch.
   std::size_t on_front(int side) const {
     const auto s = static_cast<std::size_t>(side);
     return 4 * std::size_t{kept_[s / 3]} + s % 3;
