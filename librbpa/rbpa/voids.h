@@ -23,7 +23,8 @@ namespace rbpa {
 /// The kind of complex whose faces close a void.
 enum class VoidWalls {
   solid,  ///< tetrahedra: voids() of solid()
-  full    ///< also triangles in no tetrahedron: a ball of radius alpha cannot leave; voids of the full alpha complex
+  /// Also triangles in no tetrahedron, so that a ball of radius alpha cannot leave: voids of the full alpha complex.
+  full
 };
 
 struct SolidVoid {
