@@ -1,5 +1,5 @@
-// What: generated sets beside themselves where exponents are extreme: what is found for one must be found for the
-//       other, though tiles and remainder find it in double, pivots and seeds in long double.
+// What: pairs of generated sets, one of which is scaled to extreme exponents. Both must give the same result, though
+//       one is computed by tiles and remainder in double, the other by pivots and seeds in long double.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,10 +10,9 @@
 
 namespace rbpa_test {
 
-inline constexpr int far_exponent = 850;  ///< far points are the near ones times 2 to this power
+inline constexpr int far_exponent = 850;  ///< the far points are the near ones times 2 to this power
 
-/// Calls visit(std::string_view name, near, far) for every generated set of a moderate number of points that can be
-/// moved so far.
+/// Calls visit(std::string_view name, near, far) for every generated set of moderate size that can be scaled that far.
 template <typename Visit>
 void for_each_far_set(Visit visit) {
   int sets = 0;

@@ -74,10 +74,10 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
                                        ? first_radii(radii, triangles)
                                        : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
-  // A void that is filled as soon as it closes belongs to the void that it is parted from.
+  // A void that is filled as soon as it closes belongs to the void that it splits off from.
   std::vector<std::uint32_t> part_of(radii.size());
   std::iota(part_of.begin(), part_of.end(), std::uint32_t{0});
-  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before those parted from it
+  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before those split off from it
     if (wall[at->triangle] == radii[at->tetrahedron])
       part_of[at->tetrahedron] = at->parted_from == none ? none : part_of[at->parted_from];
   std::erase_if(found.all, [&](const space::PersistentVoid& v) { return part_of[v.tetrahedron] != v.tetrahedron; });
@@ -103,8 +103,8 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // The basin may belong to a void that closes only above this radius; below, it is part of the void that this one is
-    // parted from.
+    // The basin may belong to a void that closes only above this radius; below, it is part of the void that this one
+    // splits off from.
     while (of != none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);

@@ -14,7 +14,7 @@ using rbpa::Threads;
 
 TEST_SUITE_BEGIN("parallel");
 
-TEST_CASE("items come bucket by bucket, those of one in their order, by any number of threads") {
+TEST_CASE("distribute() puts items bucket by bucket and keeps the order in each, with any number of threads") {
   rbpa_test::Random random(11);
   for (const std::size_t items : {0u, 1u, 99u, 100u, 101u, 20000u})
     for (const int buckets : {1, 2, 7, 300})
@@ -40,7 +40,7 @@ TEST_CASE("items come bucket by bucket, those of one in their order, by any numb
       }
 }
 
-TEST_CASE("distinct points are those that are no duplicates") {
+TEST_CASE("distinct points are those that are not duplicates") {
   const auto distinct = [](std::size_t points, const std::vector<rbpa::Duplicate>& duplicates) {
     std::vector<std::uint32_t> found;
     rbpa::for_each_distinct(points, duplicates, [&](std::uint32_t i) { found.push_back(i); });

@@ -22,7 +22,7 @@ std::string refusal(std::size_t points) {
 
 }  // namespace
 
-TEST_CASE("every number of points is accepted whose halfedges can be numbered, and no larger one") {
+TEST_CASE("a number of points is accepted if and only if its halfedges can be numbered") {
   const auto max_halfedges = [](std::size_t points) { return 2 * (3 * points - 6); };  // a triangle as outer boundary
   constexpr std::size_t numbers = std::numeric_limits<int>::max();
   CHECK(max_halfedges(rbpa::max_points) <= numbers);

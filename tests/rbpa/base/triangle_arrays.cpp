@@ -13,7 +13,7 @@ using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("arrays");
 
-TEST_CASE("what triangulate() gives is linked, and no longer when any one number of it is another") {
+TEST_CASE("arrays of triangulate() are linked, and are no longer linked after any one number changes") {
   const rbpa_test::Points points = rbpa_test::sparse_grid(4, 0.9, 3);
   const Triangulation good = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   REQUIRE(good.triangles.size() > 10);

@@ -1,4 +1,4 @@
-// fill() where the size is infinite.
+// fill() with an infinite size.
 #include "rbpa/fill/constrained_delaunay.h"
 
 #include <doctest/doctest.h>
@@ -26,7 +26,7 @@ using rbpa::Polygon;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Inner edges across which the apex is inside of the perturbed circle.
+/// Counts the inner edges across which the apex is inside of the perturbed circle.
 std::size_t illegal_edges(const Filling& filling) {
   std::size_t illegal = 0;
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
@@ -60,7 +60,7 @@ TEST_CASE("without a size no point is added, and no inner edge is illegal, ties 
   }
 }
 
-TEST_CASE("rings on small grids, of which nearly all points are cocircular with others") {
+TEST_CASE("rings on small grids, where nearly all points are cocircular with others, are triangulated") {
   rbpa_test::Random random(3);
   std::size_t filled = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("rings on small grids, of which nearly all points are cocircular with 
   CHECK(filled > 50);
 }
 
-TEST_CASE("edges that cross many triangles: slanted teeth, and one edge between two dense rows") {
+TEST_CASE("edges that cross many triangles are enforced: slanted teeth, and one edge between two dense rows") {
   for (const double slant : {0.0, 0.3, 0.7, 5.0}) {
     constexpr int teeth = 400;
     std::vector<Point> points;
@@ -109,8 +109,8 @@ TEST_CASE("without a size rings may touch, and polygons in points where several 
   check_law(points, {{.shell = {{0, 0, 1, 2, 2, 2, 3}}}});                                      // repeated
 }
 
-TEST_CASE("polygons that touch in points and share edges are triangulated as well") {
-  // Two squares beside each other, and a triangle that touches both in the corner between them: as rings, which
+TEST_CASE("polygons that touch in points and share edges are triangulated") {
+  // Two adjacent squares, and a triangle that touches both at their common corner, as rings, which
   // constrained_delaunay() requires.
   rbpa::Outline outline;
   outline.places = {{0, 0}, {0, 1}, {0.5, 2}, {1, 0}, {1, 1}, {1.5, 2}, {2, 0}, {2, 1}};

@@ -15,7 +15,7 @@ using namespace rbpa;
 
 namespace {
 
-/// By how often a ray to the right crosses rings.
+/// Returns whether p is inside: counts how often a ray to the right crosses rings.
 bool is_inside(const std::vector<Point>& points, const std::vector<Polygon>& polygons, const Point& p) {
   bool inside = false;
   const auto cross = [&](const Ring& ring) {
@@ -38,7 +38,7 @@ double area_of(const std::vector<Polygon>& polygons) {
   return area;
 }
 
-/// Some points of a lattice, so that many lie on a line, and rings touch each other and themselves.
+/// Returns some points of a lattice, so that many lie on a line, and rings touch each other and themselves.
 std::vector<Point> lattice(std::mt19937& random, int side) {
   std::vector<Point> points;
   for (int x = 0; x < side; ++x)
@@ -50,7 +50,7 @@ std::vector<Point> lattice(std::mt19937& random, int side) {
 }  // namespace
 
 TEST_SUITE("cut polygon") {
-  TEST_CASE("parts are valid, lie on their sides, and cover what the polygon covers") {
+  TEST_CASE("parts are valid, lie on their sides, and cover the same area as the polygon") {
     std::mt19937 random(7);
     std::size_t cut_polygons = 0, with_holes = 0, several = 0;
     for (int round = 0; round < 150; ++round) {
@@ -91,7 +91,7 @@ TEST_SUITE("cut polygon") {
     CHECK(several > 100);
   }
 
-  TEST_CASE("a line beside the polygon, or through a corner, leaves it whole") {
+  TEST_CASE("a line beside the polygon, or through one corner, leaves it whole") {
     const std::vector<Point> points = {{0, 0}, {2, 1}, {0, 2}};
     const Polygon triangle{.shell = {{0, 1, 2}}, .holes = {}, .area = 2};
     for (const double x : {-1.0, 0.0}) {
@@ -105,7 +105,7 @@ TEST_SUITE("cut polygon") {
     CHECK(cut.left.size() == 1);
   }
 
-  TEST_CASE("a crossing names its edge and its place on it") {
+  TEST_CASE("a crossing names its edge and its position on it") {
     const std::vector<Point> points = {{0, 0}, {4, 0}, {4, 8}, {0, 4}};
     const PolygonCut cut = cut_at(points, {.shell = {{0, 1, 2, 3}}}, 1);
     REQUIRE(cut.crossings.size() == 2);
@@ -116,7 +116,7 @@ TEST_SUITE("cut polygon") {
     CHECK(cut.crossings[1].share == 0.25);
   }
 
-  TEST_CASE("a shell that turns clockwise is refused") {
+  TEST_CASE("a clockwise shell is refused") {
     const std::vector<Point> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
     CHECK_THROWS_AS(cut_at(points, {.shell = {{3, 2, 1, 0}}}, 1), InvalidInput);
   }

@@ -33,7 +33,7 @@ using rbpa_test::PolygonCase;
 using rbpa_test::refusal;
 using rbpa_test::square;
 
-/// Options that go round with the number: constant, graded from the boundary, at points, the boundary kept.
+/// Options that alternate with the number: constant size, graded from the boundary, sizes at points, the boundary kept.
 struct ChosenOptions {
   FillOptions options;
   std::vector<rbpa::SizeAt> sizes = {};
@@ -49,7 +49,7 @@ ChosenOptions chosen_options(const PolygonCase& polygon, std::size_t number) {
   return chosen;
 }
 
-/// Triangles as their places: the same whatever points are called.
+/// Returns the triangles as coordinates, which do not depend on the order of the points.
 std::vector<std::array<Point, 3>> places_of(const Filling& filling) {
   std::vector<std::array<Point, 3>> places;
   for (const auto& [a, b, c] : filling.triangles) {
@@ -61,7 +61,7 @@ std::vector<std::array<Point, 3>> places_of(const Filling& filling) {
   return places;
 }
 
-/// The polygons of alpha shapes, one by one.
+/// Fills the polygons of alpha shapes, one by one.
 struct AlphaShapes {
   std::size_t filled = 0, touching = 0;
   rbpa_test::FillQuality quality = {};
@@ -103,7 +103,7 @@ TEST_CASE("polygons are covered once by counter-clockwise triangles that meet in
         rbpa_test::wrong_with_filling(filling, polygon.points, polygon.polygons, chosen.options.keep_boundary);
     CHECK_MESSAGE(wrong.empty(), wrong);
   }
-  CHECK(retreats > 0);  // else nothing was seen of them
+  CHECK(retreats > 0);  // otherwise no retreat was tested
 }
 
 TEST_CASE("where there is room, edges have about the target length and angles are not small") {
@@ -119,7 +119,7 @@ TEST_CASE("where there is room, edges have about the target length and angles ar
   }
 }
 
-TEST_CASE("sizes grow from short edges, where a grade is given, and from points") {
+TEST_CASE("sizes grow from short edges, where a grade is given, and from points with a size") {
   std::vector<rbpa::SizeAt> sizes = {{{1.5, 0.5}, 0.01}, {{0.2, 0.8}, 0.05}};
   for (std::size_t number = 7; number < 200; number += 50) {  // notched
     const PolygonCase polygon = rbpa_test::polygon_case(number);
@@ -158,7 +158,7 @@ TEST_CASE("no inner edge is illegal: the triangulation is the constrained Delaun
   }
 }
 
-TEST_CASE("the same triangles, wherever rings begin, whichever way they go and in whatever order they are") {
+TEST_CASE("triangles do not depend on where rings begin, their direction and their order") {
   rbpa_test::Random random(7);
   for (const std::size_t number : {0U, 1U, 2U, 3U, 4U, 5U, 7U, 8U, 18U, 28U, 38U, 9U}) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
@@ -191,7 +191,7 @@ TEST_CASE("the same triangles, wherever rings begin, whichever way they go and i
   }
 }
 
-TEST_CASE("a power of two changes nothing but the scale") {
+TEST_CASE("a power of two scales the triangles and changes nothing else") {
   for (const std::size_t number : {0U, 4U, 7U}) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
@@ -209,8 +209,8 @@ TEST_CASE("a power of two changes nothing but the scale") {
   }
 }
 
-TEST_CASE("what is as small as the last place of its coordinates is filled") {
-  // A few representable numbers wide: nearly every new point falls on one that is there.
+TEST_CASE("a polygon as small as the last place of its coordinates is filled") {
+  // The polygon is a few representable numbers wide: nearly every new point coincides with an existing one.
   for (const double far : {1.0, 0x1p30, 0x1p52}) {
     const double unit = far * 0x1p-52;
     for (const double wide : {1.0, 2.0, 3.0, 8.0})
@@ -225,11 +225,11 @@ TEST_CASE("what is as small as the last place of its coordinates is filled") {
   }
 }
 
-TEST_CASE("an edge stays whole where its pieces, rounded, would meet others") {
+TEST_CASE("an edge stays whole where its pieces, rounded, would meet other edges") {
   rbpa_test::Random random(11);
   std::size_t filled = 0, whole = 0;
   for (int i = 0; i < 300; ++i) {
-    // Below a slanted edge of the shell lies one of a hole, some units in the last place away.
+    // An edge of a hole lies below a slanted edge of the shell, some units in the last place away.
     const Point a{0, random.between(1, 2)}, b{1, random.between(1, 2)};
     const auto below = [&](double share) {
       double y = a.y + share * (b.y - a.y);
@@ -253,7 +253,7 @@ TEST_CASE("an edge stays whole where its pieces, rounded, would meet others") {
   CHECK(whole < filled);
 }
 
-TEST_CASE("magnitudes far apart in one polygon") {
+TEST_CASE("a polygon with coordinates of very different magnitudes is filled") {
   const Points points = {{0, 0}, {1e-200, 1e-210}, {1, 0}, {1, 1}, {1e-250, 0.5}, {-1e-250, 1e-220}};
   const std::vector<Polygon> polygons = {{.shell = {{0, 1, 2, 3, 4, 5}}}};
   const Filling filling = fill(points, polygons, {.size = 0.3});
@@ -265,7 +265,7 @@ TEST_CASE("magnitudes far apart in one polygon") {
   CHECK(refusal(too_far, {square()}, {.size = 1e299}).find("closer in magnitude") != std::string::npos);
 }
 
-TEST_CASE("triangles without new points, where the size is larger than all") {
+TEST_CASE("a size larger than the polygon adds no points") {
   for (const std::size_t number : {0U, 1U, 2U, 3U, 4U, 5U, 8U, 9U}) {
     const PolygonCase polygon = rbpa_test::polygon_case(number);
     INFO(polygon.name);
@@ -277,7 +277,7 @@ TEST_CASE("triangles without new points, where the size is larger than all") {
   CHECK(fill(triangle, std::vector<Polygon>{{.shell = {{0, 1, 2}}}}, {.size = 5}).triangles.size() == 1);
 }
 
-TEST_CASE("points on no ring stay where they are, in no triangle") {
+TEST_CASE("points on no ring stay where they are and are in no triangle") {
   const Points points = {{0.5, 0.5}, {0, 0}, {1, 0}, {7, 7}, {1, 1}, {0, 1}};
   const std::vector<Polygon> polygons = {{.shell = {{1, 2, 4, 5}}}};
   const Filling filling = fill(points, polygons, {.size = 0.4});
@@ -288,7 +288,7 @@ TEST_CASE("points on no ring stay where they are, in no triangle") {
   CHECK(fill(points, {}, {.size = 1}).points == points);
 }
 
-TEST_CASE("the polygons of alpha shapes are filled, those that touch themselves as well") {
+TEST_CASE("polygons of alpha shapes are filled, also those that touch themselves") {
   AlphaShapes shapes;
   for (const char* name : {"mol_2xhe_xy", "geo_usgs_quakes_week", "shape_concaveman_1k", "geo_us_zipcodes"}) {
     const double alpha = std::string(name).starts_with("geo") ? 1.5 : std::string(name).starts_with("mol") ? 2 : 40;

@@ -24,7 +24,7 @@ double side(const Point& a, const Point& b, const Point& p) {
 }  // namespace
 
 TEST_SUITE("filling values") {
-  TEST_CASE("a linear function is kept, and given points keep their values to the last bit") {
+  TEST_CASE("a linear function is reproduced, and given points keep their values to the last bit") {
     std::vector<double> values;
     for (const Point& p : comb) values.push_back(3 * p.x - 2 * p.y + 0.1);
     for (const bool keep : {false, true}) {
@@ -38,7 +38,7 @@ TEST_SUITE("filling values") {
     }
   }
 
-  TEST_CASE("inside, values are linear in the constrained Delaunay triangles of the boundary") {
+  TEST_CASE("values inside are linear in the constrained Delaunay triangles of the boundary") {
     std::vector<double> values;
     for (std::size_t i = 0; i < comb.size(); ++i) values.push_back(static_cast<double>(i * i % 11));
     const Filling filling = fill(comb, std::vector{comb_polygon}, {.size = 0.4, .keep_boundary = true}),
@@ -58,7 +58,7 @@ TEST_SUITE("filling values") {
     }
   }
 
-  TEST_CASE("a point on an edge is between its ends, and groups that overlap have their own values") {
+  TEST_CASE("a point on an edge gets a value between those of its ends, and overlapping groups have their own values") {
     const std::vector<Point> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {5, 1}, {5, 5}, {1, 5}};
     const std::vector<Polygon> squares = {{.shell = {{0, 1, 2, 3}}}, {.shell = {{4, 5, 6, 7}}}};
     const std::vector<std::size_t> groups = {0, 1};
@@ -72,7 +72,7 @@ TEST_SUITE("filling values") {
       if (one.points[i].y == 0) CHECK(rising[i] == one.points[i].x);
   }
 
-  TEST_CASE("without values there are none, and more than points are refused") {
+  TEST_CASE("no values give no values, and more values than points are refused") {
     const Filling filling = fill(comb, std::vector{comb_polygon}, {.size = 1});
     for (const double value : values_on_filling(filling, {})) CHECK(std::isnan(value));
     CHECK_THROWS_AS(values_on_filling(filling, std::vector<double>(filling.boundary_points + 1)), InvalidInput);

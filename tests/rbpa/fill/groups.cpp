@@ -28,7 +28,7 @@ using rbpa_test::Random;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Each polygon a group of its own.
+/// Puts each polygon into a group of its own.
 std::vector<std::size_t> one_by_one(const std::vector<Polygon>& polygons) {
   std::vector<std::size_t> groups(polygons.size());
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = i;
@@ -43,7 +43,7 @@ void check_groups(const Points& points, const std::vector<Polygon>& polygons, Fi
   CHECK(rbpa_test::wrong_with_groups(filling, points, polygons, groups, keeps) == "");
 }
 
-/// All triangles of random points, as rings that begin anywhere and go either way round.
+/// Returns all triangles of random points, as rings that begin anywhere and have either direction.
 std::vector<Polygon> parcels(const Points& points, Random& random) {
   std::vector<Polygon> parcels;
   for (const auto& triangle : rbpa::triangulate(points, infinity).triangles) {
@@ -58,7 +58,7 @@ std::vector<Polygon> parcels(const Points& points, Random& random) {
 }  // namespace
 
 TEST_CASE("three parcels that share edges are filled, and their triangles meet in whole edges") {
-  // The third has a vertex in the middle of the edge that the others do not have.
+  // The third parcel has a vertex in the middle of an edge where the others have none.
   const Points points = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {8, 0}, {8, 3}, {0, 6}, {8, 6}, {6, 3}};
   const std::vector<Polygon> polygons = {
       {.shell = {{0, 1, 2, 3}}}, {.shell = {{1, 2, 5, 4}}}, {.shell = {{3, 2, 8, 5, 7, 6}}}};
@@ -83,11 +83,11 @@ TEST_CASE("three parcels that share edges are filled, and their triangles meet i
   CHECK(rbpa_test::refusal(points, polygons).find("runs along") != std::string::npos);  // as one group
 }
 
-TEST_CASE("parcels on random points: whole, cut, graded, kept, without a size") {
+TEST_CASE("parcels on random points are filled: whole, cut, graded, kept, without a size") {
   Random random(11);
   for (int i = 0; i < 24; ++i) {
     Points points;
-    const double stretch = i % 3 == 0 ? 0x1p-30 : 1;  // slivers, whose cuts do not fit into doubles
+    const double stretch = i % 3 == 0 ? 0x1p-30 : 1;  // slivers, whose cuts do not fit double
     for (int k = random.integer(4, 30); k > 0; --k)
       points.push_back({double(random.integer(0, 30)) / 3 + 1e3, 1e3 + stretch * double(random.integer(0, 30)) / 3});
     INFO("number ", i);
@@ -105,7 +105,7 @@ TEST_CASE("an edge that one parcel has to keep whole stays whole in its neighbor
   Random random(13);
   std::size_t filled = 0, whole = 0;
   for (int i = 0; i < 100; ++i) {
-    // Below the slanted edge between the parcels lies one of a hole, some units in the last place away.
+    // An edge of a hole lies below the slanted edge between the parcels, some units in the last place away.
     const Point a{0, random.between(1, 2)}, b{1, random.between(1, 2)};
     const auto below = [&](double share) {
       double y = a.y + share * (b.y - a.y);
@@ -127,7 +127,7 @@ TEST_CASE("an edge that one parcel has to keep whole stays whole in its neighbor
   CHECK(whole > 0);
 }
 
-TEST_CASE("features that overlap, or come twice, are filled each by itself") {
+TEST_CASE("features that overlap or are repeated are filled separately") {
   Random random(12);
   std::size_t filled = 0;
   for (int i = 0; i < 150; ++i) {
@@ -152,7 +152,7 @@ TEST_CASE("features that overlap, or come twice, are filled each by itself") {
   CHECK(filled > 100);
 }
 
-TEST_CASE("groups that do not ascend from 0 are refused, and empty ones are none") {
+TEST_CASE("groups that do not ascend from 0 are refused, and empty groups are ignored") {
   const Points points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const std::vector<Polygon> polygons = {rbpa_test::square(), {}, rbpa_test::square()};
   for (const std::vector<std::size_t>& bad : {std::vector<std::size_t>{1}, {0, 2, 1}, {0, 9}}) {

@@ -27,7 +27,7 @@ bool is_counter_clockwise(const rbpa::Mesh& mesh) {
   return true;
 }
 
-/// Four triangles around the last point, which may move.
+/// Returns four triangles around the last point, which may move.
 rbpa::Mesh star_of(const std::array<Point, 5>& places) {
   rbpa::Mesh mesh;
   mesh.request_vertex_status();
@@ -46,12 +46,12 @@ rbpa::Mesh star_of(const std::array<Point, 5>& places) {
 
 }  // namespace
 
-TEST_CASE("no triangle turns over, however flat it is") {
+TEST_CASE("no triangle is inverted, however flat it is") {
   rbpa_test::Random random(17);
   const rbpa::SizeField field(1, 1, {});
   std::size_t tried = 0, moved = 0;
   for (int i = 0; i < 40000; ++i) {
-    // A quadrangle on a slanted line, but for some units in the last place, and a point in it.
+    // A quadrangle on a slanted line, except for some units in the last place, and a point in it.
     std::array<Point, 5> places;
     const double slope = random.between(0.3, 0.9);
     const std::array<double, 5> along = {0, random.between(0.2, 0.8), 1, random.between(0.2, 0.8),
@@ -73,7 +73,7 @@ TEST_CASE("no triangle turns over, however flat it is") {
   CHECK(moved > 100);
 }
 
-TEST_CASE("a point moves to where its triangles are best, those of the boundary stay") {
+TEST_CASE("a point moves to where its triangles are best, and boundary points stay") {
   rbpa::Mesh mesh = star_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.9, 0.2}}});
   rbpa::improve(mesh, 4, rbpa::SizeField(0.7, 1, {}), [] {});
   CHECK(std::abs(mesh.point(rbpa::Mesh::VertexHandle(4))[0] - 0.5) < 0.01);

@@ -35,7 +35,7 @@ void add_twice(rbpa::ExactSum& sum, const Point& a, const Point& b) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// The input's ring as it is to be passed: vertices that follow each other at one place are one.
+/// Returns the ring of the input as it must be passed: consecutive vertices at one place are merged.
 Points without_repeated(const Ring& ring, std::span<const Point> points) {
   Points places;
   for (const std::uint32_t i : ring.points)
@@ -48,8 +48,8 @@ bool is_exactly_between(const Point& p, const Point& a, const Point& b) {
   return exact::orientation(a, b, p) == 0 && std::min(a, b) < p && p < std::max(a, b);
 }
 
-/// Whether the ring of input points `passed` goes round `expected`, with nothing between its vertices but other
-/// vertices that lie exactly on its edges. Both begin at the same place.
+/// Returns whether the ring of input points `passed` goes around `expected`, with only vertices that lie exactly on its
+/// edges in between. Both begin at the same place.
 bool goes_round(const Points& passed, const Points& expected) {
   std::size_t next = 0;
   for (const Point& p : passed) {
@@ -62,7 +62,7 @@ bool goes_round(const Points& passed, const Points& expected) {
   return next == expected.size();
 }
 
-/// The ring with new points on its edges, `cut`, which may run the other way and begin elsewhere.
+/// Checks `cut`, the ring with new points on its edges, which may have the other direction and begin elsewhere.
 std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const Point> points, std::size_t given,
                             bool keeps) {
   Points passed;
@@ -80,7 +80,7 @@ std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const 
   }
   if (!goes) return "a ring does not pass the points of the input in their order";
   if (keeps && passed.size() != cut.points.size()) return "an edge was cut that was to be kept";
-  // Round once, from corner to corner.
+  // Goes around once, from corner to corner.
   const std::size_t n = cut.points.size();
   const std::size_t start = static_cast<std::size_t>(
       std::find_if(cut.points.begin(), cut.points.end(), [&](std::uint32_t i) { return i < given; }) -
@@ -101,7 +101,7 @@ std::string wrong_with_ring(const Ring& cut, const Ring& input, std::span<const 
   return "";
 }
 
-/// Arrays and mesh are sound, and the same.
+/// Checks that arrays and mesh are sound and agree.
 std::string wrong_with_mesh(const rbpa::Filling& filling) {
   const auto& triangles = filling.triangles;
   require_linked(filling, filling.points.size());
@@ -190,7 +190,7 @@ std::string wrong_with_filling(const rbpa::Filling& filling, std::span<const Poi
 
 namespace {
 
-/// One group as if it had been filled alone, but for its neighbors, which are found here.
+/// Returns one group as if it had been filled alone, with its neighbors found here.
 rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t given,
                     std::span<const Polygon> polygons) {
   rbpa::Filling part;
@@ -205,7 +205,7 @@ rbpa::Filling alone(const rbpa::Filling& filling, std::size_t group, std::size_t
     part.points.push_back(filling.points[i]);
     part.boundary_points += i < filling.boundary_points;
   }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left;  // of directed sides
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> left;  // for each directed side
   for (std::size_t t = 0; t < filling.triangles.size(); ++t) {
     if (filling.groups[t] != group) continue;
     auto triangle = filling.triangles[t];

@@ -1,4 +1,4 @@
-// What: a polygon for tests of filling, and why polygons are refused.
+// What: a polygon for tests of filling, and the message with which polygons are refused.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace rbpa_test {
 
-/// Of the first four points.
+/// Returns a square of the first four points.
 inline rbpa::Polygon square() { return {.shell = {{0, 1, 2, 3}}}; }
 
-/// "" when they are filled.
+/// Returns the message of the refusal; "" when the polygons are filled.
 inline std::string refusal(const Points& points, const std::vector<rbpa::Polygon>& polygons,
                            const rbpa::FillOptions& options = {.size = 1}) {
   try {

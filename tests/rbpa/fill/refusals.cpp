@@ -1,4 +1,4 @@
-// Runs of fill() that end without a filling: what is refused, and what is cancelled.
+// Runs of fill() that end without a filling: refused input, and cancelled runs.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using rbpa_test::square;
 
 }  // namespace
 
-TEST_CASE("what is no polygon is refused, and the place is named") {
+TEST_CASE("an invalid polygon is refused, and the message names the place") {
   Points points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 1}, {2, 3}};
   Polygon with_hole = square();
   with_hole.holes.push_back({{4, 5, 6}});
@@ -42,11 +42,12 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   };
   CHECK(names(refusal(moved(5, {5, 1}), {with_hole}),
               {"crosses", "from vertex 0 (1, 1) to vertex 1 (5, 1) of hole 0 of polygon 0", "the shell of polygon 0"}));
-  // Valid: a hole that touches the shell on an edge, or in a corner; a repeated vertex.
+  // Valid: a hole that touches the shell on an edge, or at a corner; a repeated vertex.
   CHECK(refusal(moved(5, {4, 1}), {with_hole}) == "");
   CHECK(refusal(moved(5, {4, 0}), {with_hole}) == "");
   CHECK(refusal({{1, 1}, {1, 1}, {2, 1}, {1, 2}}, {square()}) == "");
-  // Twice, so that the inside is in two pieces; along an edge; across the shell at a common vertex.
+  // Invalid: a hole that touches the shell twice, so that the inside is in two pieces; along an edge; across the shell
+  // at a common vertex.
   Points twice = moved(4, {0, 1});
   twice[5] = {4, 1};
   CHECK(names(refusal(twice, {with_hole}), {"touch at (4, 1)", "in one piece"}));
@@ -65,7 +66,7 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   CHECK(names(refusal(moved(6, {nan, 0}), {with_hole}), {"vertex 2 of hole 0 of polygon 0", "finite"}));
   CHECK(names(refusal(moved(1, {infinity, 0}), {with_hole}), {"vertex 1 of the shell of polygon 0", "finite"}));
-  // Nested wrongly.
+  // Invalid: wrong nesting.
   points.insert(points.end(), {{10, 10}, {11, 10}, {10, 11}, {1.9, 1.5}, {2.1, 1.5}, {2, 1.7}});
   Polygon hole_outside = square();
   hole_outside.holes.push_back({{7, 8, 9}});
@@ -78,7 +79,7 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   CHECK(refusal(points, {with_hole, {.shell = {{10, 11, 12}}}}) == "");
   Polygon hole_of_other{.shell = {{7, 8, 9}}, .holes = {{{10, 11, 12}}}};
   CHECK(names(refusal(points, {square(), hole_of_other}), {"hole 0 of polygon 1", "in the shell of polygon 0"}));
-  // Sizes.
+  // Invalid sizes.
   for (const double bad : {0.0, -1.0, nan, infinity}) {
     if (bad != infinity) CHECK(names(refusal(points, {square()}, {.size = bad}), {"size", "above 0"}));
     CHECK(names(refusal(points, {square()}, {.size = 1, .grade = bad}), {"grade", "above 0"}));
@@ -91,7 +92,7 @@ TEST_CASE("what is no polygon is refused, and the place is named") {
   CHECK(names(refusal(points, {square()}, {.size = 1e-9}), {"1e-09", "triangles"}));
 }
 
-TEST_CASE("a run that is watched can be cancelled, at any time") {
+TEST_CASE("a run with progress can be cancelled at any time") {
   const PolygonCase polygon = rbpa_test::polygon_case(0);
   std::size_t asked = 0, seen = 0;
   const Filling whole = fill(polygon.points, polygon.polygons, {.size = 0.02, .progress = [&](const rbpa::Progress& p) {
@@ -101,7 +102,7 @@ TEST_CASE("a run that is watched can be cancelled, at any time") {
                                                                 }});
   REQUIRE(asked > 3);
   CHECK(seen > whole.triangles.size() / 2);
-  // How often it is called depends on the clock.
+  // The number of calls depends on the clock.
   for (std::size_t last = 1; last <= asked / 2; last += std::max(asked / 10, std::size_t{1})) {
     std::size_t left = last;
     CHECK_THROWS_AS(fill(polygon.points, polygon.polygons,

@@ -20,7 +20,7 @@ using rbpa::Point;
 using rbpa::Polygon;
 using rbpa::Ring;
 
-/// Of integers, so that doubles are exact.
+/// Returns the side of c. Coordinates are integers, so that doubles are exact.
 int side(const Point& a, const Point& b, const Point& c) {
   const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return (area > 0) - (area < 0);
@@ -41,7 +41,7 @@ std::vector<Ring> rings_of(const rbpa_test::PolygonCase& made) {
   return rings;
 }
 
-/// By all pairs of edges.
+/// Returns whether rings meet, by all pairs of edges.
 bool meet(const std::vector<Point>& points, const std::vector<Ring>& rings) {
   struct Edge {
     Point a, b;
@@ -68,7 +68,7 @@ bool meet(const std::vector<Point>& points, const std::vector<Ring>& rings) {
   return false;
 }
 
-/// By the parity of the edges above the first point of `inner`.
+/// Returns whether `inner` is inside, by the parity of the edges above its first point.
 bool is_inside(const std::vector<Point>& points, const Ring& inner, const Ring& outer) {
   const Point& p = points[inner.points[0]];
   bool inside = false;
@@ -81,7 +81,7 @@ bool is_inside(const std::vector<Point>& points, const Ring& inner, const Ring& 
 
 }  // namespace
 
-TEST_CASE("rings meet exactly where two edges do") {
+TEST_CASE("rings meet exactly where two of their edges do") {
   rbpa_test::Random random(1);
   std::size_t apart = 0;
   for (int i = 0; i < 6000; ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("rings meet exactly where two edges do") {
   CHECK(apart > 500);
 }
 
-TEST_CASE("of rings by even and odd depth are shells and holes, each in the smallest around it") {
+TEST_CASE("rings of even depth are shells and rings of odd depth holes, each in the smallest ring around it") {
   std::vector<Point> points;
   std::vector<Ring> rings;
   const auto add = [&](double centre, double half, bool turned) {
@@ -150,7 +150,7 @@ TEST_CASE("of rings by even and odd depth are shells and holes, each in the smal
   CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {0.75, 0}}).find("hole point 3 at (0.75, 0)") != std::string::npos);
   CHECK(refused({{1.5, 0}, {6, 0.5}, {0, 0.25}, {50, 0}}).find("hole point 3 at (50, 0)") != std::string::npos);
 
-  // Wherever rings begin.
+  // Rings may begin anywhere.
   for (int turn = 1; turn < 4; ++turn) {
     CAPTURE(turn);
     for (Ring& ring : rings) std::rotate(ring.points.begin(), ring.points.begin() + 1, ring.points.end());
@@ -165,7 +165,7 @@ TEST_CASE("of rings by even and odd depth are shells and holes, each in the smal
   }
 }
 
-TEST_CASE("a ring around a hole may have a point twice in a row") {
+TEST_CASE("a ring around a hole may repeat a point") {
   const std::vector<Point> points = {{-4, 0}, {4, 0}, {4, 3}, {0, 3}, {1, 1}, {2, 1}, {0, 2}, {0, 2}};
   for (std::size_t turn = 0; turn < 4; ++turn) {
     CAPTURE(turn);

@@ -21,7 +21,7 @@ TEST_SUITE_BEGIN("fill");
 using rbpa_test::refusal;
 using rbpa_test::square;
 
-TEST_CASE("what needs more triangles than can be made is refused before it starts, whatever needs them") {
+TEST_CASE("input that needs more triangles than possible is refused before the start, whatever the cause") {
   const std::vector<rbpa::Point> unit = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<rbpa::SizeAt> tiny = {{{0.5, 0.5}, 1e-9}};
   CHECK(refusal(unit, {square()}, {.size = 1, .grade = 1e-9, .sizes = tiny}).find("would be made") !=
@@ -31,11 +31,11 @@ TEST_CASE("what needs more triangles than can be made is refused before it start
   CHECK(refusal(thin, {square()}, {.size = 1e-9}).find("would be made") != std::string::npos);
   // A boundary that stays whole has no more triangles than points.
   CHECK(refusal(thin, {square()}, {.size = 1e-9, .keep_boundary = true}) == "");
-  // The same point needs few where sizes grow from it.
+  // That point needs few triangles where sizes grow from it.
   CHECK(refusal(unit, {square()}, {.size = 1, .sizes = tiny}) == "");
 }
 
-TEST_CASE("the estimate is between a third of the triangles and twice as many, where there is room") {
+TEST_CASE("the estimate is between a third and twice the number of triangles, where there is room") {
   for (std::size_t number = 0; number < 100; ++number) {
     const rbpa_test::PolygonCase polygon = rbpa_test::polygon_case(number);
     if (!polygon.is_roomy) continue;
@@ -59,7 +59,7 @@ TEST_CASE("the estimate is between a third of the triangles and twice as many, w
 }
 
 TEST_CASE(
-    "parcels in a sliver, whose edges ask for sizes 2^42 apart, are estimated at the cost of one, and not too high") {
+    "parcels in a sliver, whose edges require sizes 2^42 apart, are estimated at the cost of one, and not too high") {
   rbpa_test::Random random(5);
   std::vector<rbpa::Point> points;
   for (int i = 0; i < 100; ++i)

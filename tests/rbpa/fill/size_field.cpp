@@ -10,7 +10,7 @@
 
 TEST_SUITE_BEGIN("fill");
 
-TEST_CASE("the size anywhere is the least of the cones over the sources") {
+TEST_CASE("the size at any place is the least of the cones over the sources") {
   rbpa_test::Random random(3);
   for (const std::size_t n : {0U, 1U, 8U, 9U, 300U}) {
     std::vector<rbpa::SizeAt> sources(n);

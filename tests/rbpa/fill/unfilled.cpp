@@ -1,4 +1,4 @@
-// What is seen from the edges of a front, and what looks cost.
+// The sites visible from the edges of a front, and the cost of finding them.
 #include "rbpa/fill/unfilled.h"
 
 #include <doctest/doctest.h>
@@ -24,13 +24,13 @@ using Site = Unfilled::Site;
 
 namespace {
 
-/// Exact, as coordinates are small integers.
+/// Returns the exact orientation, as coordinates are small integers.
 int orientation(const Point& a, const Point& b, const Point& c) {
   const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return (turn > 0) - (turn < 0);
 }
 
-/// A front as a list, by which all is decided by trying.
+/// A front as a list; every question is decided by exhaustive search.
 struct Listed {
   Points places = {};
   std::vector<FrontEdge> edges = {};
@@ -68,7 +68,7 @@ struct Listed {
     for (const FrontEdge& edge : edges) sites.insert(edge.from);
     return sites;
   }
-  /// The edges as rings: which, where one passes a site twice, is all the same.
+  /// Returns the edges as rings. Where a ring passes a site twice, any choice is right.
   std::vector<std::vector<Site>> rings() const {
     std::multimap<Site, Site> next;
     for (const FrontEdge& edge : edges) next.emplace(edge.from, edge.to);
@@ -95,7 +95,7 @@ std::set<std::array<Site, 3>> triangles_of(const Unfilled& unfilled) {
   return triangles;
 }
 
-/// A star on a grid, so that many points are on one line.
+/// Returns a star on a grid, so that many points are on one line.
 Points star(rbpa_test::Random& random, int corners) {
   Points places;
   for (int i = 0; i < corners; ++i) {
@@ -110,7 +110,7 @@ const rbpa::Box everywhere{{-1e9, -1e9}, {1e9, 1e9}};
 
 }  // namespace
 
-TEST_CASE("from every edge exactly the sites are seen that make empty triangles, whatever was filled and emptied") {
+TEST_CASE("every edge sees exactly the sites that make empty triangles, after any sequence of filling and emptying") {
   rbpa_test::Random random(11);
   int emptied = 0, placed = 0, taken_out = 0;
   for (int turn = 0; turn < 10; ++turn) {
@@ -178,12 +178,12 @@ TEST_CASE("from every edge exactly the sites are seen that make empty triangles,
   CHECK(taken_out > 10);
 }
 
-TEST_CASE("whatever was filled and emptied, the triangulation is the same as one that is built anew") {
+TEST_CASE("after any sequence of filling and emptying the triangulation equals one that is built anew") {
   rbpa_test::Random random(12);
   int one = 0, more = 0;
   for (int turn = 0; turn < 40; ++turn) {
-    // No four places on one circle, nearly surely: so there is one triangulation. Large ones have squares that are
-    // infinite.
+    // Almost surely no four places are on one circle, so that there is one triangulation. Large coordinates have
+    // squares that are infinite.
     const double unit = turn % 2 == 1 ? 0x1p300 : 1;
     const auto near = [&](double x, double y) {
       return Point{unit * std::round(x / unit + random.between(-1024, 1024)),
@@ -233,8 +233,8 @@ TEST_CASE("whatever was filled and emptied, the triangulation is the same as one
   CHECK(more > 20);
 }
 
-TEST_CASE("a site among thousands that see it is placed and goes again") {
-  // Of a circle of places on no circle, a site in the middle has nearly all others as neighbors.
+TEST_CASE("a site that thousands of sites see is placed and removed") {
+  // The places are near a circle, but no four are on one. A site in the middle has nearly all others as neighbors.
   constexpr int corners = 20000;
   Listed front;
   rbpa_test::Random random(13);
@@ -261,7 +261,7 @@ TEST_CASE("a site among thousands that see it is placed and goes again") {
   }
 }
 
-TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles are passed for each that is made") {
+TEST_CASE("combs, saws and stars of thousands of long edges pass few triangles for each one made") {
   constexpr int teeth = 2000;
   constexpr double width = 1.0 / teeth;
   Points comb = {{0, -1}, {1, -1}, {1, 0}}, saw = comb;
@@ -295,7 +295,7 @@ TEST_CASE("in combs, saws and stars of thousands of long edges, few triangles ar
     CHECK(rbpa_test::wrong_with_filling(filling, points, polygons, false) == "");
     return filling.passed / filling.triangles.size();
   };
-  // Ordinary ones need thirty.
+  // Ordinary polygons need thirty.
   CHECK(passed({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {.size = 0.02}) < 40);
   CHECK(passed(saw, {.size = 10}) < 500);
   CHECK(passed(comb, {.size = 0.05}) < 500);

@@ -25,14 +25,14 @@ std::string why(const Points& points, const std::vector<Polygon>& polygons) {
 
 }  // namespace
 
-TEST_CASE("rings that share a vertex may touch there, from outside, from inside, several at once; but not cross") {
+TEST_CASE("rings that share a vertex may touch there, from outside or inside, several at once, but not cross") {
   const Points points = {{0, 0}, {4, 4}, {-4, 4}, {1, 3}, {-1, 3}, {-3, -1}, {3, -1}, {2, -4}, {-2, -4}};
   const Ring upper{{0, 1, 2}};
   const auto meet = [&](const std::vector<Ring>& rings) { return rbpa::nest_rings(points, rings).meet; };
   CHECK_FALSE(meet({upper, {{0, 3, 4}}}));                            // from inside
   CHECK_FALSE(meet({upper, {{0, 5, 6}}}));                            // from outside
   CHECK_FALSE(meet({upper, {{0, 3, 4}}, {{0, 5, 8}}, {{0, 7, 6}}}));  // four
-  // Two kites with common tips, each edge beside one of the other, so that no edges meet but in the tips.
+  // Two kites with common tips. Each edge lies beside one of the other kite, so that edges meet only in the tips.
   const Points crossed = {{0, 0}, {4, 0}, {2, 3}, {2, 1}, {2, -1}, {2, -3}};
   const auto cross = rbpa::nest_rings(crossed, std::vector<Ring>{{{0, 2, 1, 4}}, {{0, 3, 1, 5}}}).meet;
   REQUIRE(cross);
@@ -43,7 +43,7 @@ TEST_CASE("rings that share a vertex may touch there, from outside, from inside,
   CHECK(words.find("at (0, 0)") != std::string::npos);
 }
 
-TEST_CASE("polygons that touch in points are a valid multipolygon, as often as they do; along an edge they are none") {
+TEST_CASE("polygons that touch in any number of points are a valid multipolygon; along an edge they are not") {
   const Points points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 2}, {4, 4},
                          {2, 4}, {1, 2}, {3, 2}, {3, 0}, {2, 1}, {4, 0}};
   const Polygon lower{.shell = {{0, 1, 2, 3}}};
@@ -53,12 +53,13 @@ TEST_CASE("polygons that touch in points are a valid multipolygon, as often as t
         std::string::npos);
   CHECK(why(points, {lower, {.shell = {{7, 2, 6}}}}).find("runs along") != std::string::npos);
   CHECK(why(points, {lower, lower}).find("runs along") != std::string::npos);
-  // Three that touch each other in a ring of points: their inside falls in pieces, as that of a multipolygon may.
+  // Three polygons that touch each other in a ring of points: their inside has several pieces, as that of a
+  // multipolygon may.
   const Points ring = {{0, 0}, {4, 0}, {2, 1}, {8, 0}, {6, 1}, {4, 4}, {4, 3}};
   CHECK(why(ring, {{.shell = {{0, 1, 2}}}, {.shell = {{1, 3, 4}}}, {.shell = {{2, 4, 5}}}}) == "");
 }
 
-TEST_CASE("what is empty is valid; a shell that is missing is not") {
+TEST_CASE("empty input is valid; a missing shell is not") {
   const Points points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {2, 1}, {1, 2}};
   CHECK(why({}, {}) == "");
   CHECK(why(points, {{}, {.shell = {{0, 1, 2, 3}}}, {}}) == "");
@@ -66,7 +67,7 @@ TEST_CASE("what is empty is valid; a shell that is missing is not") {
   CHECK(why(points, {{.shell = {{0, 1, 2, 3}}, .holes = {{}}}}).find("hole 0 of polygon 0: found 0 points") == 0);
 }
 
-TEST_CASE("holes that touch in turn cut the inside in two; a chain of them does not") {
+TEST_CASE("holes that touch in a ring cut the inside in two; a chain of holes does not") {
   const Points points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {2, 4}, {4, 2},
                          {6, 4}, {4, 6}, {4, 3}, {4, 5}, {0, 4}, {8, 4}};
   const Polygon shell{.shell = {{0, 1, 2, 3}}};
@@ -74,11 +75,11 @@ TEST_CASE("holes that touch in turn cut the inside in two; a chain of them does 
   chain.holes = {{{10, 5, 8}}, {{8, 6, 9}}};  // from the shell to the middle
   CHECK(why(points, {chain}) == "");
   Polygon closed = shell;
-  closed.holes = {{{10, 5, 8}}, {{8, 11, 9}}};  // and on to the other side
+  closed.holes = {{{10, 5, 8}}, {{8, 11, 9}}};  // and on to the opposite side
   CHECK(why(points, {closed}).find("expected an inside in one piece") != std::string::npos);
 }
 
-TEST_CASE("whether polygons are valid can be cancelled") {
+TEST_CASE("validation can be cancelled") {
   Points points;
   Polygon comb;
   for (std::uint32_t i = 0; i < 300000; ++i) {

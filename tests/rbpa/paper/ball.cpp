@@ -20,7 +20,7 @@ namespace {
 
 using Site = std::uint32_t;
 
-/// The point that sees a→b under the largest angle, of those on its left, whatever the circle.
+/// Returns the point on the left of a→b that sees it under the largest angle, whatever the circle.
 std::optional<Site> winner(const Points& points, Site a, Site b) {
   std::optional<Site> best;
   for (Site i = 0; i < points.size(); ++i)
@@ -37,7 +37,8 @@ int check_pivots(const Points& points, double alpha) {
   for (Site a = 0; a < points.size(); ++a)
     for (Site b = 0; b < points.size(); ++b) {
       if (a == b) continue;
-      // The ball must reach both ends; farther ones are no edge of a complex, and may have any answer or none.
+      // The ball must reach both ends. Pairs that are farther apart are no edge of a complex, and any answer is
+      // allowed.
       if (!std::isinf(alpha) && exact::compare_to_diameter(points[a], points[b], alpha) > 0) continue;
       CAPTURE(a);
       CAPTURE(b);
@@ -83,7 +84,7 @@ TEST_CASE("the ball pivots to the point of the largest angle, unless their circl
   check_pivots(rounded_concentric(12), 1);
 }
 
-TEST_CASE("a point whose circle is as large as the ball is touched, and one step less it is not") {
+TEST_CASE("a point whose circle is as large as the ball is touched, and one whose circle is a step larger is not") {
   const Points points = {{0, 0}, {6, 0}, {0, 8}};
   CHECK(Ball(points, all_sites(points), Radius(5)).pivot(0, 1) == 2);
   CHECK(Ball(points, all_sites(points), Radius(5)).pivot(1, 0) == std::nullopt);
@@ -100,7 +101,7 @@ TEST_CASE("the nearest point is found if the ball can touch both") {
   CHECK(Ball(pair, all_sites(pair), Radius(std::nextafter(1.0, 0.0))).nearest(0) == std::nullopt);
 }
 
-TEST_CASE("the ball sees the sites it was given and no others") {
+TEST_CASE("the ball sees only the sites that it was given") {
   const Points points = {{0, 0}, {1, 0}, {0, 1}, {0.4, 0.3}};
   const std::vector<Site> without{0, 1, 2};
   CHECK(Ball(points, all_sites(points), Radius(2)).pivot(0, 1) == 3);

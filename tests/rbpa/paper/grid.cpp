@@ -25,7 +25,7 @@ struct Statistics {
   int near = 0, by_edges = 0;
 };
 
-/// Every site in the grid that must be found is found once, and no site twice or that is not in the grid.
+/// Checks that every site in the grid that must be found is found once, and that no other site is found.
 void check(const Points& points, const std::vector<Site>& sites, double alpha, Statistics& statistics) {
   INFO("alpha ", literal(alpha), ", points ", literal(points));
   const Grid grid(points, sites, radius_of(alpha));
@@ -53,7 +53,7 @@ void check(const Points& points, const std::vector<Site>& sites, double alpha, S
       CAPTURE(u);
       found.assign(points.size(), 0);
       grid.for_each_near(u, v, [&](Site q) { ++found[q]; });
-      // The ball rests on u, v and q, or holds q when it rests on u and v at its equator.
+      // The ball rests on u, v and q, or contains q when it rests on u and v at its equator.
       check_found(found, [&](Site q) {
         const bool is_touched =
             exact::orientation(points[u], points[v], points[q]) != 0 &&
@@ -67,7 +67,7 @@ void check(const Points& points, const std::vector<Site>& sites, double alpha, S
 
 }  // namespace
 
-TEST_CASE("the nine cells hold what a ball can reach, once, and nothing that is not in the grid") {
+TEST_CASE("the nine cells hold exactly once each site that a ball can reach, and only sites of the grid") {
   Statistics statistics;
   for_small_sets_of_every_kind(91, 12, 10, [&](const Points& points, double alpha, Random& random) {
     check(points, all_sites(points), alpha, statistics);
@@ -80,8 +80,8 @@ TEST_CASE("the nine cells hold what a ball can reach, once, and nothing that is 
   CHECK(statistics.by_edges > 4000);
 }
 
-TEST_CASE("cells that are tiny beside the coordinates are numbered well enough") {
-  // Neighboring doubles far from the origin, with a diameter of half, one, … of what lies between them.
+TEST_CASE("cells that are tiny relative to the coordinates are numbered correctly") {
+  // Neighboring doubles far from the origin, with a diameter of half, one, … of their distance.
   Random random(92);
   Statistics statistics;
   for (int trial = 0; trial < trials(1000); ++trial) {
@@ -101,7 +101,7 @@ TEST_CASE("cells that are tiny beside the coordinates are numbered well enough")
   CHECK(statistics.near > 1000);
 }
 
-TEST_CASE("nothing is looked at beyond the cells that touch the one in the middle") {
+TEST_CASE("only the cells that touch the middle one are searched") {
   const Points points = uniform(400, 93);
   for (const double alpha : {0.2, 0.7, 2.0}) {
     const Grid grid(points, all_sites(points), rbpa::Radius(alpha));

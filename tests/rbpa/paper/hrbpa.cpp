@@ -1,4 +1,4 @@
-// The paper's HRBPA: level after level, beside rbpa() at the radius of the level and hrbpa() with tiles.
+// The paper's HRBPA, level by level, compared with rbpa() at the radius of the level and with hrbpa() by tiles.
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper.h"
 
@@ -44,7 +44,7 @@ bool admits(const Point& a, const Point& b, const Point& c, double alpha) {
   return radius_of(alpha).admits<long double>(a, b, c);
 }
 
-/// What happened on the levels, but for who was looked at.
+/// Returns how the levels of both differ, except in the points visited.
 std::string differing_levels(const Hierarchy& paper, const Hierarchy& direct) {
   if (paper.least_radius != direct.least_radius) return "least radius";
   if (paper.levels.size() != direct.levels.size()) return "number of levels";
@@ -72,13 +72,13 @@ std::string wrong_with_paper(const Points& points, double alpha, std::size_t lea
   if (std::string wrong = wrong_numbers(paper, alpha); !wrong.empty()) return wrong;
   for (const Level& level : paper.levels)
     if (level.taking_part != level.transferred) return "taking part";
-  // Each face came on the first level that admits it: so each level was the complex of its radius.
+  // Each face came on the first level that admits it. So each level was the complex of its radius.
   if (std::string wrong = wrong_level(paper, points, admits); !wrong.empty()) return wrong;
   if (is_lost_in_rounding(paper.least_radius, points)) return "";
   return differing_levels(paper, hierarchy(points, alpha, leaf_capacity));
 }
 
-/// Returns: how many levels there are.
+/// Returns the number of levels.
 std::size_t check(const Points& points, double alpha, std::size_t leaf_capacity) {
   CAPTURE(alpha);
   CAPTURE(leaf_capacity);
@@ -90,11 +90,11 @@ std::size_t check(const Points& points, double alpha, std::size_t leaf_capacity)
   return 0;
 }
 
-/// A run of paper::hrbpa() by itself, with all that it reports.
+/// A run of paper::hrbpa() alone, with everything that it reports.
 struct PaperRun {
   double least_radius = 0;
   std::vector<rbpa::paper::Level> levels;
-  std::vector<std::size_t> triangles;  ///< after each
+  std::vector<std::size_t> triangles;  ///< number after each level
 };
 
 PaperRun run(const Points& points, double alpha, std::size_t leaf_capacity) {
@@ -118,7 +118,7 @@ PaperRun run(const Points& points, double alpha, std::size_t leaf_capacity) {
 TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are those of the default search") {
   std::size_t levels = 0;
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a part of it here and there.
+    // The beginning of the set, and a random subset.
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
@@ -135,7 +135,7 @@ TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are th
   CHECK(levels > 1000);
 }
 
-TEST_CASE("after each level the mesh is what rbpa() makes with its radius") {
+TEST_CASE("after each level the mesh is that of rbpa() with its radius") {
   struct Seen {
     double alpha;
     std::vector<Triangle> triangles;
@@ -170,7 +170,7 @@ TEST_CASE("after each level the mesh is what rbpa() makes with its radius") {
   }
 }
 
-TEST_CASE("every subset of a grid of 3 by 3, even and stretched") {
+TEST_CASE("HRBPA is right on every subset of a grid of 3 by 3, even and stretched") {
   for (const auto& at : {std::array{0.0, 1.0, 2.0}, std::array{0.0, 1.0, 5.0}})
     for (std::uint32_t subset = 0; subset < 512; ++subset) {
       Points points;
@@ -181,7 +181,7 @@ TEST_CASE("every subset of a grid of 3 by 3, even and stretched") {
     }
 }
 
-TEST_CASE("where exponents are extreme triangles and levels are those of the same points elsewhere") {
+TEST_CASE("at extreme exponents triangles and levels equal those of the same points scaled to moderate ones") {
   for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
     if (points.size() > (all_trials() ? 400 : 150)) return;
     const double spacing = mean_spacing(points);
@@ -200,7 +200,7 @@ TEST_CASE("where exponents are extreme triangles and levels are those of the sam
   });
 }
 
-TEST_CASE("levels come in ascending order, each the complex of its radius, and the last is alpha's") {
+TEST_CASE("levels ascend, each is the complex of its radius, and the last is that of alpha") {
   Random random(103);
   const Points points = distinct(clusters(12, 7), random);
   for (const double alpha : {1e-4, 3.0, infinity}) {
@@ -225,7 +225,7 @@ TEST_CASE("levels come in ascending order, each the complex of its radius, and t
   }
 }
 
-TEST_CASE("a radius that is one of the dyadic ones is run once") {
+TEST_CASE("a radius equal to a dyadic one is run once") {
   Random random(104);
   const Points points = distinct(uniform(100, 8), random);
   const double least = run(points, 1e-9, 2).least_radius;
@@ -238,12 +238,12 @@ TEST_CASE("a radius that is one of the dyadic ones is run once") {
   CHECK(run(points, std::nextafter(least, 1.0), 2).levels.size() == 2);
 }
 
-TEST_CASE("of levels without a triangle a logarithm is looked at, and none beyond is missed") {
+TEST_CASE("of levels without a triangle only logarithmically many are visited, and none beyond is missed") {
   Random random(105);
   Points points = distinct(uniform(60, 9), random);
   points.push_back({100, 0});
   for (const double distance : {1e-12, 1e-100, 1e-300}) {
-    // The pair waits for a third point through all levels up to that of the others.
+    // The pair waits for a third point through all levels up to that of the other points.
     points.back() = {0, distance};
     points.push_back({0, 0});
     const PaperRun recorded = run(points, infinity, 1);
@@ -256,7 +256,7 @@ TEST_CASE("of levels without a triangle a logarithm is looked at, and none beyon
       both.push_back({0, 0});
       return hierarchy(both, infinity, 1);
     }();
-    // Every level on which something happened was run, and by itself.
+    // Every level that changes something was run, and separately.
     std::size_t next = 0;
     for (std::size_t i = 0; i < direct.levels.size(); ++i) {
       while (next < recorded.levels.size() && recorded.levels[next].number < direct.levels[i].number) ++next;
@@ -267,9 +267,8 @@ TEST_CASE("of levels without a triangle a logarithm is looked at, and none beyon
   }
 }
 
-TEST_CASE("many levels between two on which something happens, wherever the next one is") {
-  // A small triangle, and a large one 2 to the power of `apart` times as large: any gap, so any way of closing in on
-  // it.
+TEST_CASE("any number of levels may lie between two levels that change something") {
+  // A small triangle, and one 2 to the power of `apart` times as large: any gap, and so any path of the search.
   for (int apart = 1; apart < 70; ++apart) {
     CAPTURE(apart);
     const double size = std::ldexp(1.0, apart);
@@ -279,7 +278,7 @@ TEST_CASE("many levels between two on which something happens, wherever the next
   }
 }
 
-TEST_CASE("points that a level looked at in vain are counted") {
+TEST_CASE("points visited without result on a level are counted") {
   Points points = uniform(60, 10);
   points.push_back({points[7].x, points[7].y + 1e-9});
   const Hierarchy paper = by_the_paper(points, infinity, 1);
@@ -288,7 +287,7 @@ TEST_CASE("points that a level looked at in vain are counted") {
   CHECK(paper.looked_in_vain < 16 * points.size());
 }
 
-TEST_CASE("the usual capacity of leaves is a small one, as the grid of the first level is as coarse") {
+TEST_CASE("the usual capacity of leaves equals a small one, as the grid of the first level is as coarse") {
   const Points points = uniform(3000, 11);
   const double least = rbpa::paper::hrbpa(points, 3).least_radius;
   CHECK(least == by_the_paper(points, 3, rbpa::paper::usual_leaf_capacity).least_radius);
@@ -296,7 +295,7 @@ TEST_CASE("the usual capacity of leaves is a small one, as the grid of the first
   CHECK(rbpa::hrbpa(points, 3).least_radius == hierarchy(points, 3, rbpa::usual_leaf_capacity).least_radius);
 }
 
-TEST_CASE("who throws, a visitor of levels or of progress, ends the run") {
+TEST_CASE("an exception of a visitor of levels or progress ends the run") {
   const Points points = uniform(500, 12);
   const std::size_t all = by_the_paper(points, infinity, 1).levels.size();
   REQUIRE(all > 3);
@@ -313,7 +312,7 @@ TEST_CASE("who throws, a visitor of levels or of progress, ends the run") {
   CHECK_THROWS(by_the_paper(points, 1, 0));
 }
 
-TEST_CASE("fewer than three points, or all on a line, have no levels") {
+TEST_CASE("fewer than three points, or points on a line, have no levels") {
   for (const Points& points : {Points{}, Points{{1, 2}}, Points(9, Point{0.1, 0.2}), collinear_run(20, 3, -7, 1)}) {
     const Hierarchy h = by_the_paper(points, infinity, 1);
     CHECK(h.levels.empty());

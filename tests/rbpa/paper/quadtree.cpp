@@ -24,7 +24,7 @@ namespace {
 
 using Real = long double;
 
-/// Of the points, those in a square; on its upper and right side where these are sides of the root.
+/// Counts the points in a square, including its upper and right side only where these are sides of the root.
 std::size_t held(const Points& points, Real x, Real y, Real side, Real right, Real top) {
   return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Point& p) {
     return p.x >= x && (p.x < x + side || x + side >= right) && p.y >= y && (p.y < y + side || y + side >= top);
@@ -36,7 +36,7 @@ void check(const Points& points, std::size_t capacity) {
   const std::vector<Leaf> leaves = quadtree(points, capacity);
   const rbpa::paper::Box box = rbpa::paper::box_of(points);
   const Real size = std::max(box.width, box.height), right = box.x + size, top = box.y + size;
-  std::map<std::pair<Real, std::pair<Real, Real>>, std::size_t> in_parent;  // by side and corner
+  std::map<std::pair<Real, std::pair<Real, Real>>, std::size_t> in_parent;  // by side length and corner
   Real area = 0;
   std::size_t sum = 0;
   for (const Leaf& leaf : leaves) {
@@ -45,7 +45,7 @@ void check(const Points& points, std::size_t capacity) {
     CHECK(leaf.points <= capacity);
     CHECK(leaf.points == held(points, leaf.x, leaf.y, leaf.side, right, top));
     if (leaf.side == size) continue;
-    // The square it was cut from had too many.
+    // The square that it was cut from had too many points.
     const Real parent = 2 * leaf.side;
     const Real x = box.x + std::floor((leaf.x - box.x) / parent) * parent,
                y = box.y + std::floor((leaf.y - box.y) / parent) * parent;
@@ -57,19 +57,19 @@ void check(const Points& points, std::size_t capacity) {
 
 }  // namespace
 
-TEST_CASE("leaves tile the root, none holds too many, and no square was cut that did not hold too many") {
+TEST_CASE("leaves tile the root, none holds too many points, and only squares with too many points were cut") {
   Random random(101);
   const auto distinct_of = [&](Points points) { return distinct(std::move(points), random); };
   for (const std::size_t k : {1u, 2u, 3u, 7u, 64u}) {
-    check(distinct_of(random_grid(33, 200, true, 1)), k);  // on a grid of a power of two of intervals cuts are exact
+    check(distinct_of(random_grid(33, 200, true, 1)), k);  // cuts are exact on a grid with a power of two of intervals
     check(distinct_of(random_grid(17, 40, true, 2)), k);
     check(distinct_of({{0, 0}, {64, 0}, {0, 64}, {64, 64}, {32, 32}, {33, 32}, {31, 31}, {32, 31}}), k);
     check({{3, 4}, {3, 5}}, k);
   }
 }
 
-TEST_CASE("a point on a cut is in the upper or right square") {
-  // Of side 4, with three on the cross of the cuts.
+TEST_CASE("a point on a cut belongs to the upper or right square") {
+  // A square of side 4, with three points on the cross of the cuts.
   const std::vector<Leaf> leaves = quadtree(Points{{0, 0}, {4, 4}, {2, 1}, {1, 2}, {2, 2}}, 2);
   REQUIRE(leaves.size() == 4);
   std::map<std::pair<Real, Real>, std::size_t> held;
@@ -77,7 +77,7 @@ TEST_CASE("a point on a cut is in the upper or right square") {
   CHECK(held == std::map<std::pair<Real, Real>, std::size_t>{{{0, 0}, 1}, {{2, 0}, 1}, {{0, 2}, 1}, {{2, 2}, 2}});
 }
 
-TEST_CASE("the minimal radius is half the side of the smallest leaf, and that of the default search") {
+TEST_CASE("the minimal radius is half the side of the smallest leaf, and equals that of the default search") {
   int sets = 0;
   for (const NamedSet& set : generated_sets()) {
     Points points = set.make();
@@ -101,11 +101,11 @@ TEST_CASE("the minimal radius is half the side of the smallest leaf, and that of
   CHECK(sets > 100);
 }
 
-TEST_CASE("squares are cut until their corners are not apart: a pair as close as doubles go, by itself and far out") {
+TEST_CASE("squares are cut until their corners coincide, for a pair as close as doubles can be, near 0 and far out") {
   const std::vector<Leaf> deep = quadtree(Points{{0, 0}, {5e-324, 0}, {1, 1}}, 1);
   CHECK(rbpa::paper::minimal_radius(deep) == 5e-324);
   CHECK(deep.size() > 3000);
-  // Beside 1, long double has no number for the right side of a square as small.
+  // Near 1, long double has no number for the right side of so small a square.
   const std::vector<Leaf> shallow = quadtree(Points{{1, 0}, {1, 5e-324}, {0, 0}}, 1);
   CHECK(std::count_if(shallow.begin(), shallow.end(), [](const Leaf& leaf) { return leaf.points == 2; }) == 1);
   CHECK(rbpa::paper::minimal_radius(shallow) < 1e-18);

@@ -1,4 +1,4 @@
-// The paper's RBPA beside rbpa(), which finds the same triangles in tiles.
+// The paper's RBPA, compared with rbpa(), which finds the same triangles by tiles.
 #include "rbpa/rbpa.h"
 #include "rbpa/paper.h"
 
@@ -45,7 +45,7 @@ std::string wrong_with_paper(const Points& points, double alpha) {
   return "";
 }
 
-/// Returns: how many triangles there are.
+/// Returns the number of triangles.
 std::size_t check(const Points& points, double alpha) {
   CAPTURE(alpha);
   const std::string wrong = wrong_with_paper(points, alpha);
@@ -60,7 +60,7 @@ std::size_t check(const Points& points, double alpha) {
 TEST_CASE("Theorem 1: RBPA finds the solid alpha complex of every kind of set") {
   std::size_t triangles = 0;
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a part of it here and there.
+    // The beginning of the set, and a random subset.
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
@@ -76,7 +76,7 @@ TEST_CASE("Theorem 1: RBPA finds the solid alpha complex of every kind of set") 
   CHECK(triangles > (all_trials() ? 100000U : 50000U));
 }
 
-TEST_CASE("every subset of a grid of 3 by 3") {
+TEST_CASE("RBPA is right on every subset of a grid of 3 by 3") {
   for (std::uint32_t subset = 0; subset < 512; ++subset) {
     Points points;
     for (std::uint32_t i = 0; i < 9; ++i)
@@ -86,7 +86,7 @@ TEST_CASE("every subset of a grid of 3 by 3") {
   }
 }
 
-TEST_CASE("the order of the input changes nothing but the order of the faces") {
+TEST_CASE("the order of the input changes only the order of the faces") {
   for (const Points& points : {uniform(200, 1), random_grid(12, 100, true, 2), tiny_components(30, 3), star(325)})
     for (const double alpha : {0.7, 1.0, 3.0, 165.0, infinity}) {
       CAPTURE(alpha);
@@ -100,7 +100,7 @@ TEST_CASE("the order of the input changes nothing but the order of the faces") {
     }
 }
 
-TEST_CASE("a visitor that throws leaves a sound mesh and a front from which the run goes on to the same end") {
+TEST_CASE("a visitor that throws leaves a sound mesh and a front, from which the run continues to the same end") {
   struct Stop {};
   struct Stopping : meshops::FrontVisitor {
     explicit Stopping(std::size_t last_event) : last(last_event) {}
@@ -133,8 +133,8 @@ TEST_CASE("a visitor that throws leaves a sound mesh and a front from which the 
   }
 }
 
-TEST_CASE("progress grows, is called in stretches without a triangle, and false or an exception ends the run") {
-  // Nearly all points are isolated: there is little but searches for seeds.
+TEST_CASE("progress ascends, is called while there are no triangles, and false or an exception ends the run") {
+  // Nearly all points are isolated: the run mainly searches for seeds.
   Points sparse;
   for (int i = 0; i < 40000; ++i) sparse.push_back({100.0 * (i % 200), 100.0 * (i / 200)});
   sparse.push_back({0.5, 0});
@@ -164,7 +164,7 @@ TEST_CASE("progress grows, is called in stretches without a triangle, and false 
   }
 }
 
-TEST_CASE("what is refused, and what has no triangle, is so by either search") {
+TEST_CASE("both searches refuse the same input and find the same empty complexes") {
   CHECK_THROWS_AS(by_the_paper({{0, 0}, {1, 0}, {0, 1}}, 0), rbpa::InvalidInput);
   CHECK_THROWS_AS(by_the_paper({{0, 0}, {infinity, 0}, {0, 1}}, 1), rbpa::InvalidInput);
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{1, 2}, {3, 4}}, Points(9, Point{0.1, 0.2})})

@@ -26,22 +26,22 @@ const Float& two_pi() {
   static const Float value = boost::math::constants::two_pi<Float>();
   return value;
 }
-const Float tolerance = Float(1e-20) * Float(1e-20);  // what is nearer than this is a tie
+const Float tolerance = Float(1e-20) * Float(1e-20);  // smaller differences are ties
 
-/// How far one direction is after another, in [0, 2π).
+/// Returns the angle from one direction to another, in [0, 2π).
 Float after(const Float& from, const Float& at) {
   Float turn = at - from;
   turn -= two_pi() * floor(turn / two_pi());
   return turn > two_pi() - tolerance ? Float(0) : turn;
 }
 
-/// The ball around v touches or holds a point while the direction from v to its center is between two.
+/// The interval of directions from v to the ball's center in which the ball around v touches or contains a point.
 struct Contact {
   Site site;
   Float direction, half_width;
   Float start() const { return direction - half_width; }
   Float end() const { return direction + half_width; }
-  /// Strictly outside of both ends, and not between them.
+  /// Returns whether the angle is strictly outside of the interval and its ends.
   bool is_clear_of(const Float& angle) const {
     return after(start() - tolerance, angle) > 2 * half_width + 2 * tolerance;
   }
@@ -63,7 +63,7 @@ struct Statistics {
   int rolls = 0, ties = 0, returns = 0;
 };
 
-/// The point whose contact starts next after that of `from` has ended: of several the first in direction.
+/// Returns the point whose contact starts next after that of `from` has ended; among several, the first in direction.
 Site next_by_angles(const std::vector<Contact>& all, const Contact& from, Statistics& statistics) {
   const Float begin = from.end();
   const Contact* next = &from;
@@ -89,7 +89,7 @@ void check(const Points& points, double alpha, Statistics& statistics) {
   for (Site v = 0; v < points.size(); ++v) {
     const std::vector<Contact> all = contacts(points, alpha, v);
     for (const Contact& from : all) {
-      // Where it leaves `from`, the ball is empty and touches nothing else.
+      // The ball is empty where it leaves `from`, and touches no other point.
       if (!std::all_of(all.begin(), all.end(),
                        [&](const Contact& c) { return c.site == from.site || c.is_clear_of(from.end()); }))
         continue;
@@ -102,7 +102,7 @@ void check(const Points& points, double alpha, Statistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("the ball rolls on to the point whose contact starts next, as sorting the angles gives it") {
+TEST_CASE("the ball rolls to the point whose contact starts next, as sorting the angles shows") {
   Statistics statistics;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u})
     for (const double alpha : {0.45, 0.8, 1.2, 2.5, 20.0}) check(uniform(16, seed), alpha, statistics);
@@ -114,7 +114,7 @@ TEST_CASE("the ball rolls on to the point whose contact starts next, as sorting 
   CHECK(statistics.returns > 50);
 }
 
-TEST_CASE("of points that the ball reaches at once the first around the point is chosen") {
+TEST_CASE("among points that the ball reaches at once the first around the point is chosen") {
   Statistics statistics;
   check(perfect_grid(4, 1), 0.5, statistics);
   check(perfect_grid(3, 2), 1.25, statistics);

@@ -1,5 +1,5 @@
-// Seeds are ideal: as long as a triangle is missing beyond the front, one is found; and none that the front would come
-// to.
+// Seeds are ideal: while a triangle is missing beyond the front, one is found; and no seed is a triangle that the front
+// would reach.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ std::vector<Triangle> triangles_of(const Front& front) {
   return canonical(std::move(found));
 }
 
-/// RBPA with every answer judged.
+/// RBPA with a check of every answer.
 class Judged {
  public:
   Judged(RestrictedBallPivoting& rbpa, std::vector<Triangle> complex) : rbpa_(rbpa), complex_(std::move(complex)) {}
@@ -67,7 +67,7 @@ class Judged {
   std::vector<Triangle> complex_;
 };
 
-/// Returns: how many seeds there were.
+/// Returns the number of seeds.
 int check(const Points& points, double alpha) {
   INFO("alpha ", literal(alpha), ", points ", literal(points));
   rbpa::Mesh mesh;
@@ -87,7 +87,7 @@ int check(const Points& points, double alpha) {
 }  // namespace
 
 TEST_CASE(
-    "a seed is a triangle of the complex without an edge in the mesh, and there is one until nothing is missing") {
+    "a seed is a triangle of the complex without an edge in the mesh, and there is one while a triangle is missing") {
   int seeds = 0;
   for_small_sets_of_every_kind(97, 30, 10,
                                [&](const Points& points, double alpha, Random&) { seeds += check(points, alpha); });
@@ -101,16 +101,16 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("where the ball meets several points at once a seed is found, and each once") {
-  // From its dangling edge, the ball around (−5, 0) comes to four points of the circle of radius alpha together.
+TEST_CASE("a seed is found once where the ball meets several points at once") {
+  // From its dangling edge, the ball around (−5, 0) reaches four points of the circle of radius alpha at once.
   check({{-6, 0}, {-5, 0}, {5, 0}, {4, 3}, {3, 4}, {0, 5}}, 5);
-  // The perturbation cuts (0, −5) off as an ear: it has no edge to (−4, 3).
+  // The perturbation cuts off (0, −5) as an ear: it has no edge to (−4, 3).
   check({{0, -6}, {0, -5}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}}, 5);
   Points rectangles;
   for (const double x : {0.0, 6.0, 12.0})
     for (const double y : {-8.0, 0.0, 8.0}) rectangles.push_back({x, y});
   check(rectangles, 5);
-  // Arcs of circles of radius 5 and 25, their centers on a grid, and a few stray points.
+  // Arcs of circles of radius 5 and 25 with centers on a grid, and a few other points.
   Random random(99);
   for (int trial = 0; trial < trials(250); ++trial) {
     const int radius = random.chance(0.5) ? 5 : 25;

@@ -1,4 +1,4 @@
-// What: a few points at a time on which the paper's method has hard decisions to make, and what is right by definition.
+// What: sets of few points on which the paper's method has hard decisions, and the right result by definition.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace rbpa_test {
 
 inline rbpa::Radius radius_of(double alpha) { return std::isinf(alpha) ? rbpa::Radius() : rbpa::Radius(alpha); }
 
-/// The points without repetitions, in a random order.
+/// Returns the points without duplicates, in a random order.
 inline Points distinct(Points points, Random& random) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -35,7 +35,8 @@ inline std::vector<std::uint32_t> all_sites(const Points& points) {
   return sites;
 }
 
-/// A triangle turns left, its circle is at most as large as the ball, and no point is in it. Requires distinct points.
+/// Returns the triangles that turn left, whose circle is at most as large as the ball and contains no point. Requires:
+/// distinct points.
 inline std::vector<Triangle> complex_by_definition(const Points& points, double alpha) {
   const auto count = static_cast<std::uint32_t>(points.size());
   std::vector<Triangle> result;
@@ -53,7 +54,7 @@ inline std::vector<Triangle> complex_by_definition(const Points& points, double 
   return canonical(std::move(result));
 }
 
-/// Of the order of the distances between the points, or the radius of a tie.
+/// Returns a radius of the order of the distances between the points, or the radius of a tie.
 inline double some_radius(const Points& points, Kind kind, Random& random) {
   if (random.chance(0.15)) return std::numeric_limits<double>::infinity();
   if (kind == Kind::small_grid && random.chance(0.7)) {
@@ -66,7 +67,8 @@ inline double some_radius(const Points& points, Kind kind, Random& random) {
   return std::max(std::ldexp(d, random.integer(-1, 5)), std::numeric_limits<double>::denorm_min());
 }
 
-/// The smallest leaf is of the size of the steps between doubles, so that its corners depend on the arithmetic.
+/// Returns whether the smallest leaf is as small as the steps between doubles, so that its corners depend on the
+/// arithmetic.
 inline bool is_lost_in_rounding(double least_radius, const Points& points) {
   double largest = 0;
   for (const rbpa::Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});

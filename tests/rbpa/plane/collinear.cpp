@@ -29,7 +29,7 @@ TEST_CASE("fewer than three distinct points are on a line") {
   CHECK(are_collinear(Points{{0.0, 0}, {-0.0, 0}, {7, 9}, {7, 9}}));
 }
 
-TEST_CASE("three points are on a line exactly when they have no Delaunay triangle") {
+TEST_CASE("three points are on a line if and only if they have no Delaunay triangle") {
   for (int code = 0; code < 729; ++code) {
     Points points;
     for (int rest = code, i = 0; i < 3; ++i, rest /= 9) points.push_back({double(rest % 3), double(rest / 3 % 3)});

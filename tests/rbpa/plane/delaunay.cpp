@@ -23,7 +23,7 @@ TEST_SUITE_BEGIN("filtration");
 
 namespace {
 
-/// What is thrown when the triangulation is said to be one of these points.
+/// Returns the message when the triangulation is claimed to be one of these points.
 std::string refusal(const Triangulation& triangulation, std::span<const rbpa::Point> points) {
   try {
     const Delaunay unexpected(triangulation, points, {}, "who asks");
@@ -35,7 +35,7 @@ std::string refusal(const Triangulation& triangulation, std::span<const rbpa::Po
 
 }  // namespace
 
-TEST_CASE("a triangulation that is computed and one that is checked are the same, and so is what follows from them") {
+TEST_CASE("a computed and a checked triangulation are equal, and give equal results") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Triangulation arrays = delaunay_arrays(set.points);
@@ -67,8 +67,7 @@ TEST_CASE("a triangulation is referred to, a temporary is kept, and copies share
   CHECK(copy.triangulation().triangles == arrays.triangles);
 }
 
-TEST_CASE(
-    "what is visibly no Delaunay triangulation of the points is refused, and the message names the function called") {
+TEST_CASE("an obviously wrong triangulation of the points is refused, and the message names the function called") {
   const Points points = uniform(30, 9);
   const Triangulation arrays = delaunay_arrays(points);
   CHECK(refusal(arrays, points).empty());

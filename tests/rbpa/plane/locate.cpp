@@ -25,7 +25,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// The first triangle that has the point, by exact arithmetic on each.
+/// Returns the first triangle that contains the point, by exact arithmetic on each.
 std::uint32_t first_by_trying_all(const Points& points, const Triangulation& of, const Point& query) {
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
     const auto& [a, b, c] = of.triangles[t];
@@ -36,7 +36,8 @@ std::uint32_t first_by_trying_all(const Points& points, const Triangulation& of,
   return Triangulation::none;
 }
 
-/// The points themselves, middles of sides, points near them by a bit, corners of the box and beyond, anything.
+/// Returns the points themselves, middles of sides, points near them by a bit, corners of the box and beyond, and
+/// arbitrary points.
 Points queries_for(const Points& points, const Triangulation& of, Random& random) {
   Points queries = {{infinity, 0}, {0, std::nan("")}, {1e308, 1e308}, {-1e308, 1e-308}};
   for (const Point& p : points) {
@@ -58,7 +59,8 @@ Points queries_for(const Points& points, const Triangulation& of, Random& random
 
 }  // namespace
 
-TEST_CASE("the first triangle that has the point, on sets of every kind, with any number of threads") {
+TEST_CASE(
+    "locate() finds the first triangle that contains the point, on sets of every kind, with any number of threads") {
   Random random(1);
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
@@ -78,7 +80,7 @@ TEST_CASE("the first triangle that has the point, on sets of every kind, with an
   }
 }
 
-TEST_CASE("many queries and threads: the same as one by one") {
+TEST_CASE("many queries by many threads have the results of single ones") {
   const Points points = uniform(5000, 7), queries = uniform(20000, 8);
   const Triangulation of = delaunay_arrays(points);
   const rbpa::Locator locator(points, of);
@@ -88,8 +90,7 @@ TEST_CASE("many queries and threads: the same as one by one") {
     REQUIRE(found[i] == first_by_trying_all(points, of, queries[i]));
 }
 
-TEST_CASE(
-    "values are a convex combination of those at the corners, at a point its own, and nothing where nothing is found") {
+TEST_CASE("values are convex combinations of the corners' values, a point has its own, and a miss has none") {
   Random random(2);
   std::size_t inside = 0;
   for (const NamedSet& set : generated_sets()) {
@@ -125,7 +126,7 @@ TEST_CASE(
       CHECK(result[2 * i] <= greatest + 1e-15);
       CHECK(std::abs(result[2 * i + 1] - 1) <= 4e-16);
     }
-    // In any order of the queries, with any number of threads, the same to the last bit.
+    // The results are the same to the last bit in any order of the queries, with any number of threads.
     std::vector<std::uint32_t> order(queries.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     random.shuffle(order);
@@ -138,7 +139,7 @@ TEST_CASE(
   CHECK(inside > 10000);
 }
 
-TEST_CASE("a linear function is kept, wherever the points are, and values that are wrong are refused") {
+TEST_CASE("a linear function is reproduced, wherever the points are, and wrong values are refused") {
   for (const int exponent : {0, -1000, 990}) {
     const Points unit = uniform(400, 4), queries = uniform(900, 5);
     const auto scaled = [&](Points points) {
@@ -158,7 +159,7 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
       }
     CHECK(inside > 300);
   }
-  // Far from the origin and thin: differences are rounded, and areas are lost in them.
+  // Far from the origin and thin: differences are rounded, and areas vanish in the rounding error.
   for (const double thin : {1e-3, 1e-6, 1e-9}) {
     const Point at = {1e6 + 1. / 3, 1e6 / 7};
     const Points corners = {at, {at.x + 1, at.y + 1. / 3}, {at.x + 3, at.y + 1 - thin}};
@@ -186,18 +187,18 @@ TEST_CASE("a linear function is kept, wherever the points are, and values that a
   CHECK_THROWS_AS(locator.interpolate(values, 0, points), rbpa::InvalidInput);
   CHECK_THROWS_AS(locator.interpolate(std::span(values).first(3), 1, uniform(9000, 1), {.go_on = [] { return false; }}),
                   rbpa::Cancelled);
-  // What has no share does not count.
+  // A corner with weight 0 does not count.
   CHECK(locator.interpolate(std::span(values).last(3), 1, Points{{2, 0}, {0, 0}}) == std::vector<double>{2.5, 2});
 }
 
-TEST_CASE("nothing is found where nothing is") {
+TEST_CASE("nothing is found where there is no triangle") {
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{0, 0}, {1, 1}, {2, 2}}}) {
     const Triangulation of = delaunay_arrays(points);
     CHECK(rbpa::Locator(points, of).find(Points{{1, 1}, {0, 0}}) == std::vector(2, Triangulation::none));
   }
 }
 
-TEST_CASE("a complex with a radius is refused, points that are others too, and a cancelled run ends") {
+TEST_CASE("a complex with a radius is refused, other points too, and a cancelled run ends") {
   const Points points = uniform(20000, 3);
   const Triangulation solid = rbpa::triangulate(points, 0.6, {.neighbors = true}), all = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::Locator(points, solid), meshops::ContractViolation);

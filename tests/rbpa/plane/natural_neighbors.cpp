@@ -1,4 +1,4 @@
-// Natural neighbor interpolation: against Voronoi cells cut out of the plane one half-plane at a time.
+// Natural neighbor interpolation, compared with Voronoi cells that are cut out of the plane one half-plane at a time.
 #include "rbpa/plane/natural_neighbors.h"
 
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// The part of a convex polygon that is nearer to a than to b.
+/// Returns the part of a convex polygon that is nearer to a than to b.
 Points nearer(const Points& polygon, const Point& a, const Point& b) {
   const auto side = [&](const Point& p) {
     return (p.x - (a.x + b.x) / 2) * (a.x - b.x) + (p.y - (a.y + b.y) / 2) * (a.y - b.y);
@@ -56,7 +56,7 @@ double area(const Points& polygon) {
   return twice / 2;
 }
 
-/// The share of each point, by cutting.
+/// Returns the share of each point, by cutting.
 std::map<std::uint32_t, double> shares_by_cutting(const Points& points, const Point& query) {
   constexpr double far = 1e4;
   Points cell = {{-far, -far}, {far, -far}, {far, far}, {-far, far}};
@@ -89,7 +89,7 @@ struct Natural {
 
 }  // namespace
 
-TEST_CASE("shares are the areas of what is cut out of the neighbors' cells") {
+TEST_CASE("shares are the areas that are cut out of the neighbors' cells") {
   Random random(41);
   std::size_t compared = 0, many = 0;
   for (int number = 0; number < 300; ++number) {
@@ -99,12 +99,12 @@ TEST_CASE("shares are the areas of what is cut out of the neighbors' cells") {
     const Natural natural(points);
     Points queries;
     for (int i = 0; i < 8; ++i) queries.push_back({random.between(0, 5), random.between(0, 5)});
-    for (const Point& p : points) queries.push_back({p.x + 0.5, p.y + 0.5});  // of grids, the middles of squares
+    for (const Point& p : points) queries.push_back({p.x + 0.5, p.y + 0.5});  // on grids, the middles of squares
     const auto found = natural.locator.find(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       if (found[i] == Triangulation::none) continue;
       const Point& q = queries[i];
-      // Near the hull the new cell leaves the box in which cells are cut.
+      // Near the hull the new cell extends beyond the box in which cells are cut.
       const Points box = {{q.x + 1e-3, q.y}, {q.x - 1e-3, q.y}, {q.x, q.y + 1e-3}, {q.x, q.y - 1e-3}};
       const auto around = natural.locator.find(box);
       if (std::count(around.begin(), around.end(), Triangulation::none) > 0) continue;
@@ -130,14 +130,14 @@ TEST_CASE("shares are the areas of what is cut out of the neighbors' cells") {
 }
 
 TEST_CASE(
-    "linear functions are kept, at points values are their own, on the hull they are linear: sets of every kind") {
+    "linear functions are reproduced, values at points are their own, and linear on the hull, on sets of every kind") {
   Random random(42);
   std::size_t inside = 0;
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
     Points points = set.make();
     if (points.empty()) continue;
-    // Where exponents are far apart areas are rational numbers of thousands of bits.
+    // At exponents far apart, areas are rational numbers of thousands of bits.
     const bool is_moderate = rbpa::fits_double(rbpa::magnitude(points));
     const std::size_t most = is_moderate ? 150 : 8;
     if (points.size() > most) points.resize(most);
@@ -180,12 +180,12 @@ TEST_CASE(
   CHECK(inside > 15000);
 }
 
-TEST_CASE("values go continuously through sides, circles and points, and to the hull") {
+TEST_CASE("values are continuous across sides, circles and points, and toward the hull") {
   const Natural natural(uniform(200, 43));
   Random random(44);
   std::vector<double> values;
   for (std::size_t i = 0; i < natural.points.size(); ++i) values.push_back(random.between(-1, 1));
-  // Along lines across the set, in small steps: no step is larger than the steepest way between two points allows.
+  // Small steps along lines across the set: no step changes more than the steepest way between two points allows.
   for (int line = 0; line < 20; ++line) {
     Points queries;
     const Point from = {random.between(0, 14), 0.5}, to = {random.between(0, 14), 13.5};
@@ -198,7 +198,7 @@ TEST_CASE("values go continuously through sides, circles and points, and to the 
     for (std::size_t i = 1; i < result.size(); ++i)
       if (!std::isnan(result[i]) && !std::isnan(result[i - 1])) CHECK(std::abs(result[i] - result[i - 1]) < 0.05);
   }
-  // Toward the middle of a side of the hull: the limit is the mean of its ends.
+  // Toward the middle of a side of the hull, the limit is the mean of the values at its ends.
   const Natural square({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.4, 0.6}});
   const std::vector<double> five = {1, 2, 3, 4, 100};
   CHECK(square(five, {{0.5, 0}}) == std::vector<double>{1.5});
@@ -208,7 +208,7 @@ TEST_CASE("values go continuously through sides, circles and points, and to the 
   }
 }
 
-TEST_CASE("four points of a square have equal shares of its middle, at any scale; wrong values are refused") {
+TEST_CASE("four points of a square have equal shares at its middle, at any scale; wrong values are refused") {
   for (const int exponent : {0, -1000, 900}) {
     CAPTURE(exponent);
     const double unit = std::ldexp(1.0, exponent);

@@ -31,7 +31,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The message of a refusal; "" when there is none.
+/// Returns the message of a refusal; "" when there is none.
 std::string refusal(const Points& points, double alpha) {
   int calls = 0;
   try {
@@ -51,7 +51,7 @@ std::vector<std::uint32_t> indices_up_to(std::uint32_t count) {
   return all;
 }
 
-/// The laws of the result that hold for every input.
+/// Checks the laws of the result that hold for every input.
 void check_bookkeeping(const Points& points, const SolidAlphaComplex& complex) {
   const std::vector<std::uint32_t> lowest = lowest_equal(points);
   std::vector<Duplicate> duplicates;
@@ -118,7 +118,7 @@ TEST_CASE("points must be finite, and the refusal names the first that is not") 
   }
 }
 
-TEST_CASE("fewer than three points, or all on a line, have the empty complex") {
+TEST_CASE("fewer than three points, or points on a line, have the empty complex") {
   const double steps[][2] = {{1, 0}, {0, 1}, {3, -7}, {0.5, 0.25}, {1e300, 1e300}, {5e-324, 0}};
   for (const double alpha : {1e-300, 1.0, 1e300, infinity}) {
     CAPTURE(alpha);
@@ -136,14 +136,14 @@ TEST_CASE("fewer than three points, or all on a line, have the empty complex") {
   }
 }
 
-TEST_CASE("one triangle is there from its circumradius on") {
+TEST_CASE("one triangle is in the complex from its circumradius on") {
   const Points right = {{0, 0}, {6, 0}, {0, 8}};
   CHECK(rbpa::triangles(checked(right, 5)) == std::vector<Triangle>{{0, 1, 2}});
   CHECK(checked(right, std::nextafter(5.0, 0.0)).isolated == indices_up_to(3));
   CHECK(rbpa::triangles(checked(right, std::nextafter(5.0, 6.0))).size() == 1);
 }
 
-TEST_CASE("equal points are one, and the lowest index stands for it; -0 is +0") {
+TEST_CASE("equal points are one, represented by the lowest index, and -0 equals +0") {
   const Points points = {{0.0, 1}, {-0.0, 0.0}, {0.0, -0.0}, {1, -0.0}, {-0.0, 1}, {1, 0.0}, {-0.0, -0.0}};
   const SolidAlphaComplex complex = checked(points, infinity);
   CHECK(complex.distinct == 3);
@@ -151,7 +151,7 @@ TEST_CASE("equal points are one, and the lowest index stands for it; -0 is +0") 
   CHECK(complex.duplicates == std::vector<Duplicate>{{2, 1}, {4, 0}, {5, 3}, {6, 1}});
 }
 
-TEST_CASE("indices, points, isolated and duplicates are right on every kind of set") {
+TEST_CASE("indices, points, isolated points and duplicates are right on every kind of set") {
   for (const double alpha : {0.3, 0.5, 0.7, 1.0, 5.0, 1e4, infinity}) {
     CAPTURE(alpha);
     checked(uniform(300, 1), alpha);
@@ -165,7 +165,7 @@ TEST_CASE("indices, points, isolated and duplicates are right on every kind of s
   }
 }
 
-TEST_CASE("without tiles, where exponents are extreme, the front finds the same") {
+TEST_CASE("the front finds the same at extreme exponents, where there are no tiles") {
   for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
     const double spacing = mean_spacing(points);
     for (const double alpha : {0.6 * spacing, 3 * spacing, infinity}) {
@@ -176,7 +176,7 @@ TEST_CASE("without tiles, where exponents are extreme, the front finds the same"
   });
 }
 
-TEST_CASE("triangles are the faces of the mesh from their smallest corner on, sorted") {
+TEST_CASE("triangles are the faces of the mesh, each from its smallest corner, sorted") {
   const auto by_definition = [](const SolidAlphaComplex& complex) {
     std::vector<Triangle> faces;
     for (const auto face : complex.mesh.faces()) {
@@ -197,7 +197,7 @@ TEST_CASE("triangles are the faces of the mesh from their smallest corner on, so
   CHECK(rbpa::triangles({}).empty());
 }
 
-TEST_CASE("progress is called with numbers that grow, and an unanswered call changes nothing") {
+TEST_CASE("progress is called with ascending numbers, and true changes nothing") {
   const Points points = jittered_grid(120, 0.8, 1);
   std::vector<rbpa::Progress> seen;
   const auto watched = rbpa::rbpa(points, infinity, {.progress = [&](const rbpa::Progress& p) {
@@ -233,10 +233,10 @@ TEST_CASE("progress is called as often where a triangle takes long") {
                             }});
     return called;
   };
-  // As released both call every millisecond: the first takes 0.8 seconds, the second 0.18.
-  // A ball that reaches most points, in cells as large.
+  // In release builds both report progress every millisecond: the first run takes 0.8 seconds, the second 0.18. Here: a
+  // ball that reaches most points, in cells as large.
   CHECK(calls(jittered_grid(70, 0.8, 1), 20, rbpa::paper::rbpa) > 400);
-  // Exponents that double does not hold, and a density that rises by 170 powers of ten.
+  // Exponents beyond double, and a density that rises by 170 powers of ten.
   Points points;
   for (int i = 0; i < 200000; ++i) {
     const double scale = std::exp(-0.002 * i), angle = 2.4 * i;
@@ -245,7 +245,7 @@ TEST_CASE("progress is called as often where a triangle takes long") {
   CHECK(calls(points, infinity, rbpa::rbpa) > 100);
 }
 
-TEST_CASE("what a progress callback throws reaches the caller") {
+TEST_CASE("an exception of a progress callback reaches the caller") {
   CHECK_THROWS_AS(rbpa::rbpa(jittered_grid(120, 0.8, 1), 2,
                              {.progress = [](const rbpa::Progress&) -> bool { throw std::string("stop"); }}),
                   std::string);

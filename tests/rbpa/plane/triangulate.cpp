@@ -37,7 +37,7 @@ rbpa::TriangulationOptions all_of(unsigned threads = 1, Complex complex = Comple
   return options;
 }
 
-/// Neighbors and boundary are those of the triangles.
+/// Checks that neighbors and boundary belong to the triangles.
 void check_connected(const Triangulation& of) {
   REQUIRE(of.neighbors.size() == of.triangles.size());
   std::map<Edge, std::uint32_t> at_side;
@@ -57,7 +57,7 @@ void check_connected(const Triangulation& of) {
   CHECK(of.boundary == boundary);
 }
 
-/// The triangles, isolated points and repetitions of the mesh.
+/// Checks that triangles, isolated points and duplicates equal those of the mesh.
 void check_same(const Points& points, double alpha, unsigned threads) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
   const Triangulation arrays = rbpa::triangulate(points, alpha, all_of(threads));
@@ -91,14 +91,14 @@ TEST_CASE("the arrays have the triangles of the mesh, on sets of every kind and 
   }
 }
 
-TEST_CASE("many points, in any order and number of threads, give the same arrays") {
+TEST_CASE("many points give the same arrays, in any order and with any number of threads") {
   Points points = uniform(30000, 1);
   const Triangulation expected = rbpa::triangulate(points, 1.1, all_of(1));
   const Triangulation other = rbpa::triangulate(points, 1.1, all_of(2));
   CHECK(other.triangles == expected.triangles);
   CHECK(other.neighbors == expected.neighbors);
   CHECK(other.boundary == expected.boundary);
-  // A hub with a long star, and indices that are far from the places.
+  // A hub with a long star, and indices that are unrelated to the places.
   Points star = integer_circle(32045);
   star.push_back({0.1, 0.2});
   Random random(2);
@@ -108,7 +108,7 @@ TEST_CASE("many points, in any order and number of threads, give the same arrays
   check_same(points, 0.7, 2);
 }
 
-TEST_CASE("nothing, a point, points on a line, and repetitions") {
+TEST_CASE("no points, one point, points on a line and duplicates have no triangles") {
   CHECK(rbpa::triangulate({}, 1).triangles.empty());
   const Triangulation one = rbpa::triangulate(Points{{1, 2}, {1, 2}}, 1, all_of());
   CHECK(one.isolated == std::vector<std::uint32_t>{0});
@@ -120,7 +120,7 @@ TEST_CASE("nothing, a point, points on a line, and repetitions") {
   CHECK(line.isolated.size() == 30);
 }
 
-TEST_CASE("bad input is refused before anything, and a run can be cancelled") {
+TEST_CASE("bad input is refused before the run, and a run can be cancelled") {
   CHECK_THROWS_AS(rbpa::triangulate(Points{{0, 0}}, 0), rbpa::InvalidInput);
   CHECK_THROWS_AS(rbpa::triangulate(Points{{0, infinity}}, 1), rbpa::InvalidInput);
   rbpa::TriangulationOptions options;
@@ -128,7 +128,7 @@ TEST_CASE("bad input is refused before anything, and a run can be cancelled") {
   options.progress = [&](const rbpa::Progress&) { return ++asked < 3; };
   CHECK_THROWS_AS(rbpa::triangulate(uniform(30000, 3), infinity, options), rbpa::Cancelled);
   CHECK(asked == 3);
-  // Also when all triangles are there, and are brought into order.
+  // It can be cancelled also while the triangles are sorted.
   std::size_t most = 0, since = 0;
   options.neighbors = options.boundary = true;
   options.progress = [&](const rbpa::Progress& now) {
@@ -144,7 +144,7 @@ TEST_CASE("bad input is refused before anything, and a run can be cancelled") {
 
 namespace {
 
-/// The edges and points of the alpha complex in no triangle, from the definition, on Delaunay edges.
+/// Checks the edges and points of the alpha complex that are in no triangle, by the definition, on Delaunay edges.
 void check_full(const Points& points, double alpha) {
   CAPTURE(alpha);
   const Triangulation full = rbpa::triangulate(points, alpha, all_of(1, Complex::full));
@@ -183,7 +183,7 @@ void check_full(const Points& points, double alpha) {
 
 }  // namespace
 
-TEST_CASE("the full complex has, beside triangles, the empty edges within alpha, and the points that are left") {
+TEST_CASE("the full complex has, besides triangles, the empty edges within alpha, and the points that are left") {
   for (const Points& points : {uniform(60, 4), perfect_grid(7, 1), integer_circle(65), collinear_run(20, 2, 5, 5),
                                star(65), chain_of_triangles(6), duplicates(20, 3, 6), with_strangers(40, 6, 7),
                                mixed_exponents(8, 8), Points{{0, 0}, {1, 0}}})

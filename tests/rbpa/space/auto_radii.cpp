@@ -26,7 +26,7 @@ namespace {
 
 using Radii = std::vector<double>;
 
-/// Random points of the unit sphere; with a power above 1 they are the denser the lower.
+/// Returns random points of the unit sphere; with a power above 1 they are denser at the bottom.
 Points3 on_sphere(std::size_t count, double power, std::uint64_t seed) {
   Random random(seed);
   Points3 points;
@@ -48,7 +48,7 @@ bool is_closed(const Surface& s) {
 
 namespace {
 
-/// Ground, and facades along it, seen from one place: up to fifty times as dense near it as far away.
+/// Returns the ground and facades along it, seen from one place: up to fifty times as dense near it as far away.
 Points3 street(std::size_t count) {
   Random random(17);
   Points3 points;
@@ -63,7 +63,7 @@ Points3 street(std::size_t count) {
   return points;
 }
 
-/// And one in twenty anywhere in a box so many times as wide.
+/// Adds one point in twenty anywhere in a box `wide` times as large.
 Points3 with_outliers(Points3 points, double wide) {
   Random random(18);
   Point3 low = points.front(), high = low;
@@ -104,7 +104,7 @@ TEST_CASE("one outlier in twenty changes the largest radius by less than half, a
   }
 }
 
-TEST_CASE("one radius closes a uniform sphere, several one whose density varies a hundredfold") {
+TEST_CASE("one radius closes a uniform sphere, and several radii one whose density varies a hundredfold") {
   for (const std::size_t count : {100U, 1000U, 5000U}) {
     const Points3 uniform = on_sphere(count, 1, count);
     const Radii radii = auto_radii(uniform);
@@ -124,7 +124,7 @@ TEST_CASE("one radius closes a uniform sphere, several one whose density varies 
   CHECK(surface.triangles.size() == 2 * varying.size() - 4);
 }
 
-TEST_CASE("a sphere with a hole keeps it: the gaps at its rim are much larger than others there") {
+TEST_CASE("a hole in a sphere stays open: the gaps at its rim are much larger than other gaps there") {
   Points3 points = on_sphere(3000, 1, 7);
   std::erase_if(points, [](const Point3& p) { return p.z > 0.8; });
   const Radii radii = auto_radii(points);
@@ -136,7 +136,7 @@ TEST_CASE("a sphere with a hole keeps it: the gaps at its rim are much larger th
 }
 
 TEST_CASE(
-    "radii do not depend on the order of points, repetitions, signs of zero, threads; they scale with the points") {
+    "radii do not depend on the order of points, duplicates, signs of zero and threads; they scale with the points") {
   Random random(401);
   std::size_t several = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -166,7 +166,7 @@ TEST_CASE(
   CHECK(several > 0);
 }
 
-TEST_CASE("on grids the radius is that of their squares, and the surface is all of them") {
+TEST_CASE("on grids the radius is that of the squares, and the surface has all of them") {
   for (const int columns : {2, 3, 12}) {
     Points3 points;
     for (int x = 0; x < columns; ++x)
@@ -184,7 +184,7 @@ TEST_CASE("on grids the radius is that of their squares, and the surface is all 
   CHECK(rbpa::exposed_triangles(cube, auto_radii(cube)[0]).triangles.size() >= 12);
 }
 
-TEST_CASE("points without triangles have no radii; what is no input is refused") {
+TEST_CASE("points without triangles have no radii, and invalid input is refused") {
   CHECK(auto_radii({}).empty());
   CHECK(auto_radii(Points3{{1, 2, 3}}).empty());
   CHECK(auto_radii(Points3{{1, 2, 3}, {4, 5, 6}, {1, 2, 3}}).empty());
@@ -198,14 +198,14 @@ TEST_CASE("points without triangles have no radii; what is no input is refused")
   CHECK_THROWS_AS(auto_radii(points, {.progress = [](auto) { return false; }}), rbpa::Cancelled);
 }
 
-TEST_CASE("the radius that is named for an empty surface gives triangles, where there is one") {
+TEST_CASE("the radius suggested for an empty surface gives triangles, if there are any") {
   const Points3 points = on_sphere(500, 1, 5);
   REQUIRE(rbpa::surface(points, points, 0.001).triangles.empty());
   const std::optional<double> radius = rbpa::radius_with_triangles(points, points);
   REQUIRE(radius);
   CHECK(!rbpa::surface(points, points, *radius).triangles.empty());
   CHECK(rbpa::radius_with_triangles(points, {}) == radius);
-  // In a plane, with normals along it.
+  // Points in a plane, with normals along it.
   const Points3 square = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   CHECK(rbpa::radius_with_triangles(square, {}));
   CHECK(!rbpa::radius_with_triangles(square, Points3(4, {1, 0, 0})));
@@ -227,8 +227,8 @@ TEST_CASE("the gap around a point is the farthest corner of its cell in the plan
   CHECK(!gap_around(around, up, 0.7));  // beyond the neighbors
   Points3 half = around;
   std::erase_if(half, [](const Point3& p) { return p.x < 0; });
-  CHECK(!gap_around(half, up, 1.4));  // it is not closed
-  // A point right above bounds nothing; one above and beside, by the plane between.
+  CHECK(!gap_around(half, up, 1.4));  // the cell is not closed
+  // A point directly above bounds nothing; a point above and to the side bounds by the plane in between.
   around.push_back({0, 0, 0.1});
   CHECK(*gap_around(around, up, 1.4) == near(std::sqrt(0.5)));
   const Points3 three = {{1, 0, 0}, {-0.5, std::sqrt(0.75), 0}, {-0.5, -std::sqrt(0.75), 0}};

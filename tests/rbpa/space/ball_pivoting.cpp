@@ -1,4 +1,4 @@
-// The example's ball pivoting on the advancing-front engine, against rbpa::surface().
+// Ball pivoting of the example, on the advancing-front engine, compared with rbpa::surface().
 #include "examples/ball_pivoting.h"
 
 #include <doctest/doctest.h>
@@ -30,7 +30,7 @@ namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The same without glues(): sites decide what is glued.
+/// Ball pivoting without glues(): sites decide which sides are glued.
 struct BySites {
   BallPivoting policy;
   std::optional<BallPivoting::Triangle> seed(const meshops::Front& front) { return policy.seed(front); }
@@ -42,7 +42,7 @@ static_assert(meshops::GluingFrontPolicy<BallPivoting> && !meshops::GluingFrontP
 
 struct Watcher : meshops::FrontVisitor {
   std::size_t refusals = 0;
-  std::size_t glued_seeds = 0;  // what touches the front along a side is attached, at every level
+  std::size_t glued_seeds = 0;  // seeds attached to the front along a side, at every level
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle& t) {
     for (const meshops::Halfedge side : t.side)
       glued_seeds += !front.mesh().is_boundary(front.mesh().opposite_halfedge_handle(side));
@@ -53,7 +53,7 @@ struct Watcher : meshops::FrontVisitor {
 
 struct Advanced {
   Surface surface;
-  std::vector<meshops::Site> site;  // of each vertex
+  std::vector<meshops::Site> site;  // for each vertex
 };
 
 template <typename Policy = BallPivoting>
@@ -70,7 +70,7 @@ Advanced advanced(Mesh& mesh, const Points3& points, const Points3& normals, con
   return {std::move(surface), std::move(site)};
 }
 
-/// Normals that mostly agree with each other, so that there is a surface with a boundary.
+/// Returns normals that mostly agree with each other, so that there is a surface with a boundary.
 Points3 some_normals(const Points3& points, Random& random) {
   Points3 normals = random_normals(points.size(), random);
   if (random.chance(0.8))
@@ -78,7 +78,7 @@ Points3 some_normals(const Points3& points, Random& random) {
   return normals;
 }
 
-/// Two to four.
+/// Returns two to four radii.
 std::vector<double> some_radii(const Points3& points, Random& random) {
   std::set<double> radii;
   for (std::size_t tries = 0, count = 2 + random.below(3); radii.size() < count && tries < 20; ++tries)
@@ -86,7 +86,7 @@ std::vector<double> some_radii(const Points3& points, Random& random) {
   return {radii.begin(), radii.end()};
 }
 
-/// What makes several radii meet: sets of two or three densities.
+/// A set of two or three densities, on which triangles of several radii meet.
 struct Uneven {
   std::string name;
   Points3 points, normals;
@@ -105,7 +105,7 @@ Uneven uneven_sphere(Random& random) {
   set.radii = {0.2, 0.3, 0.5, 0.8};
   return set;
 }
-/// One half is dense; some points lie a little above or below, where they get into the way of a ball.
+/// Returns a plane of which one half is dense; some points lie a little above or below, where they obstruct a ball.
 Uneven uneven_plane(Random& random, bool is_grid) {
   Uneven set{is_grid ? "grid of two densities" : "plane of two densities", {}, {}, {}};
   const auto put = [&](double x, double y) {
@@ -121,7 +121,7 @@ Uneven uneven_plane(Random& random, bool is_grid) {
   set.radii = is_grid ? std::vector<double>{0.75, 1, 1.5, 2} : std::vector<double>{0.6, 1, 1.5, 2.5};
   return set;
 }
-/// Clusters on a sphere, each of its own width.
+/// Returns clusters on a sphere, each of its own width.
 Uneven clusters_on_a_sphere(Random& random) {
   Uneven set{"clusters on a sphere", {}, {}, {}};
   const auto on_sphere = [](rbpa::Point3 p) {
@@ -152,12 +152,12 @@ Uneven uneven_set(std::size_t kind, Random& random) {
   return set;
 }
 
-/// What the rule of docs/surface_derivation.md, section 9 did.
+/// Counts of the cases of the rule of docs/surface_derivation.md, section 9.
 struct Compared {
   std::size_t triangles = 0;      ///< of levels beyond the first
-  std::size_t apart = 0;          ///< of those, beside no triangle that was there before: seeds
-  std::size_t rolled_over = 0;    ///< glued to one of a level before, from which the ball rolls
-  std::size_t rests_no_more = 0;  ///< or on which it rests no more
+  std::size_t apart = 0;          ///< seeds among these: not adjacent to an earlier triangle
+  std::size_t rolled_over = 0;    ///< glued to a triangle of an earlier level, from which the ball rolls
+  std::size_t rests_no_more = 0;  ///< glued to one on which the ball no longer rests
 };
 
 void check_same(const Points3& points, const Points3& normals, const std::vector<double>& radii, Compared& compared) {
@@ -189,7 +189,7 @@ void check_same(const Points3& points, const Points3& normals, const std::vector
   }
 }
 
-/// Edges beyond the first between the same vertices.
+/// Counts the edges beyond the first between the same vertices.
 template <typename AnyMesh>
 std::size_t parallel_edges(const AnyMesh& mesh) {
   std::set<std::pair<int, int>> ends;
@@ -200,7 +200,7 @@ std::size_t parallel_edges(const AnyMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("ball pivoting on the engine is the surface: triangles, gluing, and a vertex for each fan") {
+TEST_CASE("ball pivoting on the engine is the surface, with its triangles, gluing, and a vertex for each fan") {
   Random random(97);
   std::size_t triangles = 0, boundary = 0, fans = 0, by_sites_differs = 0, refused_by_sites = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -262,7 +262,7 @@ TEST_CASE("ball pivoting by several radii, each a level of the front, is the sur
   CHECK(compared.rests_no_more > trials(100));
 }
 
-TEST_CASE("in any order of the points the front has the same surface by several radii") {
+TEST_CASE("the front has the same surface by several radii in any order of the points") {
   Random random(99);
   std::size_t triangles = 0;
   for (std::size_t kind = 0; kind < uneven_kinds; ++kind)
@@ -273,7 +273,7 @@ TEST_CASE("in any order of the points the front has the same surface by several 
       std::iota(order.begin(), order.end(), 0u);
       const auto all_glued = [&] {
         Points3 points, normals;
-        std::vector<std::uint32_t> name;  // equal points have one
+        std::vector<std::uint32_t> name;  // equal points share one
         for (const std::uint32_t i : order) {
           points.push_back(set.points[i]);
           normals.push_back(set.normals[i]);
@@ -285,7 +285,7 @@ TEST_CASE("in any order of the points the front has the same surface by several 
         const auto triangle = [&](std::uint32_t t) {
           return t == Surface::none ? Triangle{} : renumbered({surface.triangles[t]}, name)[0];
         };
-        // Sides from a corner to the next, with the level and the triangle across.
+        // Sides from each corner to the next, with the level and the triangle across.
         std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, Triangle>> sides;
         for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
           for (std::size_t i = 0; i < 3; ++i) {
@@ -303,7 +303,7 @@ TEST_CASE("in any order of the points the front has the same surface by several 
   CHECK(triangles > 500);
 }
 
-TEST_CASE("what hangs over an edge parts the triangles beside it: a slit, of two edges between the same vertices") {
+TEST_CASE("a point that hangs over an edge separates the triangles beside it, which makes a slit") {
   Points3 points;
   for (int x = 0; x < 6; ++x)
     for (int y = 0; y < 6; ++y) points.push_back({double(x), double(y), 0});

@@ -24,8 +24,8 @@ struct Lump {
   Points3 points, normals;
 };
 
-/// Points on a dented sphere with noise, without those near some places; on a grid that is as coarse as they are dense,
-/// or not.
+/// Returns points on a dented sphere with noise, without the points near some places; optionally rounded to a grid as
+/// coarse as their spacing.
 Lump lump(Random& random, bool on_grid) {
   Lump lump;
   const int count = random.integer(150, 900);
@@ -60,7 +60,7 @@ std::ptrdiff_t count_of(const std::vector<bool>& which, bool value) {
 
 }  // namespace
 
-TEST_CASE("what is closed crosses nothing, and what is kept is as it was, in its order") {
+TEST_CASE("the closed surface crosses nothing, and kept triangles are unchanged and in their order") {
   Random random(95);
   std::size_t closed = 0, gave_up = 0;
   for (int i = 0; i < 60; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("what is closed crosses nothing, and what is kept is as it was, in its
   CHECK(gave_up > 2);
 }
 
-TEST_CASE("a closed surface stays as it is, and the order of points does not matter") {
+TEST_CASE("a closed surface is unchanged, and the order of points does not matter") {
   Random random(96);
   for (int i = 0; i < 6; ++i) {
     CAPTURE(i);
@@ -130,7 +130,7 @@ TEST_CASE("a closed surface stays as it is, and the order of points does not mat
   }
 }
 
-TEST_CASE("closing can be cancelled, and nothing is closed to nothing") {
+TEST_CASE("closing can be cancelled, and an empty surface stays empty") {
   Lump of;  // two thirds of a sphere
   for (int k = 0; k < 1000; ++k) {
     const double h = 1 - (2.0 * k + 1) / 1000, angle = k * 2.399963229728653, s = std::sqrt(1 - h * h);

@@ -28,7 +28,7 @@ struct Sheet {
   }
 };
 
-/// The kinds of its curves, the longest first, in any order of the points; all of them are the same in every order.
+/// Returns the kinds of its curves, the longest first; checks that they are the same in any order of the points.
 std::vector<CurveKind> kinds_of(Sheet sheet, double radius) {
   Random random(7);
   std::vector<CurveKind> first;
@@ -53,7 +53,7 @@ std::vector<CurveKind> kinds_of(Sheet sheet, double radius) {
   return first;
 }
 
-/// A square of side 20 at z = 0, without what `is_left_out` leaves out.
+/// Returns a square of side 20 at z = 0, without the points for which `is_left_out` returns true.
 template <typename LeftOut>
 Sheet square(const LeftOut& is_left_out) {
   Sheet sheet;
@@ -63,7 +63,7 @@ Sheet square(const LeftOut& is_left_out) {
   return sheet;
 }
 
-/// Points of the unit sphere between two heights, about 0.1 apart.
+/// Returns points of the unit sphere between two heights, about 0.1 apart.
 Sheet zone(double low, double high) {
   Sheet sheet;
   const int count = 1500;
@@ -80,7 +80,7 @@ using Kinds = std::vector<CurveKind>;
 
 }  // namespace
 
-TEST_CASE("a sheet ends at its rim, and what is missing inside is a hole, however large") {
+TEST_CASE("a sheet ends at its rim, and missing parts inside are holes, however large") {
   CHECK(kinds_of(square([](int, int) { return false; }), 1) == Kinds{CurveKind::rim});
   const auto is_near = [](int x, int y, int reach) { return std::abs(x - 10) < reach && std::abs(y - 10) < reach; };
   CHECK(kinds_of(square([&](int x, int y) { return is_near(x, y, 3); }), 1) == Kinds{CurveKind::rim, CurveKind::hole});
@@ -94,18 +94,18 @@ TEST_CASE("half a sphere has a rim, a sphere with an opening a hole, and a tube 
   CHECK(kinds_of(zone(-1, 1), 0.15).empty());
 }
 
-TEST_CASE("the curve of a component that is less than a hundredth of the largest is an island's") {
+TEST_CASE("a curve of a component that is less than a hundredth of the largest is an island") {
   Sheet sheet = square([](int, int) { return false; });
   for (const Point3& p : {Point3{30, 0, 0}, Point3{31, 0, 0}, Point3{30, 1, 0}}) sheet.add(p, {0, 0, 1});
   CHECK(kinds_of(sheet, 1) == Kinds{CurveKind::rim, CurveKind::island});
-  // Three of them are pieces like any other.
+  // Three such components alone are ordinary pieces.
   Sheet alone;
   for (const double x : {0.0, 10.0, 20.0})
     for (const Point3& p : {Point3{x, 0, 0}, Point3{x + 1, 0, 0}, Point3{x, 1, 0}}) alone.add(p, {0, 0, 1});
   CHECK(kinds_of(alone, 1) == Kinds{CurveKind::rim, CurveKind::rim, CurveKind::rim});
 }
 
-TEST_CASE("kinds do not depend on the place or the size, up to the largest numbers there are") {
+TEST_CASE("kinds do not depend on the place or the size, up to the largest doubles") {
   for (const double scale : {1e-140, 1.0, 1e140}) {
     CAPTURE(scale);
     Sheet sheet = zone(-1, 0.7);

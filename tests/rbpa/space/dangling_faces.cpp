@@ -32,8 +32,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Edge = std::array<std::uint32_t, 2>;
 
-/// By definition, over all points: a face of the triangulation is in the complex if one of what it is a face of is in
-/// it, or if its least sphere is within alpha and has no point inside.
+/// Finds the faces by definition, over all points. A face of the triangulation is in the complex if a simplex that it
+/// is a face of is in the complex, or if its least sphere has a radius of at most alpha and no point inside.
 DanglingFaces by_definition(const Points3& points, const Solid& delaunay, double alpha) {
   std::map<rbpa::Triangle, bool> triangles;
   std::map<Edge, bool> edges;
@@ -81,7 +81,7 @@ DanglingFaces by_definition(const Points3& points, const Solid& delaunay, double
 
 }  // namespace
 
-TEST_CASE("triangles, edges and points are those of the definition, at alphas from tiny to infinite") {
+TEST_CASE("triangles, edges and points follow the definition, at alphas from tiny to infinite") {
   std::size_t triangles = 0, edges = 0, isolated = 0;
   for (const SolidSet& set : solid_sets(60)) {
     if (!set.is_solid) continue;
@@ -137,7 +137,7 @@ TEST_CASE("the filters of least spheres never differ from integers") {
   CHECK(on > 500);
 }
 
-TEST_CASE("least spheres by hand") {
+TEST_CASE("least spheres are those computed by hand") {
   const Point3 a = {0, 0, 0}, b = {2, 0, 0}, c = {0, 2, 0};
   CHECK(exact::compare_circumradius(a, b, 1) == 0);
   CHECK(exact::compare_circumradius(a, b, 0.9) == 1);
@@ -149,7 +149,7 @@ TEST_CASE("least spheres by hand") {
   CHECK(exact::side_of_least_sphere(a, b, c, {1, 1, 1.5}) == -1);
 }
 
-TEST_CASE("what does not belong together is refused") {
+TEST_CASE("arguments that do not belong together are refused") {
   const Points3 points = jittered_cubes(60, 6);
   const Solid solid = rbpa::solid(points, infinity), bare = rbpa::solid(points, infinity, {.neighbors = false});
   const std::vector<double> radii = rbpa::circumradii(points, solid.simplices);
@@ -160,7 +160,7 @@ TEST_CASE("what does not belong together is refused") {
   CHECK(rbpa::dangling_faces(one, rbpa::solid(one, infinity), {}, 1).points == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("of points in a plane or on a line all simplices dangle") {
+TEST_CASE("all simplices of points in a plane or on a line dangle") {
   const auto at = [](const Points3& points, double alpha) {
     return rbpa::dangling_faces(points, rbpa::solid(points, infinity), {}, alpha);
   };

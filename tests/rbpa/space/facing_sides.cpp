@@ -14,15 +14,15 @@ using namespace rbpa_test;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("sides at an edge face the next one around it, and only if that is turned toward them") {
-  // About the edge from 0 to 1, upward; apexes at twelve directions, 30 degrees apart.
+TEST_CASE("sides at an edge face the next one around it, but only if it is turned toward them") {
+  // About the edge from 0 to 1, upward; apexes in twelve directions, 30 degrees apart.
   Points3 points = {{0, 0, 0}, {0, 0, 1}};
   for (int i = 0; i < 12; ++i) points.push_back({std::cos(i * M_PI / 6), std::sin(i * M_PI / 6), 0.3});
   Random random(305);
   std::size_t count = 0;
   for (int trial = 0; trial < trials(300); ++trial) {
     std::vector<rbpa::EdgeSide> sides;
-    std::vector<int> at(12, 0);  // 1: the positive side comes after; -1: before
+    std::vector<int> at(12, 0);  // 1: the positive side follows; -1: it precedes
     for (std::uint32_t i = 0; i < 12; ++i) {
       at[i] = random.chance(0.4) ? 0 : random.chance(0.5) ? 1 : -1;
       if (at[i] == 1) sides.push_back({0, 1, 2 + i, i, 0});

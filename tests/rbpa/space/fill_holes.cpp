@@ -30,7 +30,7 @@ struct Mesh {
   std::vector<Row> triangles;
 };
 
-/// The unit squares of a grid, each two triangles, without those left out; heights of any kind.
+/// Returns the unit squares of a grid, each as two triangles, without those left out; heights are arbitrary.
 template <typename LeftOut, typename Height>
 Mesh grid(std::uint32_t size, const LeftOut& is_left_out, const Height& height) {
   Mesh mesh;
@@ -46,7 +46,7 @@ Mesh grid(std::uint32_t size, const LeftOut& is_left_out, const Height& height) 
   return mesh;
 }
 
-/// An octahedron of which each face is cut into four, again and again, on the unit sphere.
+/// Returns an octahedron each of whose faces is cut into four, `times` times, on the unit sphere.
 Mesh sphere(int times) {
   Mesh mesh{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
   mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -73,7 +73,7 @@ Mesh sphere(int times) {
   return mesh;
 }
 
-/// Of the new triangles, as points, each with its least first.
+/// Returns the new triangles as points, each starting with its least.
 std::multiset<std::array<Point3, 3>> new_triangles(const Mesh& mesh, const rbpa::HoleFilling& filling) {
   std::multiset<std::array<Point3, 3>> result;
   for (std::size_t t = mesh.triangles.size(); t < filling.triangles.size(); ++t) {
@@ -104,7 +104,7 @@ Mesh shuffled(const Mesh& mesh, Random& random) {
 
 }  // namespace
 
-TEST_CASE("a hole in a plane is filled with exactly its area, though its sides have corners in a line") {
+TEST_CASE("a hole in a plane is filled with exactly its area, though its sides have corners on a line") {
   for (const std::uint32_t wide : {1U, 2U, 5U, 9U}) {
     const Mesh mesh = grid(
         12, [&](auto x, auto y) { return x >= 2 && x < 2 + wide && y >= 1 && y < 4; }, [](auto, auto) { return 0.0; });
@@ -120,7 +120,7 @@ TEST_CASE("a hole in a plane is filled with exactly its area, though its sides h
 }
 
 TEST_CASE(
-    "caps cut off a sphere are closed, the same ones in any order of points, triangles and by any number of threads") {
+    "caps cut off a sphere are closed, always by the same triangles in any order and with any number of threads") {
   Random random(29);
   int closed = 0;
   for (int trial = 0; trial < 12; ++trial) {
@@ -161,7 +161,7 @@ TEST_CASE(
   CHECK(closed > 5);
 }
 
-TEST_CASE("a hole stays open where its only triangles cross the mesh or have an edge that is taken, and says so") {
+TEST_CASE("a hole stays open, with the reason, where its only triangles cross the mesh or need an edge that exists") {
   // A hole of three edges in a plane, and a triangle that stands in it.
   Mesh mesh{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-2, -2, 0}, {6, -2, 0}, {-2, 6, 0}}, {}};
   mesh.triangles = {{0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
@@ -173,11 +173,11 @@ TEST_CASE("a hole stays open where its only triangles cross the mesh or have an 
   const rbpa::HoleFilling left = rbpa::fill_holes(pierced.points, pierced.triangles, hole);
   CHECK(left.loops.front() == rbpa::HoleFill{HoleOutcome::crosses, 0, 0});
   CHECK(left.triangles == pierced.triangles);
-  // The back of a single triangle lies on its front.
+  // The back of a single triangle coincides with its front.
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   CHECK(rbpa::fill_holes(one.points, one.triangles, rbpa::boundary_loops(one.triangles)).loops.front().outcome ==
         HoleOutcome::crosses);
-  // Of a tetrahedron without two faces one diagonal of the hole is there; the other closes it.
+  // A tetrahedron without two faces: one diagonal of the hole exists; the other one closes it.
   const Mesh half{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}}};
   const auto loops = rbpa::boundary_loops(half.triangles);
   REQUIRE(loops.size() == 1);
@@ -187,8 +187,8 @@ TEST_CASE("a hole stays open where its only triangles cross the mesh or have an 
   CHECK(rbpa::crossing_triangles(half.points, closed.triangles, 1).empty());
 }
 
-TEST_CASE("thousands of triangles on one edge: each hole has its reason, work is limited, any look ends it") {
-  const auto book = [](std::uint32_t pages) {  // each triangle by itself, its vertices its own
+TEST_CASE("each of thousands of holes at one edge has its reason, work is limited, and the run can be cancelled") {
+  const auto book = [](std::uint32_t pages) {  // each triangle separate, with vertices of its own
     Mesh mesh;
     for (std::uint32_t i = 0; i < pages; ++i) {
       const double turn = 2 * std::acos(-1.0) * i / pages;
@@ -215,7 +215,7 @@ TEST_CASE("thousands of triangles on one edge: each hole has its reason, work is
       too_much += fill.outcome == HoleOutcome::too_much_work;
     }
     CHECK(too_much > 0);
-    // Any of them ends it: the first, some in the middle, the last.
+    // Any call can cancel: the first, some in the middle, the last.
     for (const std::size_t last : {std::size_t{1}, looks / 3, looks / 2, looks - 1}) {
       std::size_t left = last;
       CHECK_THROWS_AS(rbpa::fill_holes(mesh.points, mesh.triangles, loops,
@@ -229,8 +229,8 @@ TEST_CASE("thousands of triangles on one edge: each hole has its reason, work is
   CHECK(twice < 4 * some);
 }
 
-TEST_CASE("a loop that comes to a point twice, at two vertices, is closed on both sides of it, which become one") {
-  // Two square holes that touch at a corner; the fans between them there are two vertices.
+TEST_CASE("a loop that visits a point twice, at two vertices, is closed on both sides, and the vertices are merged") {
+  // Two square holes that touch at a corner; the two fans between them there are two vertices.
   Mesh mesh = grid(
       6, [](auto x, auto y) { return (x == 2 && y == 2) || (x == 3 && y == 3); },
       [](std::uint32_t x, std::uint32_t y) { return 0.01 * x * y; });
@@ -296,7 +296,7 @@ TEST_CASE("wrong calls are refused") {
   const auto fill = [&](const std::vector<std::uint32_t>& loop) {
     return rbpa::fill_holes(one.points, one.triangles, std::vector<std::vector<std::uint32_t>>{loop});
   };
-  CHECK_THROWS_AS(fill({0, 1, 2}), meshops::ContractViolation);  // the triangle is to the left
+  CHECK_THROWS_AS(fill({0, 1, 2}), meshops::ContractViolation);  // the triangle is on the wrong side, to the left
   CHECK_THROWS_AS(fill({0, 1, 7}), meshops::ContractViolation);
   CHECK_THROWS_AS(fill({0}), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::boundary_loops(std::vector<Row>{{0, 1, 2}, {0, 1, 3}}), meshops::ContractViolation);

@@ -33,7 +33,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::uint32_t>;
 
-/// All faces of the solid and of what dangles, by dimension.
+/// Returns all faces of the solid and of the dangling simplices, by dimension.
 std::array<std::set<Simplex>, 4> simplices_of(const Solid& solid, const rbpa::DanglingFaces& more) {
   std::array<std::set<Simplex>, 4> all;
   const auto add = [&](Simplex s) {
@@ -52,7 +52,7 @@ std::array<std::set<Simplex>, 4> simplices_of(const Solid& solid, const rbpa::Da
   return all;
 }
 
-/// Of the boundary matrix over Z/2 from simplices to their faces.
+/// Returns the rank over Z/2 of the boundary matrix from simplices to their faces.
 std::size_t rank(const std::set<Simplex>& simplices, const std::set<Simplex>& faces) {
   std::map<Simplex, std::size_t> number;
   for (const Simplex& face : faces) number.emplace(face, number.size());
@@ -76,9 +76,7 @@ std::size_t rank(const std::set<Simplex>& simplices, const std::set<Simplex>& fa
 
 }  // namespace
 
-TEST_CASE(
-    "Betti numbers of the full complex are those of its boundary matrices, and its voids have the tetrahedra that are "
-    "left") {
+TEST_CASE("Betti numbers and voids of the full complex are those of its boundary matrices and left-out tetrahedra") {
   std::size_t with_voids = 0, voids_of_triangles = 0;
   for (const SolidSet& set : solid_sets(60)) {
     if (!set.is_solid) continue;
@@ -136,11 +134,11 @@ TEST_CASE(
     }
   }
   CHECK(with_voids > 10);
-  CHECK(voids_of_triangles > 10);  // that only triangles part
+  CHECK(voids_of_triangles > 10);  // voids that only triangles separate
 }
 
-TEST_CASE("four triangles around nothing") {
-  // Edges of √8: triangles have the circumradius √(8/3), the tetrahedron √3.
+TEST_CASE("four triangles around nothing bound a void") {
+  // Edges of length √8: triangles have the circumradius √(8/3), the tetrahedron √3.
   const Points3 points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {9, 9, 9}};
   const Solid delaunay = rbpa::solid(points, infinity);
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
@@ -163,7 +161,7 @@ TEST_CASE("four triangles around nothing") {
   CHECK(rbpa::count_full(points, delaunay, radii, 1.5).tunnels == 3);
 }
 
-TEST_CASE("a tetrahedron's triangles within a sphere are an island in its void") {
+TEST_CASE("the triangles of a tetrahedron within a sphere are an island in its void") {
   Points3 points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   for (const Point3& p : on_unit_sphere(600, 9)) points.push_back({6 * p.x, 6 * p.y, 6 * p.z});
   const Solid delaunay = rbpa::solid(points, infinity);
@@ -181,7 +179,7 @@ TEST_CASE("a tetrahedron's triangles within a sphere are an island in its void")
   CHECK(inner->triangles.size() == 4);
 }
 
-TEST_CASE("what is no triangulation, or no radius, is refused by name; points in a plane have no voids") {
+TEST_CASE("invalid triangulations and radii are refused by name; points in a plane have no voids") {
   const Points3 points = uniform_cube(30, 8);
   const Solid delaunay = rbpa::solid(points, infinity), bare = rbpa::solid(points, infinity, {.neighbors = false});
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);

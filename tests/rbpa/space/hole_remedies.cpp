@@ -38,7 +38,7 @@ struct Sample {
   Points3 points, normals;
 };
 
-/// Points spread over the unit sphere along a spiral, without a cap around the north pole.
+/// Returns points spread over the unit sphere along a spiral, without a cap around the north pole.
 Sample sphere_without_cap(std::size_t count, double highest) {
   Sample sample;
   for (std::size_t i = 0; i < count; ++i) {
@@ -53,8 +53,8 @@ Sample sphere_without_cap(std::size_t count, double highest) {
 
 Point3 turned(const Point3& n) { return {-n.x, -n.y, -n.z}; }
 
-/// All that is computed of a hole's surroundings, from the whole surface: whether no edge of the hole is boundary, nor
-/// one of a triangle of the last level that is connected with it by such triangles.
+/// Decides from the whole surface whether a hole is closed: no edge of the hole is boundary, nor an edge of a triangle
+/// of the last level that is connected with it by such triangles.
 bool is_closed_by(const Hole& hole, const Surface& before, const Surface& after, std::uint32_t level) {
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> number;
   for (std::uint32_t t = 0; t < after.triangles.size(); ++t) number[after.triangles[t]] = t;
@@ -109,7 +109,7 @@ std::vector<HoleRemedy> remedies_of(const Sample& sample, const Radii& radii, st
 
 }  // namespace
 
-TEST_CASE("a ball closes where a cap of a sphere is missing, and no ball that is smaller does so by these triangles") {
+TEST_CASE("a ball closes a missing cap of a sphere, and no smaller ball closes it by the same triangles") {
   for (const double highest : {0.97, 0.9, 0.8}) {
     const Sample sample = sphere_without_cap(600, highest);
     std::vector<Hole> holes;
@@ -127,7 +127,7 @@ TEST_CASE("a ball closes where a cap of a sphere is missing, and no ball that is
   }
 }
 
-TEST_CASE("normals that point the wrong way are named, and nothing else") {
+TEST_CASE("exactly the normals that point the wrong way are suggested for turning") {
   Sample sample = sphere_without_cap(600, 1);
   const std::vector<std::uint32_t> wrong = {50, 300, 301, 420};
   sample.normals = with_turned(sample.normals, wrong);
@@ -141,7 +141,7 @@ TEST_CASE("normals that point the wrong way are named, and nothing else") {
   CHECK(named == std::set<std::uint32_t>(wrong.begin(), wrong.end()));
 }
 
-TEST_CASE("the open side of a box is filled, as a ball does not agree with the normals at its rim") {
+TEST_CASE("filling is suggested for the open side of a box, as a ball does not agree with the normals at its rim") {
   Sample box;
   const int size = 6;
   for (int x = 0; x <= size; ++x)
@@ -158,7 +158,7 @@ TEST_CASE("the open side of a box is filled, as a ball does not agree with the n
   CHECK(remedies.front() == HoleRemedy{.kind = RemedyKind::filling, .filled = rbpa::HoleOutcome::filled});
 }
 
-TEST_CASE("what a remedy promises holds for the whole surface, and balls that fail around a hole fail on the whole") {
+TEST_CASE("a suggested repair holds for the whole surface, and balls that fail around a hole fail on the whole") {
   std::array<std::size_t, 4> found{};
   for (int trial = 0; trial < trials(400); ++trial) {
     Random random(9000 + static_cast<std::uint64_t>(trial));
@@ -218,7 +218,7 @@ TEST_CASE("what a remedy promises holds for the whole surface, and balls that fa
   for (const std::size_t count : found) CHECK(count > static_cast<std::size_t>(trials(20)));
 }
 
-TEST_CASE("neither the order of the points nor the threads change a remedy") {
+TEST_CASE("neither the order of the points nor the threads change a suggested repair") {
   Sample sample = sphere_without_cap(500, 0.9);
   sample.normals = with_turned(sample.normals, {100, 101, 250});
   std::vector<std::uint32_t> order(sample.points.size());
@@ -245,7 +245,7 @@ TEST_CASE("neither the order of the points nor the threads change a remedy") {
   CHECK(described(remedies_of(shuffled, {0.15}), order) == expected);
 }
 
-TEST_CASE("wrong calls of hole_remedies are refused, and a run is cancelled") {
+TEST_CASE("wrong calls of hole_remedies are refused, and a run can be cancelled") {
   const Sample sample = sphere_without_cap(200, 0.8);
   const Radii radii = {0.25};
   const Surface surface = rbpa::surface(sample.points, sample.normals, radii);

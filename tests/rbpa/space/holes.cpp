@@ -32,14 +32,14 @@ namespace {
 
 using Radii = std::vector<double>;
 
-/// One to three ascending radii that decide something.
+/// Returns one to three ascending radii that decide something.
 Radii some_radii(const Points3& points, Random& random) {
   std::set<double> radii;
   for (std::size_t i = 0, count = 1 + random.below(3); i < count; ++i) radii.insert(space_radius(points, random));
   return {radii.begin(), radii.end()};
 }
 
-/// Normals that mostly agree with each other, so that there is a surface and a rim.
+/// Returns normals that mostly agree with each other, so that there is a surface and a rim.
 Points3 some_normals(const Points3& points, Random& random) {
   Points3 normals = random_normals(points.size(), random);
   const bool is_flat = random.chance(0.5);
@@ -51,7 +51,7 @@ Points3 some_normals(const Points3& points, Random& random) {
   return normals;
 }
 
-/// The curves pass each boundary side once, go on where they end, and stay at a fan.
+/// Checks that the curves pass each boundary side once, are continuous, and stay at a fan.
 std::size_t check_curves(const std::vector<Hole>& curves, const Surface& surface, const Points3& points) {
   const auto place = [](const RimEdge& e) { return Triangle{e.from, e.to, e.triangle}; };
   std::set<Triangle> sides, expected;
@@ -84,7 +84,7 @@ struct Causes {
   std::array<std::size_t, 4> unused = {};
 };
 
-/// Tries every triple against every point, at every radius.
+/// Checks the causes by trying every triple against every point, at every radius.
 void check_causes(const Points3& points, const Points3& normals, const Radii& radii, const Surface& surface,
                   const std::vector<Hole>& curves, Causes& seen) {
   std::vector<std::set<Triangle>> exposed;
@@ -127,7 +127,7 @@ void check_causes(const Points3& points, const Points3& normals, const Radii& ra
     }
 }
 
-/// No ball of the radius that touches the point is empty, of thousands that were tried.
+/// Returns whether none of thousands of balls of the radius that touch the point is empty.
 bool is_held_all_around(const Points3& points, std::uint32_t v, double radius, Random& random) {
   for (int trial = 0; trial < trials(3000); ++trial) {
     const double z = random.between(-1, 1), angle = random.between(0, 2 * M_PI), s = std::sqrt(1 - z * z);
@@ -169,7 +169,7 @@ void check_unused(const Points3& points, const Points3& normals, const Radii& ra
 
 }  // namespace
 
-TEST_CASE("each boundary side is on one curve, and its cause is that of every triple tried against every point") {
+TEST_CASE("each boundary side is on one curve, and its cause follows from trying every triple against every point") {
   Random random(201);
   Causes seen;
   std::size_t sides = 0;
@@ -194,7 +194,8 @@ TEST_CASE("each boundary side is on one curve, and its cause is that of every tr
 }
 
 TEST_CASE(
-    "an unused point with a triangle that agrees, at any radius, is blocked; with others only, normals disagree") {
+    "an unused point with an agreeing triangle, at any radius, is blocked; with other triangles only, normals "
+    "disagree") {
   Random random(203);
   std::size_t blocked = 0, others = 0;
   for (int trial = 0; trial < 150; ++trial) {
@@ -204,7 +205,7 @@ TEST_CASE(
       if (random.chance(0.1)) n = {-n.y, n.z, n.x};
     const Radii radii = {random.between(0.2, 0.3), random.between(0.3, 0.5), random.between(0.5, 2)};
     const Surface surface = rbpa::surface(points, normals, radii);
-    std::vector<int> best(points.size(), 0);  // 2: on a triangle that agrees; 1: on others
+    std::vector<int> best(points.size(), 0);  // 2: on a triangle that agrees; 1: on other triangles only
     for (const double radius : radii)
       for (const Triangle& t : rbpa::exposed_triangles(points, radius).triangles)
         for (const std::uint32_t i : t) best[i] = std::max(best[i], agrees(points, normals, t) ? 2 : 1);
@@ -219,20 +220,20 @@ TEST_CASE(
   CHECK(others > 10);
 }
 
-TEST_CASE("shuffled points have the same holes, of the same lengths to the last bit") {
+TEST_CASE("shuffled points have the same holes, with lengths equal to the last bit") {
   Random random(204);
   std::size_t sides = 0;
   for (int trial = 0; trial < 10; ++trial) {
     Points3 points = space_set(SpaceKind::noisy_sphere, 150, random);
     std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());  // each has a name of its own
+    points.erase(std::unique(points.begin(), points.end()), points.end());  // each point is unique
     const Radii radii = {0.25, 0.5};
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
     random.shuffle(order);
     Points3 shuffled;
     for (const std::uint32_t i : order) shuffled.push_back(points[i]);
-    // Lengths, and the facts of each side.
+    // Lengths, and the data of each side.
     using EdgeFacts = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
     const auto holes_of = [&](const Points3& of, const auto& name) {
       std::multiset<std::pair<double, std::set<EdgeFacts>>> all;
@@ -254,7 +255,7 @@ TEST_CASE("shuffled points have the same holes, of the same lengths to the last 
   CHECK(sides > 500);
 }
 
-TEST_CASE("what is no surface of the points is refused, as far as is noticed: holes") {
+TEST_CASE("holes() refuses what is visibly not a surface of the points") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, up(4, {0, 0, 1});
   const Surface right = rbpa::surface(points, up, 1.0);
   const std::vector<Hole> rim = rbpa::holes(points, up, 1.0, right);
@@ -269,7 +270,7 @@ TEST_CASE("what is no surface of the points is refused, as far as is noticed: ho
   CHECK_THROWS_AS(rbpa::holes(points, up, -1.0, right), rbpa::InvalidInput);
   CHECK_THROWS_AS(rbpa::unused_points(points, up, -1.0, right), rbpa::InvalidInput);
   CHECK_THROWS_AS(rbpa::unused_points(Points3{{0, 0, 0}}, {}, 1.0, right), ContractViolation);
-  Surface cut = right;  // where the surface goes on
+  Surface cut = right;  // a boundary side where the surface continues
   cut.neighbors.assign(2, {Surface::none, Surface::none, Surface::none});
   CHECK_THROWS_AS(rbpa::holes(points, up, 1.0, cut), ContractViolation);
   CHECK(rbpa::holes({}, {}, 1.0, Surface{}).empty());
@@ -278,7 +279,7 @@ TEST_CASE("what is no surface of the points is refused, as far as is noticed: ho
   CHECK(alone[0].cause == UnusedCause::no_ball_rests);
 }
 
-TEST_CASE("a hidden point is in every ball that touches it; where no ball rests there are empty ones") {
+TEST_CASE("a hidden point is in every ball that touches it, and where merely no ball rests some are empty") {
   Random random(202);
   std::size_t hidden = 0, alone = 0;
   for (int trial = 0; trial < 150; ++trial) {

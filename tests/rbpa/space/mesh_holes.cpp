@@ -1,4 +1,4 @@
-// A mesh of the user's as a surface, and its holes filled in place.
+// Meshes as surfaces, and their holes filled in place.
 #include "rbpa/mesh_holes.h"
 
 #include <doctest/doctest.h>
@@ -42,7 +42,7 @@ struct Traits : OpenMesh::DefaultTraitsDouble {
 };
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
 
-/// A torus of so many by so many squares, each cut in two.
+/// Makes a torus of `along` by `around` squares, each cut in two.
 void make_torus(Mesh& mesh, std::uint32_t along, std::uint32_t around) {
   meshops::PolygonSoup soup;
   soup.points = along * around;
@@ -70,7 +70,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-/// A patch around a vertex is gone.
+/// Removes the triangles around a vertex.
 void remove_around(Mesh& mesh, Vertex middle) {
   std::set<Face> faces;
   for (const Vertex v : mesh.vv_range(middle))
@@ -80,7 +80,7 @@ void remove_around(Mesh& mesh, Vertex middle) {
 
 }  // namespace
 
-TEST_CASE("a mesh as a surface and back is the same mesh, up to handles; deleted elements are passed over") {
+TEST_CASE("a mesh converted to a surface and back is the same except for handles; deleted elements are skipped") {
   Mesh mesh;
   make_torus(mesh, 12, 8);
   remove_around(mesh, Vertex(30));
@@ -105,8 +105,8 @@ TEST_CASE("a mesh as a surface and back is the same mesh, up to handles; deleted
   CHECK(rbpa::surface_components(places, surface).all[0].boundary_curves == counts.boundary_curves);
 }
 
-TEST_CASE("vertices at one place that are not glued are apart, and those that are stay glued") {
-  Mesh mesh;  // two triangles side by side, each with corners of its own
+TEST_CASE("vertices at one place that are not glued stay apart, and glued ones stay glued") {
+  Mesh mesh;  // two adjacent triangles, each with corners of its own
   for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {0, 1}, {1, 0}, {1, 1}, {0, 1}})
     mesh.add_vertex({double(x), double(y), 0});
   mesh.add_face(Vertex(0), Vertex(1), Vertex(2));
@@ -117,7 +117,7 @@ TEST_CASE("vertices at one place that are not glued are apart, and those that ar
 }
 
 TEST_CASE(
-    "holes of a mesh are filled in place as fill_holes() fills those of its triangles, and nothing old is touched") {
+    "holes of a mesh are filled in place as fill_holes() fills those of its triangles, and the rest is not changed") {
   Mesh mesh;
   make_torus(mesh, 20, 12);
   remove_around(mesh, Vertex(30));
@@ -150,8 +150,8 @@ TEST_CASE(
   CHECK(rbpa::crossing_triangles(rbpa::places_of(mesh), found, 1).empty());
 }
 
-TEST_CASE("a hole that touches itself at vertices in one place is filled, and these become one") {
-  // An octahedron without two faces that meet in a corner only: the hole comes there twice, at vertices 3 and 6.
+TEST_CASE("a hole that touches itself at vertices in one place is filled, and these are merged") {
+  // An octahedron without two faces that meet only in a corner: the hole visits that corner twice, at vertices 3 and 6.
   Mesh mesh;
   const std::array<std::array<double, 3>, 7> at = {
       {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}}};
@@ -173,7 +173,7 @@ TEST_CASE("a hole that touches itself at vertices in one place is filled, and th
   CHECK(counts.genus() == 0);
 }
 
-TEST_CASE("a slit, along which vertices lie in pairs, is closed by nothing but gluing") {
+TEST_CASE("a slit, along which vertices lie in pairs, is closed by gluing alone") {
   Mesh mesh;
   make_torus(mesh, 12, 8);
   const meshops::TopologyCounts before = meshops::count_topology(mesh);
@@ -189,7 +189,7 @@ TEST_CASE("a slit, along which vertices lie in pairs, is closed by nothing but g
   CHECK(meshops::count_topology(mesh) == before);
 }
 
-TEST_CASE("a mesh of which no hole can be filled is refused untouched") {
+TEST_CASE("a mesh whose holes cannot be filled is refused and not changed") {
   Mesh mesh;
   make_torus(mesh, 12, 8);
   remove_around(mesh, Vertex(30));

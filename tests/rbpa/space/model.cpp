@@ -48,7 +48,7 @@ bool agrees(const Points3& points, const Points3& normals, const Triangle& t) {
 
 bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std::uint32_t apex, std::uint32_t other,
                std::uint32_t third) {
-  // Quarters of a turn from the apex on, counter-clockwise about the direction of the side; all of it for the apex
+  // Quarters of a turn from the apex, counter-clockwise about the direction of the side; a full turn for the apex
   // itself.
   const auto half = [&](std::uint32_t p) {
     return p == apex ? 2 : -exact::orientation(points[from], points[to], points[apex], points[p]);
@@ -109,14 +109,14 @@ void ModelSurface::add(double radius) {
       is_free = is_free && !is_interior_point(t[k]) && !is_interior_edge(t[k], t[(k + 1) % 3]);
     if (is_free) candidates.insert(t);
   }
-  // All sides that are not glued yet, and of each the one that it faces.
+  // All sides that are not glued yet, each with the one that it faces.
   std::vector<Side> sides;
   for (const auto& [t, level] : levels_)
     for (std::size_t k = 0; k < 3; ++k)
       if (neighbor(t, k) == nullptr) sides.emplace_back(t, k);
   for (const Triangle& t : candidates)
     for (std::size_t k = 0; k < 3; ++k) sides.emplace_back(t, k);
-  std::vector<std::pair<Side, Side>> found;  // of each pair the turn from one to the other has both positive sides
+  std::vector<std::pair<Side, Side>> found;  // pairs between which the turn contains both positive sides
   for (const Side& s : sides) {
     const auto& [t, k] = s;
     const std::uint32_t from = t[(k + 1) % 3], to = t[(k + 2) % 3];

@@ -1,6 +1,6 @@
-// What: surfaces of a few points by their definitions to the letter: every triple against every point, every pair of
-//       sides.
-// Law:  shares with the library nothing but the signs of predicate/exact.h and the ball, which have tests of their own.
+// What: surfaces of few points computed literally from their definitions: every triple against every point, every pair
+//       of sides.
+// Law:  shares with the library only the signs of predicate/exact.h and the ball, which have tests of their own.
 #pragma once
 
 #include <array>
@@ -18,24 +18,23 @@
 
 namespace rbpa_test {
 
-/// Of equal points the lowest index, ascending.
+/// Returns the lowest index of each set of equal points, ascending.
 std::vector<std::uint32_t> distinct_of(const Points3& points);
 
-/// All oriented triples on which an empty ball rests.
+/// Returns all oriented triples on which an empty ball rests.
 std::set<Triangle> exposed_by_definition(const Points3& points, double radius);
 
-/// The product of the triangle's normal with that of a point equal to its corner k is not positive, for some such
-/// point.
+/// Returns whether the triangle's normal has no positive product with the normal of some point equal to its corner k.
 bool disagrees(const Points3& points, const Points3& normals, const Triangle& triangle, std::size_t k);
 bool agrees(const Points3& points, const Points3& normals, const Triangle& triangle);
 
-/// Of two sides (from, to, apex) and (to, from, other): the turn from one to the other about the edge is less than to a
-/// third.
+/// Returns whether the turn about the edge from side (from, to, apex) to side (to, from, other) is less than the turn
+/// to the third.
 bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std::uint32_t apex, std::uint32_t other,
                std::uint32_t third);
 
-/// Where the ball comes from the exposed triangle over the side across from its corner k: the first exposed triangle
-/// that is turned toward it, around the edge.
+/// Returns the triangle to which the ball rolls from an exposed triangle over the side across from its corner k: the
+/// first exposed triangle around the edge that is turned toward it.
 Triangle next_by_definition(const Points3& points, const std::set<Triangle>& exposed, const Triangle& triangle,
                             std::size_t k);
 
@@ -47,7 +46,7 @@ class ModelSurface {
   void add(double radius);
 
   const std::map<Triangle, std::uint32_t>& levels() const { return levels_; }
-  /// Across from corner k; absent where it is boundary.
+  /// Returns the neighbor across from corner k; null where the side is boundary.
   const Triangle* neighbor(const Triangle& triangle, std::size_t k) const;
   bool is_interior_point(std::uint32_t point) const;
   bool is_interior_edge(std::uint32_t a, std::uint32_t b) const;
@@ -61,7 +60,7 @@ class ModelSurface {
   std::map<Side, Side> glued_;
 };
 
-/// Checks triangles, neighbors and levels.
+/// Returns whether triangles, neighbors and levels equal those of the model.
 bool is_model(const rbpa::Surface& surface, const ModelSurface& model);
 
 }  // namespace rbpa_test

@@ -45,7 +45,8 @@ struct Shells {
 
 using Vector = std::array<long double, 3>;
 
-/// How often a shell winds around a place, by the solid angles of its triangles (Van Oosterom and Strackee, 1983).
+/// Returns how often a shell winds around a place, by the solid angles of its triangles (Van Oosterom and Strackee,
+/// 1983).
 long double winding(const Points3& points, const Shells& shells, std::uint32_t shell, const Vector& at) {
   long double sum = 0;
   for (std::size_t t = 0; t < shells.surface.triangles.size(); ++t) {
@@ -69,14 +70,14 @@ long double winding(const Points3& points, const Shells& shells, std::uint32_t s
   return sum / (2 * static_cast<long double>(M_PI));
 }
 
-/// The center of the ball on a triangle: along the normal from the point that is as far from all corners.
+/// Returns the center of the ball on a triangle: on the normal through the point that is equally far from all corners.
 Vector centre_of(const Points3& points, const Triangle& triangle, double radius, long double* height) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   const Vector u = {(long double)b.x - a.x, (long double)b.y - a.y, (long double)b.z - a.z};
   const Vector v = {(long double)c.x - a.x, (long double)c.y - a.y, (long double)c.z - a.z};
   const Vector n = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const auto dot = [](const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; };
-  // s u + t v with the same product with u as u²/2, and with v as v²/2.
+  // s u + t v has the same product with u as u²/2, and with v as v²/2.
   const long double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), det = uu * vv - uv * uv;
   const long double s = vv * (uu - uv) / (2 * det), t = uu * (vv - uv) / (2 * det);
   Vector centre;
@@ -90,15 +91,15 @@ Vector centre_of(const Points3& points, const Triangle& triangle, double radius,
 
 }  // namespace
 
-TEST_CASE("of a closed body the shell around it is outer, and the one inside is not") {
+TEST_CASE("the shell around a closed body is outer, and the one inside is not") {
   Points3 points;
   add_sphere(points, {5, -3, 2}, 1, 400);
   const Shells one(points, 0.3);
   REQUIRE(one.components.all.size() == 2);
-  CHECK(one.outer == std::vector<bool>{true, false});  // areas are equal, the outer one encloses more
+  CHECK(one.outer == std::vector<bool>{true, false});  // areas are equal, the outer shell encloses more
   CHECK(one.components.all[0].volume == doctest::Approx(-one.components.all[1].volume));
 
-  // A ball within it, however far from it, is not outer; one beside it is.
+  // A ball inside is not outer, however far from the shell; a ball outside is.
   add_sphere(points, {5, -3, 2}, 0.2, 100);
   const Shells nested(points, 0.15);
   CHECK(nested.components.all.size() > 2);
@@ -117,12 +118,12 @@ TEST_CASE("a sheet is outer on both sides") {
   CHECK(sheet.components.all[0].volume == 0);
 }
 
-TEST_CASE("shells are outer exactly if no shell winds around any ball that rests on them") {
+TEST_CASE("shells are outer if and only if no shell winds around any ball that rests on them") {
   Random random(311);
   std::size_t inner = 0, outer = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
     const auto kind = static_cast<SpaceKind>(random.below(space_kinds));
-    if (kind == SpaceKind::extreme) continue;  // where solid angles have no digits
+    if (kind == SpaceKind::extreme) continue;  // solid angles have no digits there
     CAPTURE(name(kind));
     CAPTURE(trial);
     const Points3 points = space_set(kind, 10 + random.below(60), random);
@@ -142,7 +143,7 @@ TEST_CASE("shells are outer exactly if no shell winds around any ball that rests
         return std::abs(std::hypot(p.x - at[0], p.y - at[1], p.z - at[2]) - radius) > 1e-9L * radius;
       };
       const Triangle& corners = shells.surface.triangles[t];
-      if (std::any_of(corners.begin(), corners.end(), is_off)) continue;  // nearly a line, whose ball is anywhere
+      if (std::any_of(corners.begin(), corners.end(), is_off)) continue;  // nearly a line, whose ball may be anywhere
       bool is_outside = true, is_certain = true;
       for (std::uint32_t shell = 0; shell < shells.outer.size(); ++shell) {
         const long double turns = winding(points, shells, shell, at);
@@ -169,7 +170,7 @@ TEST_CASE("a surface that is not closed is refused") {
   CHECK(rbpa::outer_shells({}, 1, {}, {}).empty());
 }
 
-TEST_CASE("nesting depths: bodies in bodies, walls of cavities, and beside them what is open or touches") {
+TEST_CASE("nesting depths count bodies in bodies and walls of cavities, and ignore open and touching surfaces") {
   Points3 points;
   Surface surface;
   const auto add_cube = [&](const Point3& at, double size, bool outward, bool open = false) {
@@ -203,10 +204,10 @@ TEST_CASE("nesting depths: bodies in bodies, walls of cavities, and beside them 
   };
   add_cube({0, 0, 0}, 8, true);
   add_cube({1, 1, 1}, 6, false);       // its cavity
-  add_cube({2, 2, 2}, 1, true);        // a body in there
-  add_cube({4, 4, 4}, 2, true, true);  // is open
-  add_cube({8, 8, 8}, 3, true);        // touches the first from outside
-  add_cube({20, 2, 2}, 1, true);       // in line with what is inside
+  add_cube({2, 2, 2}, 1, true);        // a body in the cavity
+  add_cube({4, 4, 4}, 2, true, true);  // an open body
+  add_cube({8, 8, 8}, 3, true);        // touches the first body from outside
+  add_cube({20, 2, 2}, 1, true);       // in line with the inner bodies
   surface.distinct = points.size();
   const SurfaceComponents components = rbpa::surface_components(points, surface);
   REQUIRE(components.all.size() == 6);

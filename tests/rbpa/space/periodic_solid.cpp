@@ -32,7 +32,7 @@ using Offset = std::array<std::int8_t, 3>;
 
 double most_radius(const Point3& box) { return std::nextafter(std::min({box.x, box.y, box.z}) / 2, 0.0); }
 
-/// Of 27 images of all points, the Delaunay tetrahedra whose least corner is in the box.
+/// Returns the Delaunay tetrahedra of 27 images of all points whose least corner is in the box.
 std::vector<PeriodicCorners> rows_by_definition(const Points3& in_box, const Point3& box, double alpha) {
   const AllImages all = all_images(in_box, box);
   const Solid delaunay = rbpa::solid(all.positions, infinity, {.threads = 1});
@@ -46,7 +46,7 @@ std::vector<PeriodicCorners> rows_by_definition(const Points3& in_box, const Poi
   return rows;
 }
 
-/// Points ascending, and how many boxes they are from the first.
+/// A face: its points, ascending, and their offsets in boxes from the first.
 using FaceKey = std::array<std::tuple<std::uint32_t, int, int, int>, 3>;
 FaceKey key_of(std::array<PeriodicVertex, 3> face) {
   std::sort(face.begin(), face.end());
@@ -63,7 +63,7 @@ FaceKey face_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) 
   return key_of(face);
 }
 
-/// Counts what is wrong with the neighbors.
+/// Counts the errors of the neighbors.
 std::size_t wrong_neighbors(const PeriodicSolid& solid) {
   std::map<FaceKey, std::vector<std::uint32_t>> at;
   for (std::uint32_t t = 0; t < solid.simplices.size(); ++t)
@@ -148,13 +148,13 @@ TEST_CASE("tetrahedra of a box are those of all points and their images, once ea
   CHECK(complete > sets / 10);
 }
 
-TEST_CASE("the boundary of a periodic solid closes, and has the tetrahedra behind it") {
+TEST_CASE("the boundary of a periodic solid is closed, with the tetrahedra behind it") {
   std::size_t triangles = 0;
   for (std::uint64_t trial = 0; trial < 36; ++trial) {
     Random random(4200 + trial);
     const PeriodicSet set = periodic_set(trial, 60, random);
     const PeriodicSolid solid = rbpa::periodic_solid(set.points, set.box, 0.4 * most_radius(set.box));
-    // Each side as often one way as the other.
+    // Each side occurs equally often in both directions.
     std::map<std::array<std::tuple<std::uint32_t, int, int, int>, 2>, int> sides;
     const auto boundary = rbpa::periodic_boundary(solid);
     for (const auto& triangle : boundary)
@@ -176,7 +176,7 @@ TEST_CASE("the boundary of a periodic solid closes, and has the tetrahedra behin
   CHECK(triangles > 1000);
 }
 
-TEST_CASE("at infinity tetrahedra fill the box, or it is refused") {
+TEST_CASE("tetrahedra at infinity fill the box, or it is refused") {
   std::size_t filled = 0, refused = 0;
   for (std::uint64_t trial = 0; trial < 90; ++trial) {
     Random random(4300 + trial);
@@ -221,7 +221,7 @@ TEST_CASE("moved points have the same tetrahedra") {
     for (Point3& p : moved.points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
     const Points3 in_box = wrapped(moved, set.box);
     const PeriodicSolid after = rbpa::periodic_solid(moved.points, set.box, alpha);
-    // Each point was moved into the box by some boxes.
+    // Each point was moved into the box by an integer number of boxes.
     const auto boxes = [&](std::uint32_t i) {
       const Point3 &p = moved.points[i], &q = in_box[i];
       return std::array<int, 3>{static_cast<int>(std::lround((p.x - q.x) / set.box.x)),

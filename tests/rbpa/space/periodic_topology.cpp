@@ -33,7 +33,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::array<int, 4>>;  // points and offsets, of the first 0
 
-/// The image whose first point is in the box. Requires: ascending vertices.
+/// Returns the image whose first point is in the box. Requires: ascending vertices.
 Simplex normalized(const std::vector<PeriodicVertex>& vertices) {
   Simplex result;
   for (const PeriodicVertex& v : vertices)
@@ -64,7 +64,8 @@ std::size_t add(Chains& chains, const std::vector<PeriodicVertex>& ascending) {
   return number;
 }
 
-/// Over the integers modulo a large prime: the same as over the rationals, but where a torsion has that prime.
+/// Returns the rank over the integers modulo a large prime: the same as over the rationals, unless a torsion has that
+/// prime.
 std::size_t rank(std::vector<std::map<std::size_t, std::int64_t>> columns) {
   constexpr std::int64_t prime = 1'000'003;
   const auto inverse = [](std::int64_t x) {
@@ -95,7 +96,7 @@ struct Model {
   std::array<std::size_t, 4> counts, betti;
 };
 
-/// Of these tetrahedra, and of further simplices.
+/// Returns the model of these tetrahedra and of the additional simplices.
 Model model_of(const PeriodicSolid& solid, const std::vector<std::vector<PeriodicVertex>>& more = {}) {
   Chains chains;
   for (const auto& row : rows_of(solid)) {
@@ -114,8 +115,8 @@ Model model_of(const PeriodicSolid& solid, const std::vector<std::vector<Periodi
   return model;
 }
 
-/// What the full complex of 27 images of all points has beyond tetrahedra, where the least corner is in the box.
-/// Simplices near the sides of the images, of which some are wrong, have no such corner.
+/// Returns the simplices without tetrahedra of the full complex of 27 images of all points whose least corner is in the
+/// box. Simplices near the sides of the images, some of which are wrong, have no such corner.
 std::vector<std::vector<PeriodicVertex>> dangling_by_images(const Points3& in_box, const Point3& box, double alpha) {
   const AllImages all = all_images(in_box, box);
   const rbpa::Solid delaunay = rbpa::solid(all.positions, infinity);
@@ -151,7 +152,7 @@ Case triangulated(const Points3& points, const Point3& box) {
   return made;
 }
 
-/// Uniform points of a box of 10, less those within a shape.
+/// Returns uniform points of a box of side 10, without those within a shape.
 Points3 without(const std::function<double(const Point3&)>& depth) {
   Random random(81);
   Points3 points;
@@ -227,19 +228,19 @@ TEST_CASE("counts and Betti numbers of periodic complexes are those of their bou
   for (const std::size_t count : dimensions) CHECK(count > 0);
 }
 
-TEST_CASE("a ball, a channel, a layer and a network that are left out have as many directions") {
+TEST_CASE("a ball, a channel, a layer and a network that are left out percolate in 0, 1, 2 and 3 directions") {
   const auto bent = [](double x) { return x - 10 * std::floor(x / 10) - 5; };  // from −5 to 5
   const auto topology_without = [&](const std::function<double(const Point3&)>& depth) {
     const Case made = triangulated(without(depth), {10, 10, 10});
     const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, 1.2);
     const PeriodicTopology solid = rbpa::periodic_topology(made.delaunay, made.radii, 1.2, VoidWalls::solid);
-    REQUIRE(full.voids.size() >= solid.voids.size());  // points are so dense that triangles part next to nothing
+    REQUIRE(full.voids.size() >= solid.voids.size());  // points are so dense that triangles separate hardly anything
     CHECK(full.voids[0].dimension == solid.voids[0].dimension);
     CHECK(full.voids[0].volume == doctest::Approx(solid.voids[0].volume).epsilon(0.01));
     return solid;
   };
   const auto about = [](double value) { return doctest::Approx(value).epsilon(0.15); };
-  // Across the corner of the box, so that they are in pieces there.
+  // The ball is across the corner of the box, so that it is in pieces there.
   const PeriodicTopology ball =
       topology_without([&](const Point3& p) { return 3 - std::hypot(bent(p.x + 5), bent(p.y + 5), bent(p.z + 5)); });
   REQUIRE(ball.voids.size() == 1);
@@ -273,7 +274,7 @@ TEST_CASE("a ball, a channel, a layer and a network that are left out have as ma
   CHECK(network.solid_components[0].dimension == 3);
 }
 
-TEST_CASE("measures of a periodic solid are the same bytes in any order of the points, and wherever the box begins") {
+TEST_CASE("measures of a periodic solid have the same bytes in any order of the points, and wherever the box begins") {
   for (std::uint64_t trial = 0; trial < 16; ++trial) {
     Random random(4900 + trial);
     PeriodicSet set = periodic_set(trial % 8, 60, random);
@@ -311,7 +312,7 @@ TEST_CASE("measures of a periodic solid are the same bytes in any order of the p
   }
 }
 
-TEST_CASE("bricks of points have windows of three sizes: which directions they open at each radius is exact") {
+TEST_CASE("bricks of points open their windows of three sizes at exact radii, each in its direction") {
   // Euler's brick: all diagonals of faces are integers, so that half of each is a double. The diagonal of the brick is
   // 270.6.
   const Point3 brick = {44, 117, 240};
@@ -351,7 +352,7 @@ TEST_CASE("bricks of points have windows of three sizes: which directions they o
   CHECK(at(135.5).betti == std::array<std::size_t, 4>{1, 3, 3, 1});
 }
 
-TEST_CASE("of a cubic lattice the balls leave what the formula says, and of random points what samples say") {
+TEST_CASE("balls leave of a cubic lattice the volume of the formula, and of random points that of samples") {
   Points3 cubic;
   for (int i = 0; i < 64; ++i) cubic.push_back({double(i % 4), double(i / 4 % 4), double(i / 16)});
   const Case lattice = triangulated(cubic, {4, 4, 4});
@@ -402,7 +403,7 @@ TEST_CASE("of a cubic lattice the balls leave what the formula says, and of rand
   }
 }
 
-TEST_CASE("what is no triangulation of a box has no topology") {
+TEST_CASE("what is not a triangulation of a box is refused") {
   Random random(4950);
   const PeriodicSet set = periodic_set(0, 100, random);
   const Case made = triangulated(set.points, set.box);

@@ -34,7 +34,7 @@ struct Sample {
   Points3 points, normals;
 };
 
-/// Points spread over the unit sphere along a spiral, without those that are left out.
+/// Returns points spread over the unit sphere along a spiral, without those that are left out.
 template <typename IsOut>
 Sample sphere_without(std::size_t count, const IsOut& is_out) {
   Sample sample;
@@ -59,7 +59,7 @@ Points3 joined(const Points3& points, const RefinedSurface& refined) {
   return all;
 }
 
-/// It is closed, and crosses nothing; what was there before is there still.
+/// Checks that the surface is closed and crosses nothing, and that the triangles before still exist.
 void check_refined(const Sample& sample, const FilledSurface& before, const RefinedSurface& refined) {
   const Points3 all = joined(sample.points, refined);
   CHECK(rbpa::surface_curves(all, refined.surface).size() ==
@@ -76,7 +76,7 @@ void check_refined(const Sample& sample, const FilledSurface& before, const Refi
   REQUIRE(refined.between.size() == refined.points.size());
   for (std::size_t k = 0; k < refined.points.size(); ++k)
     for (const std::uint32_t v : refined.between[k]) CHECK(v < sample.points.size() + k);
-  // Each added point has two triangles more, wherever it lies.
+  // Each added point adds two triangles, wherever it lies.
   CHECK(refined.surface.triangles.size() == before.surface.triangles.size() + 2 * refined.points.size());
 }
 
@@ -90,7 +90,7 @@ double longest_new_edge(const Points3& points, const Surface& surface, const std
   return longest;
 }
 
-/// The greatest angle in degrees between the normal of a new triangle and that of the shape at its middle.
+/// Returns the greatest angle in degrees between the normal of a new triangle and that of the shape at its middle.
 template <typename Normal>
 double farthest_normal(const Points3& points, const RefinedSurface& refined, const Normal& normal_at) {
   double least = 1;
@@ -109,8 +109,7 @@ double farthest_normal(const Points3& points, const RefinedSurface& refined, con
 
 }  // namespace
 
-TEST_CASE(
-    "a hole in a torus, whose curvature varies, is filled on it but for little, at its outer and its inner side") {
+TEST_CASE("a hole in a torus, whose curvature varies, is filled close to it, at its outer and its inner side") {
   constexpr double ring = 1, tube = 0.4, pi = 3.14159265358979;
   for (const double where : {0.0, pi / 2, pi})
     for (const double width : {0.2, 0.3}) {
@@ -141,7 +140,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a cap of a sphere is filled by triangles as small as those around, on the sphere but for little") {
+TEST_CASE("a cap of a sphere is filled by triangles as small as those around, close to the sphere") {
   for (const double top : {0.95, 0.9, 0.8, 0.6}) {
     const Sample sample = sphere_without(3000, [&](const Point3& p) { return p.z > top; });
     const FilledSurface before = filled(sample, 0.08);
@@ -149,7 +148,7 @@ TEST_CASE("a cap of a sphere is filled by triangles as small as those around, on
     check_refined(sample, before, refined);
     CHECK(refined.smooth == 1);
     CHECK(refined.flat + refined.coarse == 0);
-    // As many as the sphere has there, about.
+    // About as many points as the sphere has there.
     const double missing = 3000 * (1 - top) / 2, added = static_cast<double>(refined.points.size());
     CHECK(added > 0.4 * missing);
     CHECK(added < 2 * missing);
@@ -167,7 +166,7 @@ TEST_CASE("a cap of a sphere is filled by triangles as small as those around, on
   }
 }
 
-TEST_CASE("a hole in a plane stays in it; a hole of three edges gets no point") {
+TEST_CASE("a hole in a plane is filled in the plane; a hole of three edges gets no point") {
   Sample sheet;
   for (int x = 0; x < 24; ++x)
     for (int y = 0; y < 24; ++y)
@@ -199,9 +198,9 @@ TEST_CASE("a hole in a plane stays in it; a hole of three edges gets no point") 
   CHECK(same.surface.neighbors == tetrahedron.neighbors);
 }
 
-TEST_CASE("what stands where the smooth filling would be keeps it flat, and nothing crosses") {
+TEST_CASE("an obstacle in the place of the smooth filling keeps it flat, and nothing crosses") {
   Sample sample = sphere_without(3000, [](const Point3& p) { return p.z > 0.8; });
-  // A small octahedron where the sphere was.
+  // A small octahedron in the place of the sphere.
   const std::size_t first = sample.points.size();
   for (const Point3& d : {Point3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
     sample.points.push_back({0.03 * d.x, 0.03 * d.y, 1 + 0.03 * d.z});
@@ -216,7 +215,9 @@ TEST_CASE("what stands where the smooth filling would be keeps it flat, and noth
   CHECK(refined.flat == 1);
 }
 
-TEST_CASE("many holes of lumps: closed, without crossings, the same points in any order and by any number of threads") {
+TEST_CASE(
+    "many holes of lumps are closed without crossings, with the same points in any order and by any number of "
+    "threads") {
   std::size_t smooth = 0;
   for (int trial = 0; trial < trials(24); ++trial) {
     CAPTURE(trial);

@@ -22,7 +22,7 @@ using rbpa::Surface;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("a rolling ball rests where the triangles are exposed, and rolls to their neighbors; nowhere else") {
+TEST_CASE("a rolling ball rests exactly on the exposed triangles, and rolls to their neighbors") {
   Random random(95);
   std::size_t triangles = 0, elsewhere = 0, several = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -101,7 +101,7 @@ TEST_CASE("a triangle agrees when its normal has a positive product with those o
   CHECK(others > 100);
 }
 
-TEST_CASE("a rolling ball refuses what surface() refuses, and points that are not there") {
+TEST_CASE("a rolling ball refuses what surface() refuses, and indices without a point") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}, up(4, {0, 0, 1});
   for (const double radius : {0.0, -1.0, std::numeric_limits<double>::infinity()})
     CHECK_THROWS_AS(RollingBall(points, radius), rbpa::InvalidInput);

@@ -63,7 +63,7 @@ Rational six_volumes(const Points3& points, const Tetrahedron& t) {
   return determinant<Rational, 3>(edges);
 }
 
-/// A point times a power of two that makes all of them whole.
+/// A point, multiplied by a power of two that makes all points integers.
 using Whole = boost::multiprecision::cpp_int;
 using WholePoint = std::array<Whole, 3>;
 
@@ -80,8 +80,8 @@ std::vector<WholePoint> whole(const Points3& points) {
   return result;
 }
 
-/// The sign of the in-sphere determinant of five points with heights to which infinitesimals are added, the
-/// lexicographically largest point's outweighing all others: the determinant is linear in each.
+/// Returns the sign of the in-sphere determinant of five points whose heights are raised by infinitesimals; that of the
+/// lexicographically larger point outweighs the others. The determinant is linear in each.
 int perturbed_sign(const std::array<WholePoint, 5>& p) {
   const auto sign_with_heights = [&](auto height) {
     std::array<std::array<Whole, 4>, 4> m;
@@ -99,7 +99,7 @@ int perturbed_sign(const std::array<WholePoint, 5>& p) {
   return 0;
 }
 
-/// The two least corners first, by an even permutation.
+/// Returns the corners with the two least first, by an even permutation.
 Tetrahedron canonical(Tetrahedron t) {
   bool is_odd = false;
   for (std::size_t i = 0; i < 2; ++i)
@@ -119,14 +119,14 @@ std::vector<std::uint32_t> lowest_of_equal(const Points3& points) {
   return lowest;
 }
 
-/// Every four points against every fifth.
+/// Tests every four points against every fifth.
 std::vector<Tetrahedron> by_definition(const Points3& points, double alpha) {
   const std::vector<std::uint32_t> lowest = lowest_of_equal(points);
   std::vector<std::uint32_t> distinct;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     if (lowest[i] == i) distinct.push_back(i);
   const std::vector<WholePoint> p = whole(points);
-  WholePoint far = {1, 1, 1};  // outside of all spheres of such points: the whole numbers have less than 200 bits
+  WholePoint far = {1, 1, 1};  // outside of all spheres of such points: the integers have less than 200 bits
   for (Whole& coordinate : far) coordinate <<= 2000;
   std::vector<Tetrahedron> found;
   const std::size_t n = distinct.size();
@@ -155,7 +155,7 @@ std::vector<Tetrahedron> by_definition(const Points3& points, double alpha) {
   return found;
 }
 
-/// Rows are canonical, oriented, and linked.
+/// Checks that rows are canonical, oriented, and linked.
 void check_laws(const Points3& points, const Solid& s) {
   CHECK(std::is_sorted(s.simplices.begin(), s.simplices.end()));
   CHECK(std::adjacent_find(s.simplices.begin(), s.simplices.end()) == s.simplices.end());
@@ -170,7 +170,7 @@ void check_laws(const Points3& points, const Solid& s) {
       const std::uint32_t other = s.neighbors[t][k];
       if (other == Solid::none) continue;
       REQUIRE(other < s.simplices.size());
-      // The other has the same three corners, across from one that this has not.
+      // The neighbor has the same three corners, and its fourth corner is not one of this row.
       std::size_t back = 4, common = 0;
       for (std::size_t j = 0; j < 4; ++j) {
         if (s.neighbors[other][j] == t) back = j;
@@ -182,7 +182,7 @@ void check_laws(const Points3& points, const Solid& s) {
     }
   }
   CHECK(wrong == 0);
-  // Faces without a neighbor are those of one tetrahedron.
+  // Faces without a neighbor are those of one tetrahedron only.
   std::vector<std::array<std::uint32_t, 3>> faces, open;
   for (std::size_t t = 0; t < s.simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k) {
@@ -227,7 +227,7 @@ Rational volume(const Points3& points, const Solid& s) {
   return sum / 6;
 }
 
-/// The same from the faces without a neighbor alone (divergence theorem).
+/// Returns the volume from the faces without a neighbor alone (divergence theorem).
 Rational volume_within(const Points3& points, const Solid& s) {
   static constexpr std::array<std::array<std::size_t, 3>, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   Rational sum = 0;
@@ -243,7 +243,7 @@ Rational volume_within(const Points3& points, const Solid& s) {
 
 }  // namespace
 
-TEST_CASE("a few points of every kind: the tetrahedra are those of the definition, in rational numbers") {
+TEST_CASE("the tetrahedra of few points of every kind follow the definition, in rational numbers") {
   Random random(91);
   std::size_t tetrahedra = 0, filtered = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -267,7 +267,7 @@ TEST_CASE("a few points of every kind: the tetrahedra are those of the definitio
   CHECK(filtered < tetrahedra);
 }
 
-TEST_CASE("ties of whole numbers that are too large for double: those of the definition") {
+TEST_CASE("ties of integers too large for double follow the definition") {
   Random random(90);
   const Points3 grid_points = turned_grid(27, 1);
   for (int trial = 0; trial < trials(60); ++trial) {
@@ -314,7 +314,7 @@ TEST_CASE("shuffled and scaled points have the same solid") {
     }
 }
 
-TEST_CASE("a larger alpha has all tetrahedra of a smaller one: those of infinity whose exact circumradius is within") {
+TEST_CASE("the solid of alpha has the tetrahedra of the triangulation whose exact circumradius is at most alpha") {
   Random random(93);
   for (const SpaceKind kind : {SpaceKind::cube, SpaceKind::grid, SpaceKind::near_sphere, SpaceKind::clusters}) {
     const Points3 points = space_set(kind, 120, random);
@@ -361,7 +361,7 @@ TEST_CASE("grids fill their box, whatever the last bits of their pitch") {
   }
 }
 
-TEST_CASE("a point in the middle of many on a sphere: one cavity that holds nearly everything") {
+TEST_CASE("a point in the middle of many on a sphere is inserted into one cavity that holds nearly everything") {
   Random random(94);
   Points3 points = space_set(SpaceKind::near_sphere, 2000, random);
   const Solid hollow = solid(points, 0.5);
@@ -369,11 +369,11 @@ TEST_CASE("a point in the middle of many on a sphere: one cavity that holds near
   points.push_back({0, 0, 0});
   const Solid full = solid(points, infinity);
   check_laws(points, full);
-  // Nearly all tetrahedra have the center, so that their circumradius is little above 1/2.
+  // Nearly all tetrahedra contain the center, so that their circumradius is little above 1/2.
   CHECK(solid(points, 0.51).simplices.size() > 3 * points.size() / 2);
 }
 
-TEST_CASE("points of a plane, of a line, and few points have no tetrahedron") {
+TEST_CASE("points of a plane or a line, and few points, have no tetrahedron") {
   Random random(95);
   for (const SpaceKind kind : {SpaceKind::plane, SpaceKind::plane_grid, SpaceKind::line})
     for (const std::size_t count : {1u, 2u, 3u, 4u, 50u}) {
@@ -389,7 +389,7 @@ TEST_CASE("points of a plane, of a line, and few points have no tetrahedron") {
   CHECK(solid(Points3(7, Point3{1, 2, 3}), 1).duplicates.size() == 6);
 }
 
-TEST_CASE("duplicates: the lowest index stands for all; isolated points are in no tetrahedron") {
+TEST_CASE("the lowest index represents duplicates, and isolated points are in no tetrahedron") {
   const Points3 points = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
   const Solid s = solid(points, 1);
   CHECK(s.simplices == std::vector<Tetrahedron>{{1, 2, 3, 5}});
@@ -399,7 +399,7 @@ TEST_CASE("duplicates: the lowest index stands for all; isolated points are in n
   CHECK(s.distinct == 5);
 }
 
-TEST_CASE("any number of threads, the same bytes; a run can be watched and cancelled") {
+TEST_CASE("a solid has the same bytes with any number of threads; a run can be watched and cancelled") {
   Random random(96);
   const Points3 points = space_set(SpaceKind::cube, 30000, random);
   std::size_t calls = 0, last = 0;
@@ -429,7 +429,7 @@ TEST_CASE("any number of threads, the same bytes; a run can be watched and cance
   }
 }
 
-TEST_CASE("what is no input is refused by name") {
+TEST_CASE("invalid input is refused by name") {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto refusal = [](auto call) -> std::string {

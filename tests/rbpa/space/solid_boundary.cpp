@@ -36,12 +36,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has(const Tetrahedron& t, std::uint32_t i) { return std::find(t.begin(), t.end(), i) != t.end(); }
 
-/// The three corners are ends of one directed side of a triangle, across from a corner.
+/// Returns the directed side of a triangle across from its corner k.
 std::array<std::uint32_t, 2> side(const Surface& s, std::uint32_t t, std::size_t k) {
   return {s.triangles[t][(k + 1) % 3], s.triangles[t][(k + 2) % 3]};
 }
 
-/// The tetrahedra at an edge that are reached from one through faces at it.
+/// Returns the tetrahedra at an edge that are reached from one of them through faces at the edge.
 std::set<std::uint32_t> wedge(const Solid& s, std::uint32_t from, std::uint32_t p, std::uint32_t q) {
   std::set<std::uint32_t> all = {from};
   std::vector<std::uint32_t> waiting = {from};
@@ -56,7 +56,8 @@ std::set<std::uint32_t> wedge(const Solid& s, std::uint32_t from, std::uint32_t 
   return all;
 }
 
-/// Triangles are the faces of one tetrahedron, outward, in order; neighbors bound the same wedge; the mesh is sound.
+/// Checks that triangles are the faces of one tetrahedron, outward, in order; that neighbors bound the same wedge; and
+/// that the mesh is sound.
 void check_boundary(const Points3& points, const Solid& s, const SolidBoundary& b) {
   const auto faces = tetrahedra_of_faces(s);
   const auto& triangles = b.surface.triangles;
@@ -98,9 +99,8 @@ void check_boundary(const Points3& points, const Solid& s, const SolidBoundary& 
   CHECK(fans.point == mesh.input_index);
 }
 
-/// Sides are glued to those that bound the same wedge of what is left out of the triangulation, or the outside of its
-/// hull.
-/// Returns: how many ways passed the hull.
+/// Checks that sides are glued to those that bound the same wedge of left-out tetrahedra, or of the outside of the
+/// hull. Returns how many walks passed the hull.
 std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const SolidBoundary& b,
                                 const Surface& outside) {
   std::map<Tetrahedron, std::uint32_t> number;
@@ -113,18 +113,17 @@ std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const 
   for (std::uint32_t t = 0; t < b.surface.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [p, q] = side(b.surface, t, k);
-      // Around the edge, away from the tetrahedron behind, until one is solid again.
+      // Walks around the edge, away from the tetrahedron behind, until a tetrahedron is solid again.
       std::uint32_t at = number.at(part.simplices[b.tetrahedra[t]]), last = b.surface.triangles[t][k];
       bool wrapped = false;
       for (;;) {
-        // Through the face p, q, last.
+        // Leaves through the face p, q, last.
         std::size_t j = 0;
         while (delaunay.simplices[at][j] == p || delaunay.simplices[at][j] == q || delaunay.simplices[at][j] == last)
           ++j;
         const std::uint32_t next = delaunay.neighbors[at][j];
         if (next == Solid::none) {
-          // On the other side of the hull: the face at the edge that the way would come to from outside is found by
-          // going back.
+          // At the hull: finds the face at the edge at which the walk would come in from outside, by walking back.
           if (wrapped) break;
           wrapped = true;
           ++hull;
@@ -166,7 +165,7 @@ std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const 
   return hull;
 }
 
-/// |computed − exact| ≤ 2^−52 exact.
+/// Returns whether |computed − exact| ≤ 2^−52 exact.
 bool is_near(double computed, const Rational& exact) {
   const Rational error = abs(Rational(rational(computed) - exact));
   return error * rational(0x1p52) <= abs(exact);
@@ -181,8 +180,7 @@ Rational volume(const Points3& points, const Solid& s) {
 }  // namespace
 
 TEST_CASE(
-    "the boundary of a solid: faces of one tetrahedron, outward, glued through wedges, a sound mesh; its volume is "
-    "that of the tetrahedra") {
+    "the boundary of a solid has the open faces, outward, glued through wedges, and the volume of the tetrahedra") {
   Random random(401);
   std::size_t with_several_wedges = 0, with_several_fans = 0, passed_hull = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -212,8 +210,7 @@ TEST_CASE(
   CHECK(with_several_fans > static_cast<std::size_t>(trials(60)));
 }
 
-TEST_CASE(
-    "volume and area of boxes are exact, wherever they are and however flat; a solid without tetrahedra has none") {
+TEST_CASE("volume and area of boxes are exact at any place and however flat, and 0 without tetrahedra") {
   for (const double at : {0.0, 1e6, 0x1p40})
     for (const double height : {1.0, 0x1p-12}) {
       Points3 points;
@@ -230,7 +227,8 @@ TEST_CASE(
   CHECK(rbpa::glued_outside({}, none.surface).triangles.empty());
 }
 
-TEST_CASE("thin and scaled: volumes are within 2^-52 where coordinates are of very different sizes, axis by axis") {
+TEST_CASE(
+    "volumes of thin and scaled sets are within 2^-52 where coordinates are of very different sizes, axis by axis") {
   Random random(402);
   for (const std::array<double, 3>& scale :
        {std::array{0x1p900, 0x1p-900, 1.0}, {0x1p-500, 0x1p-600, 0x1p300}, {0x1p1000, 0x1p-1000, 0x1p-1000}}) {
@@ -288,7 +286,7 @@ TEST_CASE("shuffled points have the same boundary, volume and area, to the last 
   }
 }
 
-TEST_CASE("a solid of the usual size beside a point that is beyond all is measured as without it") {
+TEST_CASE("a solid of the usual size is measured equally with a far point beside it") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const double far : {0x1p300, 0x1p900, 0x1p1020})
     for (const double size : {1.0, 0x1p-300}) {
@@ -303,7 +301,7 @@ TEST_CASE("a solid of the usual size beside a point that is beyond all is measur
     }
 }
 
-TEST_CASE("triangles that begin at any corner are glued outside as those in canonical order") {
+TEST_CASE("triangles that begin at any corner are glued outside like those in canonical order") {
   Random random(405);
   const Points3 points = space_set(SpaceKind::cube, 40, random);
   const SolidBoundary b = rbpa::solid_boundary(random_part(solid(points, infinity), points.size(), 0.5, random));
@@ -321,7 +319,7 @@ TEST_CASE("triangles that begin at any corner are glued outside as those in cano
   CHECK(expected.neighbors != b.surface.neighbors);
 }
 
-TEST_CASE("arrays that are no solid are refused") {
+TEST_CASE("arrays that are not a solid are refused") {
   Random random(404);
   const Points3 points = space_set(SpaceKind::cube, 40, random);
   const Solid right = solid(points, infinity);
@@ -330,7 +328,7 @@ TEST_CASE("arrays that are no solid are refused") {
   CHECK_THROWS_AS(rbpa::solid_boundary(solid(points, infinity, {.neighbors = false})), ContractViolation);
   CHECK_THROWS_AS(rbpa::measure(std::span(points).first(3), boundary.surface), ContractViolation);
   CHECK_THROWS_AS(rbpa::glued_outside(std::span(points).first(3), boundary.surface), ContractViolation);
-  // Whatever neighbors are, the walk ends, and what it finds is linked.
+  // Whatever the neighbors are, the walk ends, and its result is linked.
   std::size_t refused = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
     Solid wrong = right;

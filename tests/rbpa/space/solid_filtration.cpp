@@ -30,7 +30,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Corners ascending.
+/// Returns the rows with ascending corners, sorted.
 std::vector<std::array<std::uint32_t, 4>> sorted_rows(const Solid& solid) {
   auto rows = solid.simplices;
   for (auto& row : rows) std::sort(row.begin(), row.end());
@@ -121,11 +121,11 @@ TEST_CASE("threads make no difference, and large sets have no wrong neighbor of 
   CHECK(one.tetrahedron_alpha == more.tetrahedron_alpha);
   CHECK(one.triangle_alpha == more.triangle_alpha);
   CHECK(one.edge_alpha == more.edge_alpha);
-  // Euler: of the ball that the hull bounds.
+  // Euler's formula for the ball that the hull bounds.
   CHECK(12000 - one.edges.size() + one.triangles.size() - one.tetrahedron_alpha.size() == 1);
 }
 
-TEST_CASE("many edges at one point") {
+TEST_CASE("a point with many edges has all of them") {
   const Points3 moment = [] {
     Points3 points;
     for (int i = 1; i <= 150; ++i) points.push_back({double(i), double(i) * i, double(i) * i * i});
@@ -135,11 +135,11 @@ TEST_CASE("many edges at one point") {
   CHECK(filtration.edges.size() == 150 * 149 / 2);
 }
 
-TEST_CASE("of points in a plane it has their Delaunay triangulation there, with its ties, at any slope") {
+TEST_CASE("points in a plane have their Delaunay triangulation there, with its ties, at any slope") {
   Random random(5003);
   std::size_t triangles = 0, alone = 0;
   for (int trial = 0; trial < 120; ++trial) {
-    // On a lattice of the plane, where many are on a circle; every second time nearly so.
+    // On a lattice of the plane, where many points are cocircular; in every second trial nearly so.
     std::vector<rbpa::Point> plane;
     for (std::size_t i = 0; i < 3 + random.below(60); ++i)
       plane.push_back({double(random.below(9)), double(random.below(9)) + (trial % 2 ? random.unit() : 0)});
@@ -148,7 +148,7 @@ TEST_CASE("of points in a plane it has their Delaunay triangulation there, with 
     const bool is_level = trial % 3 == 0;
     Points3 points;
     for (const rbpa::Point& p : plane) {
-      // Where y is no integer, slopes that round nothing.
+      // Slopes for which nothing is rounded, where y is not an integer.
       const double a = p.x, b = is_level || trial % 2 == 0 ? p.y : std::ldexp(std::floor(std::ldexp(p.y, 20)), -20);
       points.push_back(is_level ? Point3{a, b, 0}
                                 : Point3{a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]});
@@ -194,7 +194,7 @@ TEST_CASE("of points in a plane it has their Delaunay triangulation there, with 
   CHECK(alone > 1500);
 }
 
-TEST_CASE("flat sets at the ends of the range of double, and on lines, have all their edges") {
+TEST_CASE("flat sets at the limits of double, and on lines, have all their edges") {
   using Edges = std::set<std::array<std::uint32_t, 2>>;
   for (const double scale : {1.0, 0x1p-1070, 0x1p1020}) {
     CAPTURE(scale);
@@ -210,12 +210,12 @@ TEST_CASE("flat sets at the ends of the range of double, and on lines, have all 
         {scale, -scale, scale}, {-scale, -scale, scale}, {-scale, scale, scale}, {scale, scale, scale}};
     const SolidFiltration filtration = rbpa::solid_filtration(square);
     CHECK(filtration.triangles.size() == 2);
-    CHECK(Edges(filtration.edges.begin(), filtration.edges.end())
-              .contains({0, 2}));  // the least points have the diagonal
+    CHECK(
+        Edges(filtration.edges.begin(), filtration.edges.end()).contains({0, 2}));  // the least points get the diagonal
   }
 }
 
-TEST_CASE("what has no filtration is refused, and a run is cancelled") {
+TEST_CASE("points without a filtration are refused, and a run can be cancelled") {
   CHECK_THROWS_AS(rbpa::solid_filtration(Points3{{0, 0, infinity}}), rbpa::InvalidInput);
   const Points3 points = uniform_cube(3000, 5001);
   for (const int calls : {0, 3, 8, 20}) {

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The first tetrahedron of all that contains a point.
+/// Returns the first of all tetrahedra that contains a point.
 std::uint32_t by_brute_force(const Points3& points, const Solid& delaunay, const Point3& query) {
   for (std::uint32_t t = 0; t < delaunay.simplices.size(); ++t) {
     bool is_inside = true;
@@ -41,7 +41,7 @@ std::uint32_t by_brute_force(const Points3& points, const Solid& delaunay, const
 
 Point3 middle(const Point3& a, const Point3& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2}; }
 
-/// Points of the set, middles of edges, faces and tetrahedra, and any others in and around it.
+/// Returns points of the set, middles of edges, faces and tetrahedra, and other points in and around it.
 Points3 queries_for(const Points3& points, const Solid& delaunay, std::size_t count, Random& random) {
   Points3 queries;
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +59,7 @@ Points3 queries_for(const Points3& points, const Solid& delaunay, std::size_t co
 
 }  // namespace
 
-TEST_CASE("each query finds the first tetrahedron that contains it: sets of every shape, grids with ties everywhere") {
+TEST_CASE("each query finds the first tetrahedron that contains it, on sets of every shape and grids full of ties") {
   std::size_t inside = 0, outside = 0;
   for (const SolidSet& set : solid_sets(60)) {
     if (!set.is_solid) continue;
@@ -79,7 +79,7 @@ TEST_CASE("each query finds the first tetrahedron that contains it: sets of ever
   CHECK(outside > 50);
 }
 
-TEST_CASE("many points, by any number of threads: inside of the hull of a cube there is always one") {
+TEST_CASE("every query in a cube of many points finds a tetrahedron, with any number of threads") {
   const Points3 points = uniform_cube(20000, 9);
   const Solid delaunay = rbpa::solid(points, infinity);
   const SolidLocator locator(points, delaunay.simplices, delaunay.neighbors);
@@ -95,7 +95,7 @@ TEST_CASE("many points, by any number of threads: inside of the hull of a cube t
   }
 }
 
-TEST_CASE("a query that is not finite, or far outside, is in none; so is any where there is no tetrahedron") {
+TEST_CASE("a query that is not finite, or far outside, finds none, and so does any query without tetrahedra") {
   const Points3 points = jittered_cubes(100, 11);
   const Solid delaunay = rbpa::solid(points, infinity);
   const SolidLocator locator(points, delaunay.simplices, delaunay.neighbors);
@@ -105,7 +105,7 @@ TEST_CASE("a query that is not finite, or far outside, is in none; so is any whe
   CHECK(SolidLocator({}, {}, {}).find(queries) == std::vector<std::uint32_t>(4, Solid::none));
 }
 
-TEST_CASE("arrays that do not belong together are refused, and a walk that would not end") {
+TEST_CASE("arrays that do not belong together are refused, and a walk that would not end is ended") {
   const Points3 points = jittered_cubes(100, 12);
   Solid delaunay = rbpa::solid(points, infinity);
   CHECK_THROWS_AS(SolidLocator(points, delaunay.simplices, {}), meshops::ContractViolation);

@@ -1,6 +1,6 @@
-// What: solids that are any subset of a Delaunay triangulation, and what bounds them, by sets and by the tetrahedra
-//       that are left out.
-// Law:  by the definitions alone, with no walks: slow.
+// What: solids that are arbitrary subsets of a Delaunay triangulation, and their boundaries, computed by sets and from
+//       the tetrahedra that are left out.
+// Law:  by the definitions alone, without walks: slow.
 #pragma once
 
 #include <array>
@@ -19,33 +19,33 @@ namespace rbpa_test {
 using Tetrahedron = std::array<std::uint32_t, 4>;
 using Face = std::array<std::uint32_t, 3>;  ///< ascending
 
-/// Those of the tetrahedra that are kept, with the neighbors that are.
+/// Returns the kept tetrahedra, with the neighbors that are kept.
 rbpa::Solid part_of(const rbpa::Solid& solid, std::size_t points, const std::vector<bool>& kept);
-/// A random part: each tetrahedron with the probability.
+/// Returns a random part: each tetrahedron is kept with the probability.
 rbpa::Solid random_part(const rbpa::Solid& solid, std::size_t points, double probability, Random& random);
 
 Face sorted(Face face);
-/// The tetrahedra of each face.
+/// Returns the tetrahedra of each face.
 std::map<Face, std::vector<std::uint32_t>> tetrahedra_of_faces(const rbpa::Solid& solid);
 
 struct Betti {
   std::size_t points, edges, triangles;
   std::array<std::size_t, 3> numbers;
 };
-/// By ranks of the boundary matrices over Z/2.
+/// Returns the Betti numbers by ranks of the boundary matrices over Z/2.
 Betti betti_by_ranks(const rbpa::Solid& solid);
 
-/// Pieces of the tetrahedra connected through what they share: three corners, or one.
+/// Returns the pieces of the tetrahedra that are connected by sharing `shared` corners: three, or one.
 std::vector<std::vector<std::uint32_t>> pieces(const rbpa::Solid& solid, std::size_t shared);
 
 Rational six_volumes(const Points3& points, const Tetrahedron& t);
 
-/// A bounded component of what is outside, as a union of tetrahedra of the triangulation that are left out.
+/// A bounded component of the outside, as a union of left-out tetrahedra of the triangulation.
 struct ModelVoid {
   Rational six_volumes;
   std::vector<Face> faces;  ///< of the solid; ascending
 };
-/// Requires: a part of this Delaunay triangulation.
+/// Returns the voids. Requires: a part of this Delaunay triangulation.
 std::vector<ModelVoid> voids_by_triangulation(const Points3& points, const rbpa::Solid& delaunay,
                                               const rbpa::Solid& part);
 

@@ -33,11 +33,11 @@ using Simplex = std::vector<std::uint32_t>;
 
 struct Entry {
   double alpha;
-  std::size_t number;  ///< among those of its dimension
+  std::size_t number;  ///< among the simplices of its dimension
   Simplex simplex;
 };
 
-/// By the definition: columns of the whole boundary matrix, reduced in the order of the filtration.
+/// Finds the pairs by the definition: columns of the whole boundary matrix, reduced in the order of the filtration.
 std::vector<SolidPair> pairs_by_matrix(const SolidFiltration& filtration) {
   const Solid& delaunay = filtration.delaunay;
   std::vector<Entry> all;
@@ -122,7 +122,7 @@ TEST_CASE("pairs are those of the whole boundary matrix, simplex by simplex") {
   for (const std::size_t count : found) CHECK(count > 100);
 }
 
-TEST_CASE("at every alpha there are as many pairs of each dimension as Betti numbers say") {
+TEST_CASE("the pairs of each dimension alive at an alpha are as many as the Betti number") {
   std::size_t checked = 0;
   for (const SolidSet& set : solid_sets(250)) {
     if (!set.is_solid) continue;
@@ -161,7 +161,7 @@ TEST_CASE("shuffled points have the same births and deaths") {
   }
 }
 
-TEST_CASE("a hollow ball has a void for as long as a ball fits into it, a ring a tunnel") {
+TEST_CASE("a hollow ball has a void for as long as a ball fits into it, and a ring has a tunnel") {
   Random random(5101);
   Points3 shell, ring;
   for (int i = 0; i < 800; ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("a hollow ball has a void for as long as a ball fits into it, a ring a
   CHECK(longest(ring, 1) == doctest::Approx(0.8).epsilon(0.1));
 }
 
-TEST_CASE("few points, what does not belong together, and a run that is cancelled") {
+TEST_CASE("few points have pairs, arguments that do not belong together are refused, and a run can be cancelled") {
   const Points3 none, one = {{1, 2, 3}, {1, 2, 3}};
   const auto pairs = [](const Points3& points) { return rbpa::solid_persistence(rbpa::solid_filtration(points)); };
   CHECK(pairs(none).empty());

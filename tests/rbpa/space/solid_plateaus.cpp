@@ -45,7 +45,7 @@ Points3 join(Points3 points, const Points3& more) {
   return points;
 }
 
-/// Of the complex at a radius, from the definition.
+/// Checks the numbers against the complex at the radius, from the definition.
 void check_numbers(const Points3& points, const SolidPlateau& plateau) {
   const Solid solid = rbpa::solid(points, plateau.alpha);
   CHECK(plateau.tetrahedra == solid.simplices.size());
@@ -114,7 +114,7 @@ TEST_CASE("a hollow body is a plateau with its void; an outlier and dust do not 
   CHECK(with_dust.front().alpha == doctest::Approx(found.front().alpha).epsilon(1e-9));
 }
 
-TEST_CASE("what has no structure is one piece, and nothing structured is long in it") {
+TEST_CASE("a set without structure is one piece, and no structured plateau is long in it") {
   for (const std::size_t count : {50u, 200u, 1000u, 4000u})
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
       CAPTURE(count);
@@ -126,7 +126,7 @@ TEST_CASE("what has no structure is one piece, and nothing structured is long in
     }
 }
 
-TEST_CASE("shuffled points have the same plateaus, scaled ones the same scaled") {
+TEST_CASE("shuffled points have the same plateaus, and scaled ones the same scaled") {
   Random random(5401);
   Points3 points = join(box(300, 13, 0, 1), box(200, 14, 3, 0.7));
   const std::vector<SolidPlateau> expected = plateaus_of(points);
@@ -143,7 +143,7 @@ TEST_CASE("shuffled points have the same plateaus, scaled ones the same scaled")
   }
 }
 
-TEST_CASE("sets of every kind have plateaus in order, and a run is cancelled") {
+TEST_CASE("sets of every kind have plateaus in order, and a run can be cancelled") {
   for (const SolidSet& set : solid_sets(100)) {
     if (!set.is_solid) continue;
     CAPTURE(set.name);

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// It is the least double at which the tetrahedron is admitted.
+/// Returns whether `radius` is the least double at which the tetrahedron is admitted.
 bool is_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius) {
   using rbpa::space::exact::compare_circumradius;
   const double greatest = std::numeric_limits<double>::max();
@@ -53,7 +53,7 @@ void check_radius(const Point3& a, const Point3& b, const Point3& c, const Point
   CHECK(rbpa::space::circumradius_rounded_up(a, b, c, d) == radius);
 }
 
-/// The most corners that a solid component has.
+/// Returns the greatest number of corners of a solid component.
 std::size_t most_corners(const Points3& points, const Solid& solid) {
   const rbpa::SolidComponents components = solid_components(points, solid, solid_boundary(solid));
   std::vector<std::set<std::uint32_t>> corners(components.all.size());
@@ -91,7 +91,7 @@ TEST_CASE("a radius is the least double at which its tetrahedron is in the compl
   }
 }
 
-TEST_CASE("radii that are doubles, or next to one, and such at the ends of their range") {
+TEST_CASE("radii that are doubles, near doubles, or at the limits of the range are rounded up") {
   check_radius({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1});  // 1.5
   CHECK(radius_of({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}) == 1.5);
   CHECK(radius_of({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}) == 1);
@@ -118,7 +118,7 @@ TEST_CASE("radii that are doubles, or next to one, and such at the ends of their
   }
 }
 
-TEST_CASE("what is within a radius is the solid of that radius") {
+TEST_CASE("within() a radius is the solid of that radius") {
   for (const SolidSet& set : solid_sets(300)) {
     CAPTURE(set.name);
     const Solid delaunay = rbpa::solid(set.points, infinity);
@@ -137,7 +137,7 @@ TEST_CASE("what is within a radius is the solid of that radius") {
   }
 }
 
-TEST_CASE("at the least alpha that covers no point is isolated, and below it one is") {
+TEST_CASE("no point is isolated at the least alpha that covers, and one is below it") {
   for (const SolidSet& set : solid_sets(200)) {
     if (!set.is_solid) continue;
     CAPTURE(set.name);
@@ -148,7 +148,7 @@ TEST_CASE("at the least alpha that covers no point is isolated, and below it one
   }
 }
 
-TEST_CASE("at the least alpha that connects one solid component has all points, and below it none has") {
+TEST_CASE("one solid component has all points at the least alpha that connects, and none has below it") {
   for (const SolidSet& set : solid_sets(200)) {
     if (!set.is_solid) continue;
     CAPTURE(set.name);
@@ -190,7 +190,7 @@ TEST_CASE("a share of the points is covered, or in one piece, from the least alp
   CHECK_THROWS_AS(rbpa::auto_alpha(delaunay, radii, 1.5), meshops::ContractViolation);
 }
 
-TEST_CASE("two bodies: all points are covered long before they are in one piece; a repeated point changes nothing") {
+TEST_CASE("two bodies are covered long before they are in one piece, and a duplicate changes nothing") {
   Points3 points = jittered_cubes(500, 5);
   const std::size_t one = points.size();
   for (std::size_t i = 0; i < one; ++i) points.push_back({points[i].x + 100, points[i].y, points[i].z});
@@ -205,8 +205,7 @@ TEST_CASE("two bodies: all points are covered long before they are in one piece;
   CHECK(most_corners(points, rbpa::within(delaunay, radii, whole)) == 2 * one);
 }
 
-TEST_CASE(
-    "without a tetrahedron no alpha is enough; what is no radius, and what belongs to another solid, is refused") {
+TEST_CASE("no alpha suffices without a tetrahedron, and invalid radii and those of another solid are refused") {
   const Solid flat = rbpa::solid(Points3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, infinity);
   CHECK(std::isinf(rbpa::min_alpha(flat, {})));
   CHECK(std::isinf(rbpa::auto_alpha(flat, {})));

@@ -36,7 +36,7 @@ void add(Chain& chain, std::uint32_t cell) {
   if (!chain.insert(cell).second) chain.erase(cell);
 }
 
-/// Those of one dimension in the order of the filtration.
+/// Returns the simplices of one dimension in the order of the filtration.
 std::vector<std::uint32_t> in_order(const std::vector<double>& alpha) {
   std::vector<std::uint32_t> order(alpha.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> in_order(const std::vector<double>& alpha) {
   return order;
 }
 
-/// Which triangle makes each chain of edges a boundary: by elimination, triangle by triangle.
+/// Finds the triangle that makes a chain of edges a boundary: by elimination, triangle by triangle.
 class BoundariesOfTriangles {
  public:
   explicit BoundariesOfTriangles(const SolidFiltration& filtration) {
@@ -57,7 +57,7 @@ class BoundariesOfTriangles {
       if (!chain.empty()) by_last_.emplace(*chain.rbegin(), std::pair(place, chain));
     }
   }
-  /// The place of the last triangle that is needed; none where no triangles have this boundary.
+  /// Returns the place of the last triangle that is needed; none where no triangles have this boundary.
   std::uint32_t last_needed(Chain chain) const {
     std::uint32_t last = 0;
     while (!chain.empty()) {
@@ -78,8 +78,8 @@ class BoundariesOfTriangles {
   std::map<std::uint32_t, std::uint32_t> place_;
 };
 
-/// The shortest cycle through an edge among edges up to it that is a boundary exactly when it should be, by trying all
-/// that meet no point twice.
+/// Returns the length of the shortest cycle through an edge among edges up to it that becomes a boundary exactly when
+/// it should, by trying all cycles that visit no point twice.
 double shortest_by_trial(const Points3& points, const SolidFiltration& filtration, const SolidPair& pair,
                          const BoundariesOfTriangles& boundaries, const std::vector<std::uint32_t>& edge_place) {
   double least = infinity;
@@ -112,7 +112,7 @@ double shortest_by_trial(const Points3& points, const SolidFiltration& filtratio
 
 }  // namespace
 
-TEST_CASE("a cycle is there at its birth, and a boundary exactly from the end of its tunnel on") {
+TEST_CASE("a cycle exists at its birth, and is a boundary exactly from the end of its tunnel on") {
   std::size_t cycles = 0, shortest = 0;
   for (const std::size_t size : {30u, 120u})
     for (const SolidSet& set : solid_sets(size)) {
@@ -159,7 +159,7 @@ TEST_CASE("a cycle is there at its birth, and a boundary exactly from the end of
   CHECK(shortest < cycles);
 }
 
-TEST_CASE("a cycle that is called shortest is: among all cycles of few points") {
+TEST_CASE("a cycle reported as shortest is the shortest among all cycles of few points") {
   Random random(5200);
   std::size_t compared = 0;
   for (int trial = 0; trial < 150; ++trial) {
@@ -184,7 +184,7 @@ TEST_CASE("a cycle that is called shortest is: among all cycles of few points") 
   CHECK(compared > 200);
 }
 
-TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles their boundary") {
+TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles are their boundary") {
   std::size_t voids = 0;
   for (const SolidSet& set : solid_sets(150)) {
     if (!set.is_solid) continue;
@@ -203,7 +203,7 @@ TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles the
         for (const std::uint32_t triangle : filtration.triangles_of[t]) add(boundary, triangle);
       }
       CHECK(std::vector<std::uint32_t>(boundary.begin(), boundary.end()) == found.cells);
-      double enclosed = 0;  // by the faces, which are turned outwards
+      double enclosed = 0;  // by the faces, which are turned outward
       for (std::size_t k = 0; k < found.faces.size(); ++k) {
         rbpa::Triangle corners = found.faces[k];
         const Point3 &o = set.points[found.faces[0][0]], &a = set.points[corners[0]], &b = set.points[corners[1]],
@@ -224,7 +224,7 @@ TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles the
         const rbpa::FullVoids at_birth = rbpa::full_voids(
             set.points, rbpa::void_space(set.points, filtration.delaunay, filtration.tetrahedron_alpha, pairs[i].birth),
             pairs[i].birth);
-        // Triangles that stand in it are counted twice there, and bound nothing here.
+        // Triangles that stand in the void are counted twice there, and bound nothing here.
         CHECK(std::any_of(at_birth.all.begin(), at_birth.all.end(), [&](const rbpa::SolidVoid& v) {
           return std::abs(v.volume - found.volume) <= 1e-9 * v.volume && found.area <= v.area * (1 + 1e-9);
         }));
@@ -252,7 +252,7 @@ TEST_CASE("a ring's tunnels have cycles around its hole and around its tube") {
             [](const SolidPair& a, const SolidPair& b) { return *a.death - a.birth > *b.death - b.birth; });
   pairs.resize(2);
   const auto cycles = rbpa::solid_representatives(ring, filtration, pairs);
-  // Through the hole, a ball of radius 2; in the tube, one of radius 1.
+  // Through the hole fits a ball of radius 2, in the tube one of radius 1.
   CHECK(*pairs[0].death == doctest::Approx(2).epsilon(0.05));
   CHECK(cycles[0].length == doctest::Approx(2 * turn).epsilon(0.1));
   CHECK(cycles[1].length > 0.95 * turn);
@@ -260,7 +260,7 @@ TEST_CASE("a ring's tunnels have cycles around its hole and around its tube") {
   CHECK(cycles[0].is_shortest);
 }
 
-TEST_CASE("what does not belong together, and a run that is cancelled") {
+TEST_CASE("arguments that do not belong together are refused, and a run can be cancelled") {
   const Points3 points = uniform_cube(2000, 5202);
   const SolidFiltration filtration = rbpa::solid_filtration(points);
   std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);

@@ -20,7 +20,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Shells, and surfaces with normals of any direction, of so many sets of each kind.
+/// Calls visit() with shells, and with surfaces whose normals have any direction, for `trials` sets of each kind.
 template <typename Visit>
 void for_each_surface(std::uint64_t seed, int trials, const Visit& visit) {
   Random random(seed);
@@ -48,7 +48,7 @@ TEST_CASE("vertices are those of the halfedge mesh, and at each the triangles ar
     for (std::size_t t = 0; t < fans.triangles.size(); ++t)
       for (std::size_t j = 0; j < 3; ++j) CHECK(fans.point.at(fans.triangles[t][j]) == surface.triangles[t][j]);
 
-    // From one triangle at a vertex one reaches all others there by their sides at it.
+    // All triangles at a vertex are reached from one of them through their sides at it.
     std::map<std::uint32_t, std::vector<std::uint32_t>> at;
     for (std::uint32_t t = 0; t < fans.triangles.size(); ++t)
       for (const std::uint32_t v : fans.triangles[t]) at[v].push_back(t);
@@ -60,7 +60,7 @@ TEST_CASE("vertices are those of the halfedge mesh, and at each the triangles ar
         for (std::size_t j = 0; j < 3; ++j) {
           const std::uint32_t other = surface.neighbors[reached[i]][j];
           if (other == Surface::none || fans.triangles[reached[i]][j] == v) continue;
-          // Across a side at the vertex, whose corner there is the same one.
+          // Across a side at the vertex, the neighbor has the same vertex.
           CHECK(std::count(fans.triangles[other].begin(), fans.triangles[other].end(), v) == 1);
           if (std::count(reached.begin(), reached.end(), other) == 0) reached.push_back(other);
         }
@@ -70,7 +70,7 @@ TEST_CASE("vertices are those of the halfedge mesh, and at each the triangles ar
   CHECK(split > 20);
 }
 
-TEST_CASE("an indexable surface has the same triangles, and neighbors are those with an edge in common") {
+TEST_CASE("an indexable surface has the same triangles, and neighbors are those with a common edge") {
   std::size_t glued_anew = 0, cut = 0, as_before = 0;
   for_each_surface(323, 40, [&](const Points3&, const Surface& surface) {
     const Surface made = rbpa::indexable_surface(surface);
@@ -102,7 +102,7 @@ TEST_CASE("an indexable surface has the same triangles, and neighbors are those 
   CHECK(as_before > 100);
 }
 
-TEST_CASE("two bodies that touch along an edge, over which the ball rolls from one to the other, become two") {
+TEST_CASE("two bodies that touch along an edge, over which the ball rolls between them, are separated") {
   const Points3 points = {{0, 0, 0}, {0, 0, 1}, {1, 0.4, 0.5}, {1, -0.4, 0.5}, {-1, 0.4, 0.5}, {-1, -0.4, 0.5}};
   const Surface surface = rbpa::exposed_triangles(points, 0.7);
   REQUIRE(surface.triangles.size() == 8);

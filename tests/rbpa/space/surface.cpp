@@ -28,7 +28,7 @@ namespace {
 
 Points3 normals_up(std::size_t count) { return Points3(count, {0, 0, 1}); }
 
-/// Every side of every triangle is glued to one other, that runs the other way, or to none.
+/// Checks that every side of every triangle is glued to one side in the opposite direction, or to none.
 void check_glued(const Surface& s) {
   REQUIRE(s.neighbors.size() == s.triangles.size());
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
@@ -53,7 +53,7 @@ bool is_closed(const Surface& s) {
                       [](const Triangle& n) { return std::count(n.begin(), n.end(), Surface::none) > 0; });
 }
 
-/// V − E + F, with a vertex for each fan.
+/// Returns V − E + F, with a vertex for each fan.
 int euler(const Surface& s) {
   std::vector<std::size_t> fan(3 * s.triangles.size());
   std::iota(fan.begin(), fan.end(), std::size_t{0});
@@ -77,7 +77,7 @@ int euler(const Surface& s) {
   return vertices - (sides - glued / 2) + static_cast<int>(s.triangles.size());
 }
 
-/// The definition to the letter: every oriented triple against every point.
+/// Returns the triangles literally by the definition: every oriented triple against every point.
 std::vector<Triangle> by_definition(const Points3& points, double radius) {
   std::vector<std::uint32_t> distinct;
   for (std::uint32_t i = 0; i < points.size(); ++i)
@@ -98,7 +98,7 @@ std::vector<Triangle> by_definition(const Points3& points, double radius) {
 
 }  // namespace
 
-TEST_CASE("the exposed triangles are those of the definition, and closed") {
+TEST_CASE("the exposed triangles follow the definition, and are closed") {
   Random random(81);
   std::size_t triangles = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -116,7 +116,7 @@ TEST_CASE("the exposed triangles are those of the definition, and closed") {
   CHECK(triangles > 1000);
 }
 
-TEST_CASE("one triangle is exposed on both sides, and rolls over to itself; none at a radius below its circumradius") {
+TEST_CASE("one triangle is exposed on both sides and rolls to itself; below its circumradius there is none") {
   const Points3 points = {{3, 4, 0}, {-4, 3, 0}, {0, -5, 0}};
   const Surface both = exposed_triangles(points, 5);
   CHECK(both.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}});
@@ -127,7 +127,7 @@ TEST_CASE("one triangle is exposed on both sides, and rolls over to itself; none
   CHECK(up.neighbors == std::vector<Triangle>{{Surface::none, Surface::none, Surface::none}});
 }
 
-TEST_CASE("a tetrahedron is solid from its circumradius on: seen from outside only") {
+TEST_CASE("a tetrahedron is solid from its circumradius on: only its outside is exposed") {
   const Points3 points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   const double radius = std::sqrt(3);  // below the circumradius as a real number, or above
   const bool solid = 3 <= radius * radius && std::nextafter(radius, 0) * std::nextafter(radius, 0) < 3;
@@ -139,14 +139,14 @@ TEST_CASE("a tetrahedron is solid from its circumradius on: seen from outside on
   CHECK(euler(inside_too) == 4);  // two spheres
 }
 
-TEST_CASE("a cube of integer points at exactly its circumradius") {
+TEST_CASE("a cube of integer points is solid at exactly its circumradius") {
   Points3 points;
   for (int i = 0; i < 8; ++i) points.push_back({6.0 * (i & 1), 6.0 * (i >> 1 & 1), 3.0 * (i >> 2)});  // diagonal 9
   const Surface at = exposed_triangles(points, 4.5);
   CHECK(at.triangles.size() == 12);
   CHECK(euler(at) == 2);
   const Surface below = exposed_triangles(points, std::nextafter(4.5, 0));
-  CHECK(below.triangles.size() == 24);  // its inside as well
+  CHECK(below.triangles.size() == 24);  // its inside too
   CHECK(euler(below) == 4);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("points of a plane with one normal have the triangles of rbpa() at tha
   }
 }
 
-TEST_CASE("shuffled points have the same surface, moved in exponent too") {
+TEST_CASE("shuffled points have the same surface, also scaled by a power of two") {
   Random random(82);
   for (int k = 0; k < space_kinds; ++k)
     for (int trial = 0; trial < 6; ++trial) {
@@ -204,7 +204,7 @@ TEST_CASE("shuffled points have the same surface, moved in exponent too") {
     }
 }
 
-TEST_CASE("the surface of points with normals: exposed triangles that agree with all of them, and glued as they are") {
+TEST_CASE("the surface has the exposed triangles that agree with all normals, glued as exposed triangles are") {
   Random random(83);
   std::size_t kept = 0, boundary = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -258,14 +258,14 @@ TEST_CASE("points on a torus have a closed surface of genus 1") {
   CHECK(is_closed(torus));
   CHECK(euler(torus) == 0);
   const Surface exposed = exposed_triangles(points, 0.2);
-  CHECK(exposed.triangles.size() == 4 * points.size());  // from inside, too
+  CHECK(exposed.triangles.size() == 4 * points.size());  // the inside too
   CHECK(is_closed(exposed));
 }
 
-TEST_CASE("any number of threads, the same bytes; a run can be watched and cancelled") {
+TEST_CASE("a surface has the same bytes with any number of threads; a run can be watched and cancelled") {
   Random random(85);
   const Points3 points = space_set(SpaceKind::noisy_sphere, 6000, random);
-  const Points3 normals = points;  // from the center
+  const Points3 normals = points;  // relative to the center
   std::size_t calls = 0, last = 0;
   const auto watch = [&](const rbpa::Progress& p) {
     ++calls;
@@ -290,7 +290,7 @@ TEST_CASE("any number of threads, the same bytes; a run can be watched and cance
                     rbpa::Cancelled);
 }
 
-TEST_CASE("what is no input is refused by name; few points and far points are an answer") {
+TEST_CASE("invalid input is refused by name; few points and far points have an empty surface") {
   constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto refusal = [](auto call) -> std::string {
@@ -315,7 +315,7 @@ TEST_CASE("what is no input is refused by name; few points and far points are an
   CHECK(exposed_triangles(points, 0.1).triangles.empty());
 }
 
-TEST_CASE("duplicates: the lowest index stands for all, and each of their normals counts") {
+TEST_CASE("the lowest index represents duplicates, and all their normals count") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, 1, 0}};
   Points3 normals = normals_up(5);
   const Surface up = rbpa::surface(points, normals, 1);

@@ -25,7 +25,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// What is reached from each triangle, one step after the other.
+/// Returns the triangles reached from each triangle, step by step.
 std::vector<std::set<std::size_t>> pieces_of(const Surface& surface) {
   std::vector<std::set<std::size_t>> pieces;
   std::vector<bool> seen(surface.triangles.size(), false);
@@ -46,7 +46,7 @@ std::vector<std::set<std::size_t>> pieces_of(const Surface& surface) {
   return pieces;
 }
 
-/// Area and volume, term by term in long double.
+/// Returns area and volume, term by term in long double.
 std::array<long double, 2> measures(const Points3& points, const Surface& surface, const std::set<std::size_t>& piece) {
   long double area = 0, volume = 0;
   for (const std::size_t t : piece) {
@@ -70,7 +70,7 @@ bool equal(const SurfaceComponent& c, const SurfaceComponent& d) {
 
 }  // namespace
 
-TEST_CASE("components are what is reached, with their measures, and the same to the last bit in any order") {
+TEST_CASE("components are the connected triangles, with measures that are the same to the last bit in any order") {
   Random random(301);
   std::size_t several = 0, open = 0, with_handles = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -113,7 +113,7 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
           CHECK(component.low == Point3{box[0][0], box[1][0], box[2][0]});
           CHECK(component.high == Point3{box[0][1], box[1][1], box[2][1]});
           const auto [area, volume] = measures(points, surface, piece);
-          if (static_cast<SpaceKind>(k) == SpaceKind::extreme) continue;  // where these terms have no digit
+          if (static_cast<SpaceKind>(k) == SpaceKind::extreme) continue;  // these terms have no digits there
           CHECK(component.area == doctest::Approx(double(area)));
           if (sides > 0)
             CHECK(component.volume == 0);
@@ -125,7 +125,7 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
           curves += component.boundary_curves;
           CHECK((component.boundary_curves == 0) == component.is_closed());
         }
-        // 2 − 2 genus − curves, summed, is the Euler characteristic of the mesh.
+        // The sum of 2 − 2 genus − curves is the Euler characteristic of the mesh.
         std::size_t handles = 0;
         for (const std::size_t genus : rbpa::genus_of(surface, components)) handles += genus;
         const rbpa::SurfaceMesh mesh = rbpa::surface_mesh(points, surface);
@@ -136,7 +136,7 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
         for (std::size_t c = 1; c < components.all.size(); ++c)
           CHECK(components.all[c - 1].area >= components.all[c].area);
 
-        // The same points in another order have the same components, in the same order.
+        // Shuffled points have the same components, in the same order.
         std::vector<std::size_t> order(points.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         random.shuffle(order);
@@ -157,7 +157,7 @@ TEST_CASE("components are what is reached, with their measures, and the same to 
   CHECK(with_handles > 0);
 }
 
-TEST_CASE("what is kept is glued as it was, and what is not kept is gone") {
+TEST_CASE("kept components are glued as before, and others are removed") {
   Random random(303);
   std::size_t dropped = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -172,7 +172,7 @@ TEST_CASE("what is kept is glued as it was, and what is not kept is gone") {
     for (std::size_t c = 0; c < kept.size(); ++c) kept[c] = random.chance(0.5);
     const Surface part = rbpa::keep_components(surface, components, kept);
     CHECK(part.distinct == surface.distinct);
-    std::vector<std::size_t> from;  // of each triangle of the part
+    std::vector<std::size_t> from;  // for each triangle of the part
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
       if (kept[components.number[t]]) from.push_back(t);
     dropped += surface.triangles.size() - from.size();
@@ -189,7 +189,7 @@ TEST_CASE("what is kept is glued as it was, and what is not kept is gone") {
   CHECK(dropped > 100);
 }
 
-TEST_CASE("some triangles are glued as they were among each other, and have boundary beside those that are dropped") {
+TEST_CASE("some triangles stay glued among each other, and have boundary beside removed ones") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Surface surface = rbpa::exposed_triangles(points, 10);
   REQUIRE(surface.triangles.size() == 4);

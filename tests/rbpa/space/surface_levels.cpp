@@ -56,7 +56,7 @@ bool is_same(const Surface& s, const Surface& t) {
 
 }  // namespace
 
-TEST_CASE("surfaces by several radii are those of the rule, applied to the letter") {
+TEST_CASE("surfaces by several radii follow the rule literally") {
   Random random(301);
   std::size_t added = 0, glued_across = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -80,7 +80,7 @@ TEST_CASE("surfaces by several radii are those of the rule, applied to the lette
   CHECK(glued_across > 100);
 }
 
-TEST_CASE("a radius removes nothing, and glues nothing otherwise; the mesh is sound; one radius is surface()") {
+TEST_CASE("a radius removes nothing and changes no gluing; the mesh is sound; one radius equals surface()") {
   Random random(302);
   std::size_t more = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -148,9 +148,7 @@ TEST_CASE("shuffled points have the same surface by several radii, with any numb
     CHECK(is_same(rbpa::surface(sphere, sphere, radii, {.threads = threads}), one));
 }
 
-TEST_CASE(
-    "what the ball of one radius rolls over stays glued: of two triangles of the surface, each where the other's ball "
-    "comes") {
+TEST_CASE("two triangles of the surface between which the ball of one radius rolls stay glued") {
   Random random(304);
   std::size_t pairs = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -179,7 +177,7 @@ TEST_CASE(
   CHECK(pairs > 1000);
 }
 
-TEST_CASE("two sparse halves of a sphere and a dense one: a second radius closes what the first leaves open") {
+TEST_CASE("a second radius closes what the first leaves open, on a sphere of sparse and dense parts") {
   Points3 points;
   const auto put = [&](double from, double to, std::size_t count) {  // a spiral
     for (std::size_t i = 0; i < count; ++i) {

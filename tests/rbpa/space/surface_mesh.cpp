@@ -23,7 +23,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Faces, corners and what lies across, as the surface has them; one fan at each vertex.
+/// Checks that faces, corners and adjacency equal those of the surface, with one fan at each vertex.
 void check_is(const SurfaceMesh& made, const Surface& surface, const Points3& points) {
   const Mesh& mesh = made.mesh;
   REQUIRE(mesh.n_faces() == surface.triangles.size());
@@ -41,7 +41,7 @@ void check_is(const SurfaceMesh& made, const Surface& surface, const Points3& po
       wrong += index(h) != surface.triangles[t][k];
       const auto across = mesh.opposite_halfedge_handle(mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)));
       const auto other = mesh.face_handle(across);
-      // h ends at corner k; the side across from it begins where the next one ends.
+      // h ends at corner k; the side across from corner k begins where the next halfedge ends.
       const std::uint32_t expected = surface.neighbors[t][k];
       wrong += other.is_valid() ? static_cast<std::uint32_t>(other.idx()) != expected : expected != Surface::none;
       h = mesh.next_halfedge_handle(h);
@@ -57,7 +57,7 @@ void check_is(const SurfaceMesh& made, const Surface& surface, const Points3& po
 
 }  // namespace
 
-TEST_CASE("the mesh of a surface is sound, and has its triangles glued as they are") {
+TEST_CASE("the mesh of a surface is sound, and has its triangles glued in the same way") {
   Random random(91);
   std::size_t faces = 0, fans = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -82,7 +82,7 @@ TEST_CASE("the mesh of a surface is sound, and has its triangles glued as they a
   CHECK(fans > 500);
 }
 
-TEST_CASE("what is no surface of the points is refused") {
+TEST_CASE("what is not a surface of the points is refused") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.1}};
   const Surface right = rbpa::exposed_triangles(points, 1);
   REQUIRE(right.triangles.size() == 4);

@@ -59,7 +59,7 @@ Soup together(Soup a, const Soup& b) {
   return a;
 }
 
-/// Each triangle with corners of its own, as STL has them.
+/// Returns the triangles with separate corners, as STL has them.
 Soup unmerged(const Soup& soup) {
   Soup apart;
   for (const Row& t : soup.triangles) {
@@ -108,7 +108,7 @@ std::size_t open_sides(const Surface& surface) {
 
 }  // namespace
 
-TEST_CASE("triangles of a user's are a surface: a cube is closed and has the volume 1, merged or not, in any order") {
+TEST_CASE("a user's cube of triangles is closed and has the volume 1, merged or not, in any order") {
   Random random(5);
   for (const Soup& given : {cube(), unmerged(cube())}) {
     Soup soup = given;
@@ -130,14 +130,13 @@ TEST_CASE("triangles of a user's are a surface: a cube is closed and has the vol
   }
 }
 
-TEST_CASE(
-    "bodies that touch along an edge are glued as they face each other, and two for indices, whatever the order") {
+TEST_CASE("bodies that touch along an edge are glued as they face each other; for indices they are two, in any order") {
   Soup soup = together(cube(), cube(1, 1, 0));
   for (int trial = 0; trial < 6; ++trial) {
     const SurfaceOfTriangles surface = soup.surface();
     CHECK(surface.distinct == 14);
     CHECK(open_sides(surface) == 0);
-    CHECK(rbpa::surface_components(soup.points, surface).all.size() == 1);  // a ball rolls from one to the other
+    CHECK(rbpa::surface_components(soup.points, surface).all.size() == 1);  // a ball rolls between them
     const auto components = rbpa::surface_components(soup.points, rbpa::indexable_surface(surface));
     REQUIRE(components.all.size() == 2);
     for (const auto& component : components.all) {
@@ -146,7 +145,7 @@ TEST_CASE(
     }
     std::rotate(soup.triangles.begin(), soup.triangles.begin() + 5, soup.triangles.end());
   }
-  // Four wedges around one edge, and all of it through bodies that fill every second of eight directions.
+  // Four wedges around one edge: bodies fill every second of eight directions.
   Soup star;
   star.points = {{0, 0, 0}, {0, 0, 1}};
   for (int k = 0; k < 8; ++k) {
@@ -165,7 +164,7 @@ TEST_CASE(
   for (const auto& component : components.all) CHECK(component.volume > 0);
 }
 
-TEST_CASE("the exposed triangles of any points, without their neighbors, are glued as the ball rolls") {
+TEST_CASE("the exposed triangles of any points, given without neighbors, are glued as the ball rolls") {
   Random random(71);
   std::size_t crowded = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -186,16 +185,17 @@ TEST_CASE("the exposed triangles of any points, without their neighbors, are glu
   CHECK(crowded > 10);
 }
 
-TEST_CASE("what runs along an edge in one direction is not glued there, nor what lies on another or has no area") {
+TEST_CASE("sides in one direction, triangles on top of each other and triangles without an area are not glued") {
   const Soup flipped{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 2, 3}}};
   CHECK(open_sides(flipped.surface()) == 6);
-  // Three at an edge, two of them in one place: the third has nobody that faces it.
+  // Three triangles at an edge, two of them in one place: the third faces no other.
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {0, 2, 0}};
   CHECK(open_sides(Soup{points, {{0, 1, 2}, {0, 1, 2}, {1, 0, 3}}}.surface()) == 9);
   CHECK(open_sides(Soup{points, {{0, 1, 2}, {0, 1, 5}, {1, 0, 3}}}.surface()) == 9);
   CHECK(open_sides(Soup{points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}}.surface()) == 7);  // the last has no area
   CHECK(open_sides(Soup{points, {{0, 1, 2}, {1, 0, 3}}}.surface()) == 4);
-  // Both sides of a sheet are glued at its rim; where a third triangle stands on it, only one of them faces that.
+  // Both sides of a sheet are glued at its rim; where a third triangle stands on it, only one of them faces that
+  // triangle.
   CHECK(open_sides(Soup{points, {{0, 1, 2}, {0, 2, 1}}}.surface()) == 0);
   const SurfaceOfTriangles sheet = Soup{points, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}, {0, 3, 1}}}.surface();
   CHECK(open_sides(sheet) == 0);
@@ -203,7 +203,7 @@ TEST_CASE("what runs along an edge in one direction is not glued there, nor what
   CHECK(components.all.size() == 1);
 }
 
-TEST_CASE("what makes no surface is refused by name") {
+TEST_CASE("input that makes no surface is refused by name") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
   CHECK(refusal_of({points, {{0, 1, 2}, {0, 1, 4}}}) == "triangle 1: found corner 4, expected one of 4 points");
   CHECK(refusal_of({points, {{0, 1, 1}}}).starts_with("triangle 0: two corners are at one place"));

@@ -27,10 +27,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// By slices: on each circle of a slice the arcs that are in no other disc, which bound the slice of the union. By
-/// Archimedes a sphere has the same area between equally distant planes, so that arcs are the surface's share.
+/// Measures the union by slices. On each circle of a slice, the arcs that are in no other disc bound the slice of the
+/// union. By Archimedes a sphere has the same area between equally distant planes, so that arcs are the surface's
+/// share.
 BallUnion by_slices(const Points3& points, double radius, int slices) {
-  std::vector<double> heights;  // between these every ball is met or none of it
+  std::vector<double> heights;  // between these every ball is met everywhere or nowhere
   for (const Point3& p : points)
     for (const double end : {p.z - radius, p.z + radius}) heights.push_back(end);
   std::sort(heights.begin(), heights.end());
@@ -38,7 +39,7 @@ BallUnion by_slices(const Points3& points, double radius, int slices) {
   const int in_each = slices / static_cast<int>(heights.size());
   for (int slice = 0; slice < in_each * (static_cast<int>(heights.size()) - 1); ++slice) {
     const auto interval = static_cast<std::size_t>(slice / in_each);
-    // Towards the ends, where circles shrink to points, slices are the thinner.
+    // Slices are thinner toward the ends, where circles shrink to points.
     const double half = (heights[interval + 1] - heights[interval]) / 2, angle = (slice % in_each + 0.5) * pi / in_each;
     const double step = half * std::sin(angle) * pi / in_each, z = heights[interval] + half * (1 - std::cos(angle));
     const auto disc = [&](const Point3& p) {
@@ -89,11 +90,11 @@ void check_by_slices(const Points3& points, double radius) {
 
 }  // namespace
 
-TEST_CASE("one ball, and two by formula") {
+TEST_CASE("the measures of one ball, and of two, follow the formula") {
   const BallUnion one = union_of_balls(Points3{{3, 4, 5}}, 2);
   CHECK(one.volume == doctest::Approx(32 * pi / 3).epsilon(1e-14));
   CHECK(one.area == doctest::Approx(16 * pi).epsilon(1e-14));
-  // Each loses a cap of height ½.
+  // Each ball loses a cap of height ½.
   const BallUnion two = union_of_balls(Points3{{0, 0, 0}, {0, 1, 0}, {0, 0, 0}}, 1);
   CHECK(two.volume == doctest::Approx(8 * pi / 3 - 2 * pi / 4 * (1 - 1.0 / 6)).epsilon(1e-14));
   CHECK(two.area == doctest::Approx(8 * pi - 2 * pi).epsilon(1e-14));
@@ -102,7 +103,7 @@ TEST_CASE("one ball, and two by formula") {
   CHECK(union_of_balls(Points3{}, 1).volume == 0);
 }
 
-TEST_CASE("three and four balls: acute, obtuse, far apart, flat") {
+TEST_CASE("the measures of three and four balls are right: acute, obtuse, far apart, flat") {
   const Points3 acute = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.9, 0.3}}, obtuse = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.2, 0.1}},
                 line = {{0, 0, 0}, {0.7, 0.1, 0.2}, {1.4, 0.2, 0.4}},
                 four = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.9, 0.3}, {0.5, 0.2, 0.8}},
@@ -111,7 +112,7 @@ TEST_CASE("three and four balls: acute, obtuse, far apart, flat") {
     for (const double radius : {0.3, 0.52, 0.56, 0.6, 0.71, 0.9, 2.0, 10.0}) check_by_slices(points, radius);
 }
 
-TEST_CASE("random points, from balls that are apart to one that is nearly a ball") {
+TEST_CASE("the measures of random points are right, from separate balls to one that is nearly a ball") {
   Random random(2);
   for (const std::size_t count : {5u, 9u, 30u}) {
     Points3 points;
@@ -120,9 +121,11 @@ TEST_CASE("random points, from balls that are apart to one that is nearly a ball
   }
 }
 
-TEST_CASE("a grid, cospherical all over") { check_by_slices(cubic_grid(27, 0.25, 3), 0.2); }
+TEST_CASE("the measures of a grid, which is cospherical everywhere, are right") {
+  check_by_slices(cubic_grid(27, 0.25, 3), 0.2);
+}
 
-TEST_CASE("as large as the sum of the balls where they are apart, and it does not decrease with the radius") {
+TEST_CASE("separate balls add up, and the measures do not decrease with the radius") {
   const Points3 points = jittered_cubes(2000, 4);
   const auto count = static_cast<double>(points.size());
   const BallUnion small = union_of_balls(points, 0.001);
@@ -149,7 +152,7 @@ TEST_CASE("points that nearly coincide have nearly one ball, however near they a
   CHECK_THROWS_AS(union_of_balls(Points3{{1e308, 0, 0}, {-1e308, 0, 0}}, 1), rbpa::InvalidInput);
 }
 
-TEST_CASE("moved by a power of two, scaled by one, shuffled, by three threads: the same to rounding") {
+TEST_CASE("moving and scaling by powers of two, shuffling and three threads change the result only by rounding") {
   Points3 points = jittered_cubes(500, 5);
   const BallUnion expected = union_of_balls(points, 0.75, {.threads = 1}),
                   by_threads = union_of_balls(points, 0.75, {.threads = 3});
@@ -162,7 +165,7 @@ TEST_CASE("moved by a power of two, scaled by one, shuffled, by three threads: t
   CHECK(union_of_balls(reversed, 0.75).area == doctest::Approx(expected.area).epsilon(1e-12));
 }
 
-TEST_CASE("with a triangulation that is there, the same; what is no radius or does not belong to it is refused") {
+TEST_CASE("a given triangulation gives the same result; invalid radii and those of another triangulation are refused") {
   const Points3 points = jittered_cubes(100, 6);
   const rbpa::Solid delaunay = rbpa::solid(points, infinity),
                     bare = rbpa::solid(points, infinity, {.neighbors = false});

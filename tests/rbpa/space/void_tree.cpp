@@ -41,8 +41,8 @@ VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, VoidW
   return rbpa::void_tree(points, filtration.delaunay, filtration.tetrahedron_alpha, walls);
 }
 
-/// Sets of tetrahedra that are left out at a radius, joined through triangles that are not walls; the outside is one
-/// more, the last.
+/// Returns the sets of tetrahedra left out at a radius, joined through triangles that are not walls; the outside is one
+/// more element, the last.
 meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls walls, double alpha) {
   const auto outside = static_cast<std::uint32_t>(filtration.triangles_of.size());
   meshops::DisjointSets sets(outside + 1);
@@ -62,7 +62,7 @@ meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls wa
 
 }  // namespace
 
-TEST_CASE("at every radius the nodes that are open then are the voids, and each tetrahedron is in its own") {
+TEST_CASE("the open nodes at every radius are the voids, and each tetrahedron is in its own") {
   std::size_t checked = 0, voids = 0;
   for (const SolidSet& set : solid_sets(120)) {
     if (!set.is_solid) continue;
@@ -235,7 +235,7 @@ TEST_CASE("a tree of voids does not depend on the order of the points, to the la
   CHECK(found[2] == found[0]);
 }
 
-TEST_CASE("a bottle's inside is a pocket with its neck for a mouth until the neck closes") {
+TEST_CASE("the inside of a bottle is a pocket, with its neck as the mouth, until the neck closes") {
   // A sphere of radius 1 with a hole of radius 0.4 around its top.
   Points3 bottle;
   for (int i = 0; i < 1500; ++i) {
@@ -254,7 +254,7 @@ TEST_CASE("a bottle's inside is a pocket with its neck for a mouth until the nec
   CHECK(inside.parent == VoidTree::none);
 }
 
-TEST_CASE("another filtration's points, and a run that is cancelled") {
+TEST_CASE("points of another filtration are refused, and a run can be cancelled") {
   const Points3 points = uniform_cube(2000, 5300);
   const SolidFiltration filtration = rbpa::solid_filtration(points);
   CHECK_THROWS_AS(tree_of(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);

@@ -47,7 +47,7 @@ Points3 grid(int columns, int rows, int layers) {
   return points;
 }
 
-/// Of a set of points, the tetrahedra of which all corners are in.
+/// Returns the tetrahedra whose corners are all in a set of points.
 Solid part_on(const Solid& delaunay, std::size_t points, const std::vector<bool>& in) {
   std::vector<bool> kept;
   for (const Tetrahedron& t : delaunay.simplices)
@@ -55,8 +55,8 @@ Solid part_on(const Solid& delaunay, std::size_t points, const std::vector<bool>
   return part_of(delaunay, points, kept);
 }
 
-/// Chambers in walls of a unit, with a cube of a unit in the middle of each. Integer points of a multiple of 6, and two
-/// more each way; of each, whether it is in a wall or a cube.
+/// Chambers with walls of thickness 1, each with a cube of side 1 in its middle, on integer points of a multiple of 6,
+/// and two more in each direction. Returns whether a point is in a wall or a cube.
 bool is_in_chambers(const Point3& p) {
   const auto layer = [](double x) { return static_cast<int>(x) % 6; };
   const std::array at = {layer(p.x), layer(p.y), layer(p.z)};
@@ -78,7 +78,7 @@ void check_counts(const Solid& s, const SolidBoundary& b, const SolidCounts& cou
   CHECK(counts.voids == betti.numbers[2]);
 }
 
-/// Requires: a part of this Delaunay triangulation. `exact`: measures are compared, too.
+/// Checks the voids. Requires: a part of this Delaunay triangulation. `exact`: measures are compared too.
 void check_voids(const Points3& points, const Solid& delaunay, const Solid& s, const SolidBoundary& b,
                  const Voids& voids, bool exact) {
   const std::vector<ModelVoid> expected = voids_by_triangulation(points, delaunay, s);
@@ -111,9 +111,7 @@ void check_voids(const Points3& points, const Solid& delaunay, const Solid& s, c
 
 }  // namespace
 
-TEST_CASE(
-    "Betti numbers of any part of a triangulation are those of its matrices; voids are what is left out, connected "
-    "through faces") {
+TEST_CASE("Betti numbers of any part of a triangulation are those of its matrices, and voids are left-out pieces") {
   Random random(411);
   std::size_t several_voids = 0, tunnels = 0, pinched = 0;
   for (int k = 0; k < space_kinds; ++k) {
@@ -140,7 +138,7 @@ TEST_CASE(
   CHECK(pinched > static_cast<std::size_t>(trials(100)));
 }
 
-TEST_CASE("parts of grids, where most is in a plane with most: the same") {
+TEST_CASE("voids of parts of grids, where most points are in a plane with most others, are right") {
   Random random(412);
   std::size_t voids_found = 0;
   const Points3 points = grid(5, 5, 5);
@@ -157,9 +155,7 @@ TEST_CASE("parts of grids, where most is in a plane with most: the same") {
   CHECK(voids_found > static_cast<std::size_t>(trials(300)));
 }
 
-TEST_CASE(
-    "tetrahedra around one point, in any pattern: one piece without tunnel and void, though its link goes around "
-    "itself") {
+TEST_CASE("tetrahedra around one point, in any pattern, are one piece without tunnels and voids") {
   Random random(413);
   std::size_t several_fans = 0;
   for (const SpaceKind kind : {SpaceKind::near_sphere, SpaceKind::cospherical})
@@ -167,7 +163,7 @@ TEST_CASE(
       CAPTURE(name(kind));
       CAPTURE(trial);
       Points3 points = space_set(kind, 20 + random.below(60), random);
-      // A second one has the same shape, so that one's part may be within the other's.
+      // A second one of the same shape, so that a part of one may be within the other.
       const Point3 centre = kind == SpaceKind::near_sphere ? Point3{0, 0, 0} : points.front();
       points.push_back(centre);
       const Solid all = solid(points, infinity);
@@ -187,9 +183,7 @@ TEST_CASE(
   CHECK(several_fans > static_cast<std::size_t>(trials(80)));
 }
 
-TEST_CASE(
-    "tetrahedra around one point, walled in: parts of its link that go around others bound the voids that they do by "
-    "the triangulation") {
+TEST_CASE("walled-in tetrahedra around one point bound the voids that the triangulation shows") {
   Random random(419);
   std::size_t voids_found = 0;
   for (int trial = 0; trial < trials(800); ++trial) {
@@ -217,7 +211,7 @@ TEST_CASE(
   CHECK(voids_found > static_cast<std::size_t>(trials(2000)));
 }
 
-TEST_CASE("chambers with a cube that floats in each: and where walls are broken through") {
+TEST_CASE("chambers with a floating cube in each are voids with islands, also where walls are broken through") {
   Random random(414);
   std::size_t islands = 0, open = 0, several = 0;
   const Points3 points = grid(14, 8, 8);
@@ -255,7 +249,7 @@ TEST_CASE("chambers with a cube that floats in each: and where walls are broken 
   CHECK(open > 0);
 }
 
-TEST_CASE("a box in a box in a box: what floats deeper is not in the outer void, in any order") {
+TEST_CASE("a box in a box in a box floats in the inner void, not in the outer, in any order") {
   Random random(420);
   Points3 points = grid(11, 11, 11);
   for (int trial = 0; trial < 4; ++trial) {
@@ -286,13 +280,14 @@ TEST_CASE("a box in a box in a box: what floats deeper is not in the outer void,
   }
 }
 
-TEST_CASE("a plate with holes has as many tunnels, and its boundary the genus; closed on both sides they are voids") {
+TEST_CASE(
+    "a plate with holes has as many tunnels, and its boundary that genus; closed on both sides the holes are voids") {
   const Points3 points = grid(8, 4, 4);
   const Solid all = solid(points, infinity);
   for (const bool closed : {false, true}) {
     std::vector<bool> kept;
     for (const Tetrahedron& t : all.simplices) {
-      // The unit cube that it is in.
+      // The unit cube that contains the tetrahedron.
       Point3 low = points[t[0]];
       for (const std::uint32_t i : t)
         low = {std::min(low.x, points[i].x), std::min(low.y, points[i].y), std::min(low.z, points[i].z)};
@@ -310,7 +305,7 @@ TEST_CASE("a plate with holes has as many tunnels, and its boundary the genus; c
       CHECK(voids.counts.tunnels == 0);
       REQUIRE(voids.all.size() == 3);
       for (const SolidVoid& v : voids.all) CHECK(v.volume == 1);
-      CHECK(voids.all[0].low == Point3{1, 1, 1});  // the least of equal ones first
+      CHECK(voids.all[0].low == Point3{1, 1, 1});  // the least of equal ones is first
       CHECK(voids.all[2].low == Point3{5, 1, 1});
       REQUIRE(surfaces.size() == 4);
       CHECK(surfaces[3].volume == -1);
@@ -325,7 +320,7 @@ TEST_CASE("a plate with holes has as many tunnels, and its boundary the genus; c
   }
 }
 
-TEST_CASE("the void in a spherical shell is between its inner ball, and that ball less what triangles cut off") {
+TEST_CASE("the void in a spherical shell lies between its inner ball, and that ball less what triangles cut off") {
   Random random(415);
   Points3 points;
   for (const double radius : {1.0, 1.1})
@@ -347,7 +342,7 @@ TEST_CASE("the void in a spherical shell is between its inner ball, and that bal
   CHECK(voids.all[0].volume < ball);
   CHECK(voids.all[0].volume > ball * std::pow(1 - alpha * alpha, 1.5));
   CHECK(voids.counts.components == 1);
-  // Without other voids, the solid is what the outer surface encloses less the void.
+  // Without other voids, the solid is the inside of the outer surface less the void.
   double all_voids = 0, faced = 0;
   for (const SolidVoid& v : voids.all) all_voids += v.volume;
   std::vector<std::uint32_t> outer;
@@ -365,7 +360,7 @@ TEST_CASE("shuffled points have the same voids and components, in the same order
     std::vector<bool> in;
     const Solid all = solid(points, infinity);
     const Solid s = trial < 3 ? random_part(all, points.size(), 0.8, random) : solid(points, 0.12);
-    // The same tetrahedra by their corners' coordinates.
+    // The tetrahedra by their corners' coordinates.
     std::vector<std::uint32_t> order(points.size()), place(points.size());
     std::iota(order.begin(), order.end(), 0u);
     random.shuffle(order);

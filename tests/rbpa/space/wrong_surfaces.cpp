@@ -1,5 +1,5 @@
-// Surfaces that are none, and curves that are not of theirs, given to every function that takes such: refused, never
-// followed. A surface without a triangle is one.
+// Invalid surfaces, and curves of other surfaces, given to every function that takes them: they are refused, never
+// followed. A surface without triangles is valid.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -38,7 +38,7 @@ constexpr std::uint32_t none = Surface::none;
 const Points3 places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 const Points3 normals(4, rbpa::Point3{0, 0, 1});
 
-/// Two triangles with an edge in common.
+/// Returns two triangles with a common edge.
 Surface pair() { return rbpa::surface_of(places, std::vector<Row>{{0, 1, 2}, {0, 3, 1}}); }
 
 std::vector<std::pair<const char*, Surface>> broken_surfaces() {
@@ -93,7 +93,7 @@ Calls calls_on_surfaces() {
   };
 }
 
-/// How a call ended.
+/// Returns how a call ended.
 std::string end_of(const std::function<void()>& call) {
   try {
     call();
@@ -107,7 +107,7 @@ std::string end_of(const std::function<void()>& call) {
 
 }  // namespace
 
-TEST_CASE("every function of surfaces refuses what is none, and takes one without a triangle") {
+TEST_CASE("every function of surfaces refuses invalid ones, and takes one without triangles") {
   for (const auto& [name, call] : calls_on_surfaces()) {
     CAPTURE(std::string(name));
     for (const auto& [what, surface] : broken_surfaces()) {
@@ -124,7 +124,7 @@ TEST_CASE("every function of surfaces refuses what is none, and takes one withou
   }
 }
 
-TEST_CASE("every function of curves refuses those that are not of the surface") {
+TEST_CASE("every function of curves refuses those of another surface") {
   const Surface surface = pair();
   const std::vector<Hole> good = rbpa::surface_curves(places, surface);
   REQUIRE(good.size() == 1);

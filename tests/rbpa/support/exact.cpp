@@ -19,7 +19,7 @@ Rational cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x;
 
 using Corners = std::array<Point, 4>;
 
-/// The factor of row i's lift in the determinant of the rows (x, y, lift, 1), up to one common sign.
+/// Returns the factor of row i's lift in the determinant of the rows (x, y, lift, 1), up to one common sign.
 Rational cofactor(const Corners& rows, unsigned i) {
   std::array<Point, 3> others;
   for (unsigned j = 0, k = 0; j < 4; ++j)

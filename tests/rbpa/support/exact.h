@@ -1,4 +1,4 @@
-// What: what the predicates must return, by rational numbers and from the textbook definitions, not from the formulas
+// What: the right results of the predicates, by rational numbers and from the textbook definitions, not by the formulas
 //       of the library.
 #pragma once
 
@@ -8,35 +8,36 @@ namespace rbpa_test::exact {
 
 using rbpa::Point;
 
-/// Sign of the area of (a, b, c).
+/// Returns the sign of the area of (a, b, c).
 int orientation(const Point& a, const Point& b, const Point& c);
 
-/// Sign of the 4 × 4 in-circle determinant: 1 when q is inside the circle of (a, b, p), which turn left.
+/// Returns the sign of the 4 × 4 in-circle determinant: 1 when q is inside the circle of (a, b, p), which turn left.
 int in_circle(const Point& a, const Point& b, const Point& p, const Point& q);
 
-/// The same determinant with every lift x² + y² raised by its own infinitesimal, the lexicographically larger point's
-/// infinitely larger: the sign of the first nonzero coefficient of the expansion.
+/// Returns the sign of the in-circle determinant with every lift x² + y² raised by its own infinitesimal, the
+/// lexicographically larger point's infinitely larger: the sign of the first nonzero coefficient of the expansion.
 int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q);
 
-/// Sign of (distance of the circumcenter from a) − alpha. Requires: a, b, c not on a line.
+/// Returns the sign of (distance of the circumcenter from a) − alpha. Requires: a, b, c not on a line.
 int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha);
 
-/// Sign of |ab| − 2 alpha.
+/// Returns the sign of |ab| − 2 alpha.
 int compare_to_diameter(const Point& a, const Point& b, double alpha);
 
-/// Sign of |vp| − |vq|.
+/// Returns the sign of |vp| − |vq|.
 int compare_distances(const Point& v, const Point& p, const Point& q);
 
-/// Sign of (p − v) · (q − v).
+/// Returns the sign of (p − v) · (q − v).
 int dot_sign(const Point& v, const Point& p, const Point& q);
 
-/// |p − center| ≤ radius.
+/// Returns whether |p − center| ≤ radius.
 bool in_disc(const Point& centre, double radius, const Point& p);
 
-/// p is left of a→b, and inside or on the circle through a, b whose center lies k half-chords left of their midpoint.
+/// Returns whether p is left of a→b, and inside or on the circle through a, b whose center lies k half-chords left of
+/// their midpoint.
 bool in_segment(const Point& a, const Point& b, double k, const Point& p);
 
-/// p is not right of the line through a in direction (dx, dy).
+/// Returns whether p is not right of the line through a in direction (dx, dy).
 bool not_right_of(const Point& a, double dx, double dy, const Point& p);
 
 }  // namespace rbpa_test::exact

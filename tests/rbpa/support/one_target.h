@@ -1,4 +1,4 @@
-// What: one target of the vector library at a time: every one that was compiled and that this processor has.
+// What: selects one target of the vector library at a time, among those that were compiled and that this processor has.
 #pragma once
 
 #include <hwy/targets.h>

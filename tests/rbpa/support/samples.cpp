@@ -8,7 +8,7 @@ namespace {
 
 using rbpa::Point;
 
-/// Integer points at distance 65 of the origin: a quarter of them.
+/// Integer points at distance 65 from the origin: a quarter of them.
 constexpr std::array<Point, 9> quarter_circle = {Point{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39},
                                                  {39, 52},     {33, 56}, {25, 60}, {16, 63}};
 
@@ -20,7 +20,7 @@ Point on_circle_65(Random& random) {
 
 double sign(Random& random) { return random.chance(0.5) ? 1 : -1; }
 
-/// A double with up to 53 random bits, a multiple of 2^lowest below 2^highest.
+/// Returns a double with up to 53 random bits, a multiple of 2^lowest below 2^highest.
 double between_powers(int lowest, int highest, Random& random) {
   const int bits = random.integer(1, 53);
   const double digits = std::ldexp(static_cast<double>((random.bits() >> (64 - bits)) | 1), 0);
@@ -48,7 +48,7 @@ void fill_circle(std::span<Point> points, int jiggle, Random& random) {
   }
 }
 
-/// A near tie of another kind brought to the edge of what fits.
+/// Fills in a near tie of another kind, scaled to the limit of what fits.
 void fill_limits(std::span<Point> points, Random& random) {
   switch (random.below(5)) {
     case 0:
@@ -64,7 +64,7 @@ void fill_limits(std::span<Point> points, Random& random) {
              sign(random) * (largest - std::ldexp(random.integer(0, 3), 97))};
       }
       return;
-    case 3:  // tiny next to huge: slivers with the largest circumradii
+    case 3:  // tiny beside huge: slivers with the largest circumradii
       for (Point& p : points) {
         const bool far = random.chance(0.5);
         p = {far ? sign(random) * std::ldexp(random.integer(1, 3), 147) : std::ldexp(random.integer(-2, 2), -150),
@@ -127,7 +127,7 @@ double jiggled(double value, int most, Random& random) {
   for (int steps = random.integer(-most, most); steps != 0; steps += steps < 0 ? 1 : -1)
     value = std::nextafter(
         value, steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
-  // Next to zero lie the denormals, which are no small change.
+  // Near zero the next doubles are denormals, which are no small change.
   return std::abs(value) < 1e-300 && most > 0 ? 0 : value;
 }
 

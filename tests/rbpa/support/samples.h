@@ -1,4 +1,4 @@
-// What: a few random points at a time, of the kinds that are hard to decide.
+// What: few random points at a time, of kinds that are hard to decide.
 // Law:  a function of the kind and of the random numbers. Points may coincide.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace rbpa_test {
 enum class Kind {
   uniform,
   small_grid,        ///< integers from −3 to 3: most decisions are ties
-  near_line,         ///< on a line but for a few units in the last place
-  on_line,           ///< exactly
-  near_circle,       ///< on a circle but for a few units in the last place
+  near_line,         ///< on a line except for a few units in the last place
+  on_line,           ///< exactly on a line
+  near_circle,       ///< on a circle except for a few units in the last place
   on_circle,         ///< integers at the same distance from an integer center
   offset_grid,       ///< spacing 10⁻³ at coordinates of 10⁶, rounded
   mixed_scales,      ///< every coordinate with an exponent of its own
@@ -31,7 +31,7 @@ const char* name(Kind kind);
 
 void fill(std::span<rbpa::Point> points, Kind kind, Random& random);
 
-/// `value` moved by up to `most` representable steps either way.
+/// Returns `value` moved by up to `most` representable steps in either direction.
 double jiggled(double value, int most, Random& random);
 
 }  // namespace rbpa_test

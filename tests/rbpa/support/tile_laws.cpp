@@ -23,7 +23,7 @@ using rbpa::TilePatch;
 
 namespace {
 
-/// How large two patches are.
+/// Describes the sizes of two patches.
 std::string unlike(const TilePatch& a, const TilePatch& b) {
   return "triangles " + std::to_string(a.patch.triangles.size()) + " and " + std::to_string(b.patch.triangles.size()) +
          ", known " + std::to_string(a.settled.size()) + " and " + std::to_string(b.settled.size());

@@ -1,5 +1,5 @@
-// What: what tiles must find, by whatever finder.
-// Law:  each check names the first law that is broken, or returns "".
+// What: the triangles that tiles must find, with any finder.
+// Law:  each check returns the first violated law, or "".
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rbpa_test {
 
-/// The Delaunay triangles of the sites of a grid, once for many radii.
+/// The Delaunay triangles of the sites of a grid, computed once for many radii.
 struct SiteSet {
   explicit SiteSet(const Points& input);
   rbpa::PointGrid grid;
@@ -24,19 +24,20 @@ struct SiteSet {
   std::vector<Triangle> within(const rbpa::Radius& radius) const;
 };
 
-/// The patch of each tile.
+/// Returns the patch of each tile.
 std::vector<rbpa::TilePatch> patches_of(const rbpa::PointGrid& grid, const rbpa::Radius& radius,
                                         std::uint32_t max_points);
 
-/// Its outline is the one that is surveyed.
+/// Returns whether the outline of the patch equals a newly surveyed one.
 bool is_outlined(const rbpa::TilePatch& tile);
 
 bool same(const rbpa::TilePatch& a, const rbpa::TilePatch& b);
 
-/// Triangles are of the complex and found once, sides and outlines are right, and nothing is missing at settled sites.
+/// Checks that triangles are of the complex and found once, sides and outlines are right, and none is missing at
+/// settled sites.
 std::string wrong_with(const std::vector<rbpa::TilePatch>& patches, const std::vector<Triangle>& complex);
 
-/// The same of every vector unit that this processor has, and that all find the same.
+/// Checks every vector unit of this processor, and that all of them find the same.
 std::string wrong_on(const Points& input, std::uint32_t max_points,
                      const std::function<std::vector<rbpa::Radius>(const SiteSet&)>& radii);
 

@@ -20,7 +20,7 @@ using rbpa::Point;
 using P = rbpa::Predicates<double>;
 using Index = std::uint32_t;
 
-/// `each` points within `width` of every one of `crowds` points, and others thinly around.
+/// Returns `each` points within `width` of every one of `crowds` points, and a thin spread of others.
 Points crowds(int crowds, int each, double width, int others, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -33,7 +33,7 @@ Points crowds(int crowds, int each, double width, int others, std::uint64_t seed
   return points;
 }
 
-/// Half of the points in a corner, half of those in a corner of it, and so on.
+/// Returns points half of which are in a corner, half of those in a corner of the corner, and so on.
 Points ever_denser(int levels, int each, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -52,7 +52,7 @@ Points ring(int points_on_it, double radius) {
   return points;
 }
 
-/// A turned grid of pairs: thin rectangles, cocircular but for the last bits.
+/// Returns a turned grid of pairs: thin rectangles, cocircular except for the last bits.
 Points pairs_on_a_grid(int columns, double apart) {
   Points points;
   for (int i = 0; i < columns; ++i)
@@ -62,7 +62,7 @@ Points pairs_on_a_grid(int columns, double apart) {
   return points;
 }
 
-/// Rows of points that are on a line but for `off`.
+/// Returns rows of points that are on a line except for `off`.
 Points rows_nearly_on_lines(int rows, int each, double off, std::uint64_t seed) {
   Random random(seed);
   Points points;

@@ -1,4 +1,4 @@
-// What: point sets that are hard for tiles: crowds beside empty land, lattices and what is just off one, ties.
+// What: point sets that are hard for tiles: crowds beside empty land, lattices and points just off one, ties.
 // Law:  a function of the arguments alone; every set fits double.
 #pragma once
 
@@ -15,22 +15,22 @@ struct TileSet {
   Points points;
 };
 
-/// Sets of up to about 300 points each.
+/// Returns sets of up to about 300 points each.
 std::vector<TileSet> tile_sets();
 
-/// A set of up to a few dozen points, of any kind.
+/// Returns a set of up to a few dozen points, of any kind.
 TileSet few_points(Random& random);
 
-/// Points of a lattice of at most `columns` columns and rows, some of them moved by next to nothing where doubles are
-/// fine enough to distinguish them.
+/// Returns points of a lattice of at most `columns` columns and rows, some of them moved by the smallest steps where
+/// doubles are fine enough to distinguish them.
 Points nearly_a_lattice(int columns, double kept, double moved, Random& random);
 
-/// Integer points around one that is off them by so little that differences from it round to integers. It has a column
-/// of its own, or a row as well: no other point has a coordinate that distinguishes them.
+/// Returns integer points around one that is off them by so little that differences from it round to integers. That
+/// point has a column of its own, or a row as well: no other point has a coordinate that distinguishes them.
 Points lattice_around_a_stranger(Random& random);
 
-/// The Delaunay triangles, without any two points on a circle by the perturbation, in canonical order, by the winner
-/// among all points. Requires distinct points that fit double.
+/// Returns the Delaunay triangles, without ties because of the perturbation, in canonical order, by the winner among
+/// all points. Requires: distinct points that fit double.
 /// Cost: quadratic.
 std::vector<Triangle> delaunay_by_winners(const Points& points);
 

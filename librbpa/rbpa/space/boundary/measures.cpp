@@ -153,7 +153,7 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
     }
     sums.add(corners);
   }
-  // Where other points are much farther out, these triangles need a scale of their own.
+  // These triangles need a scale of their own where other points are much farther out.
   const Point3 size = size_of(std::array{result.low, result.high});
   constexpr int too_small = -200;  // a power of two
   const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {

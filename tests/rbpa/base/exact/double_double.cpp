@@ -18,7 +18,7 @@ namespace {
 Rational value(const DoubleDouble& t) { return rational(t.high) + rational(t.low); }
 Rational size(const Rational& r) { return r < 0 ? Rational(-r) : r; }
 
-/// Differences of numbers near each other and far apart: with low parts, and sums that cancel.
+/// Returns a difference of two numbers, near each other or far apart: with low parts, and sums that cancel.
 DoubleDouble some(Random& random) {
   const double a = std::ldexp(random.between(-1, 1), random.integer(-40, 40));
   return DoubleDouble::difference(a, random.chance(0.5) ? a * random.between(0.9, 1.1)

@@ -27,7 +27,7 @@ double sum_of(const Products& products, int exponent = 0) {
   return sum.rounded(exponent);
 }
 
-/// `rounded` is the double nearest to `exact`, the even one of two.
+/// Returns whether `rounded` is the double nearest to `exact`; of two, the even one.
 bool is_nearest(double rounded, const Rational& exact) {
   const auto distance = [&](double to) { return Rational(abs(Rational(rational(to) - exact))); };
   const double above = std::nextafter(rounded, 1e308), below = std::nextafter(rounded, -1e308);
@@ -67,7 +67,7 @@ TEST_CASE("a sum of products is rounded once, to the nearest double") {
   }
 }
 
-TEST_CASE("halfway goes to even, and the least bit behind halfway decides") {
+TEST_CASE("a value halfway between two doubles is rounded to even, and the least bit beyond halfway decides") {
   const double tiny = 0x1p-500;
   CHECK(sum_of({{1, 1}, {0x1p-53, 1}}) == 1);
   CHECK(sum_of({{1, 1}, {0x1p-53, 1}, {tiny, tiny}}) == 1 + 0x1p-52);
@@ -97,7 +97,7 @@ TEST_CASE("the order does not matter") {
   }
 }
 
-TEST_CASE("sums of parts are the sum, and its digits hold all of it") {
+TEST_CASE("the sum of partial sums is the sum, and its digits hold all of it") {
   Random random(3);
   for (int run = 0; run < trials(500); ++run) {
     const Products products = random_products(random, 300);

@@ -21,7 +21,8 @@ Rational value(const rbpa::Expansion<N>& e) {
   return sum;
 }
 
-/// No zeros, ascending, and the set bits of a component end above the first bit of the one before it.
+/// Returns whether the components are nonzero and ascend, and the set bits of each end above the first bit of the one
+/// before.
 template <int N>
 bool is_well_formed(const rbpa::Expansion<N>& e) {
   for (int i = 0; i < e.size; ++i) {
@@ -35,7 +36,7 @@ bool is_well_formed(const rbpa::Expansion<N>& e) {
   return e.size <= N;
 }
 
-/// A double whose bits come in runs: those carry and cancel most.
+/// Returns a double whose bits come in runs: such numbers carry and cancel most.
 double run_of_bits(Random& random) {
   double sum = std::ldexp(1.0, random.integer(0, 40));
   for (int i = random.integer(0, 3); i > 0; --i)

@@ -13,7 +13,7 @@ using rbpa::IntegerSum;
 
 TEST_SUITE_BEGIN("arrays");
 
-TEST_CASE("sums of products of integers at the limits of their range are those of integers of any length") {
+TEST_CASE("sums of products of integers at the limits of their range equal those of integers of any length") {
   Random random(601);
   for (int trial = 0; trial < 300; ++trial) {
     IntegerSum sum;
@@ -34,7 +34,7 @@ TEST_CASE("sums of products of integers at the limits of their range are those o
     ExactSum exact;
     const int exponent = static_cast<int>(random.below(3000)) - 1500;
     sum.add_to(exact, exponent);
-    // Less all but the last bits: what is left has no error.
+    // Subtracts all but the last bits: the rest has no error.
     boost::multiprecision::cpp_int rest = abs(expected);
     const int sign = expected < 0 ? 1 : -1;
     for (int shift = 0; rest != 0; rest >>= 32, shift += 32) {

@@ -18,7 +18,7 @@ TEST_SUITE_BEGIN("predicates");
 
 namespace {
 
-/// value is a multiple of 2^exponent. The exponents of long double hold every quotient.
+/// Returns whether value is a multiple of 2^exponent. The exponents of long double hold every quotient.
 bool is_multiple(double value, int exponent) {
   const long double quotient = std::ldexp(static_cast<long double>(value), -exponent);
   return quotient == std::floor(quotient);
@@ -51,7 +51,7 @@ TEST_CASE("magnitude() is the tightest pair of exponents") {
   }
 }
 
-TEST_CASE("magnitude_bound() is as if every coordinate had all its bits") {
+TEST_CASE("magnitude_bound() assumes that every coordinate uses all its bits") {
   Random random(3);
   std::vector<Kind> kinds(kinds_that_fit_double.begin(), kinds_that_fit_double.end());
   kinds.push_back(Kind::extreme);

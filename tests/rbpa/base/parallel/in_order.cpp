@@ -22,7 +22,7 @@ struct Workspace {
   std::vector<std::size_t> numbers;
 };
 
-/// Work of different length, so that items overtake each other.
+/// Takes a different time for each i, so that items overtake each other.
 std::size_t slow_square(std::size_t i) {
   std::size_t sum = 0;
   for (std::size_t k = 0; k < (i * 7919 % 13) * 2000 + 1; ++k) sum += (k * k + i) % 3;
@@ -31,7 +31,7 @@ std::size_t slow_square(std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("every item is worked on, joined in order and finished, each once and in one workspace") {
+TEST_CASE("every item is processed, joined in order and finished once, in one workspace") {
   for (const unsigned threads : thread_counts) {
     for (const std::size_t count : {0u, 1u, 5u, 400u}) {
       CAPTURE(threads);
@@ -67,7 +67,7 @@ TEST_CASE("every item is worked on, joined in order and finished, each once and 
   }
 }
 
-TEST_CASE("what a step throws reaches the caller") {
+TEST_CASE("an exception of a step reaches the caller") {
   const auto nothing = [](std::size_t, int&) {};
   const auto bad = [](std::size_t i, int&) {
     if (i == 17) throw std::runtime_error("seventeen");
@@ -86,7 +86,7 @@ TEST_CASE("what a step throws reaches the caller") {
   }
 }
 
-TEST_CASE("parts are those of the range, all of it and nothing twice") {
+TEST_CASE("parts cover the range, and do not overlap") {
   for (const unsigned threads : thread_counts) {
     for (const std::size_t size : {0u, 1u, 6u, 7u, 8u, 1000u}) {
       CAPTURE(threads);

@@ -1,4 +1,4 @@
-// Work of programs: results joined in order, and items that are made ahead.
+// Parallel work of programs: results joined in order, and items made ahead.
 #include "rbpa/base/parallel/join_in_order.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ TEST_SUITE_BEGIN("parallel");
 
 namespace {
 
-/// Work of different length, so that items overtake each other.
+/// Takes a different time for each i, so that items overtake each other.
 std::size_t slow(std::size_t i) {
   std::atomic<std::size_t> sum = 0;
   for (std::size_t k = 0; k < (i * 7919 % 13) * 1000; ++k) sum += k;
@@ -26,7 +26,7 @@ std::size_t slow(std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("each result is joined once and in order, one at a time, and no more wait than there are threads") {
+TEST_CASE("results are joined once, in order, one at a time, and at most as many wait as there are threads") {
   for (const std::size_t threads : {1U, 2U, 5U})
     for (const std::size_t count : {0U, 1U, 7U, 300U})
       for (const bool is_small : {false, true}) {
@@ -52,11 +52,11 @@ TEST_CASE("each result is joined once and in order, one at a time, and no more w
         CHECK(strangers == 0);
         REQUIRE(joined.size() == count);
         for (std::size_t i = 0; i < count; ++i) CHECK(joined[i] == i);
-        CHECK(most <= (is_small ? 2 * threads + 1 : threads + 1));  // in hand, and waiting
+        CHECK(most <= (is_small ? 2 * threads + 1 : threads + 1));  // in work, and waiting
       }
 }
 
-TEST_CASE("what work or joining throws reaches the caller") {
+TEST_CASE("an exception of work or joining reaches the caller") {
   const auto bad = [](std::size_t i) {
     if (i == 17) throw std::runtime_error("seventeen");
     return i;
@@ -69,7 +69,7 @@ TEST_CASE("what work or joining throws reaches the caller") {
   }
 }
 
-TEST_CASE("items come as they are made, then what making one throws; who wants no more may go") {
+TEST_CASE("items come in the order in which they are made, then the maker's exception; a consumer may stop early") {
   int made = 0;
   const auto make = [&](int& item) {
     if (made == 50) throw std::runtime_error("fifty");

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Every number of a complex, in one order.
+/// Returns all numbers of a complex, in a fixed order.
 std::vector<double> numbers(const SolidAlphaComplex& complex) {
   std::vector<double> all = {double(complex.distinct), double(complex.isolated.size())};
   const auto& mesh = complex.mesh;
@@ -42,7 +42,7 @@ std::vector<double> numbers_by_levels(const Points& points, double alpha, std::s
   return numbers(rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .threads = threads}).complex);
 }
 
-/// With leaves so small that triangles of all tiles wait for their level.
+/// Checks with leaves so small that triangles of all tiles wait for their level.
 void check_threads(const Points& points, double alpha, std::size_t leaf_capacity) {
   CAPTURE(alpha);
   const auto expected = numbers(rbpa::rbpa(points, alpha, {.threads = 1}));
@@ -56,7 +56,7 @@ void check_threads(const Points& points, double alpha, std::size_t leaf_capacity
 
 }  // namespace
 
-TEST_CASE("sets of every kind") {
+TEST_CASE("threads change no byte of the result on sets of every kind") {
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
     const Points points = set.make();
@@ -65,7 +65,7 @@ TEST_CASE("sets of every kind") {
   }
 }
 
-TEST_CASE("as many points as many tiles have, some of them equal") {
+TEST_CASE("threads change no byte of many tiles, with equal points") {
   Points points = uniform(60'000, 1);
   const Points crowds = clusters(4'000, 2), again = points;
   points.insert(points.end(), crowds.begin(), crowds.end());
@@ -73,12 +73,12 @@ TEST_CASE("as many points as many tiles have, some of them equal") {
   for (const double alpha : {0.7, infinity}) check_threads(points, alpha, 256);
 }
 
-TEST_CASE("points of which tiles decide little") {
+TEST_CASE("threads change no byte where tiles decide little") {
   for (const Points& points : {rounded_concentric(40'000), along_curves(15'000)})
     for (const double alpha : {0.07, infinity}) check_threads(points, alpha, 256);
 }
 
-TEST_CASE("any number of threads can be cancelled, among tiles and in what these leave over") {
+TEST_CASE("a run with any number of threads can be cancelled, in the tiles and in the remainder") {
   for (const Points& points : {uniform(50'000, 3), rounded_concentric(30'000)}) {
     int all = 0;
     rbpa::rbpa(points, infinity, {.threads = 1, .progress = [&](const auto&) { return ++all > 0; }});

@@ -1,4 +1,4 @@
-// How many threads work.
+// The number of threads that work.
 #include <doctest/doctest.h>
 
 #include <limits>
@@ -14,7 +14,7 @@ using rbpa::threads_used;
 
 TEST_SUITE_BEGIN("parallel");
 
-TEST_CASE("as many as given, and no more than there are processors; all of them for 0") {
+TEST_CASE("as many threads work as given, but at most one for each processor; for 0, one for each") {
   const unsigned processors = threads_used(1'000'000, 0);
   REQUIRE(processors >= 1);
   for (unsigned wanted = 1; wanted <= processors; ++wanted) CHECK(threads_used(1'000'000, wanted) == wanted);
@@ -22,7 +22,7 @@ TEST_CASE("as many as given, and no more than there are processors; all of them 
     CHECK(threads_used(1'000'000, wanted) == processors);
 }
 
-TEST_CASE("one for a few points") {
+TEST_CASE("one thread works on few points") {
   for (const unsigned wanted : {0u, 1u, 2u, 1024u}) CHECK(threads_used(100, wanted) == 1);
 }
 

@@ -1,4 +1,4 @@
-// Rows in lexicographic order, against std::sort.
+// Rows in lexicographic order, compared with std::sort.
 #include "rbpa/base/sort/canonical_rows.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ using namespace rbpa_test;
 
 TEST_SUITE_BEGIN("parallel");
 
-TEST_CASE("rows come in order, each is where it is said to be, for any threads") {
+TEST_CASE("rows are sorted, and each is at the reported place, with any number of threads") {
   Random random(3195);
   for (int trial = 0; trial < 60; ++trial) {
     const std::size_t bound = 1 + random.below(trial % 3 == 0 ? 3 : 30'000), wanted = random.below(3000);

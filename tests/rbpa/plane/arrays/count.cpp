@@ -45,7 +45,7 @@ class Paint {
   std::vector<std::uint32_t> color_;
 };
 
-/// By the definitions: what is connected is painted alike, and holes are what Euler's formula leaves.
+/// Counts by the definitions: connected parts get one color, and the number of holes follows from Euler's formula.
 ComplexCounts by_definition(const Triangulation& complex, Complex kind) {
   std::set<std::uint32_t> vertices;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> triangles_at;
@@ -96,7 +96,7 @@ void check_all_ways(const Points& points, double alpha) {
 
 }  // namespace
 
-TEST_CASE("counts of arrays are those of the mesh, with pinches, by boundary or neighbors") {
+TEST_CASE("counts of arrays equal those of the mesh, with pinches, by boundary or by neighbors") {
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
     const Points points = set.make();
@@ -107,7 +107,7 @@ TEST_CASE("counts of arrays are those of the mesh, with pinches, by boundary or 
   }
 }
 
-TEST_CASE("counts of full and solid complexes on small sets are those by the definitions") {
+TEST_CASE("counts of full and solid complexes on small sets follow the definitions") {
   Random random(71);
   std::size_t edges = 0, holes = 0, pinched = 0;
   for (int i = 0; i < trials(4000); ++i) {
@@ -144,7 +144,7 @@ TEST_CASE("the full complex of points on a line is a path of edges") {
   CHECK(rbpa::count({}, {}) == ComplexCounts{});
 }
 
-TEST_CASE("arrays without a boundary, or with one that does not close, are refused; false from go_on cancels") {
+TEST_CASE("arrays without a boundary, or with an open one, are refused; false from go_on cancels") {
   const Points points = uniform(3000, 72);
   Triangulation complex = rbpa::triangulate(points, mean_spacing(points), {.boundary = true});
   REQUIRE(!complex.boundary.empty());

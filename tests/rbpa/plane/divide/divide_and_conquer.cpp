@@ -40,7 +40,7 @@ std::vector<Triangle> triangles_of(const Patch& patch) {
 
 constexpr auto all_are_kept = [](const auto&...) { return 0; };
 
-/// On the positions in `points`.
+/// Triangulates the points; sites are positions in `points`.
 void delaunay(
     const Points& points, Patch& patch, unsigned threads = 1, const std::function<void()>& working = [] {},
     const rbpa::Fate& fate = all_are_kept) {
@@ -56,7 +56,7 @@ Patch triangulated(const Points& points) {
   return patch;
 }
 
-/// What is wrong with a patch, "" when nothing is: turns, what is across, one hull.
+/// Returns the first fault of a patch, "" when there is none: orientation, adjacency, one hull.
 std::string wrong_in(const Patch& patch, const Points& points) {
   const auto name = [&](std::size_t t) { return "triangle " + std::to_string(t); };
   if (patch.across.size() != patch.triangles.size()) return "sizes";
@@ -114,7 +114,7 @@ std::size_t calls(const Points& points) {
 
 }  // namespace
 
-TEST_CASE("every triangle is the winner's at its sides, and none is missing: all subsets of small grids") {
+TEST_CASE("every triangle is the winner's at its sides and none is missing, on all subsets of small grids") {
   const double even[] = {0, 1, 2, 3}, stretched[] = {0, 1, 4, 20};
   for (const auto& x : {even, stretched}) {
     Points grid;
@@ -129,7 +129,7 @@ TEST_CASE("every triangle is the winner's at its sides, and none is missing: all
   }
 }
 
-TEST_CASE("every triangle is the winner's at its sides, and none is missing: a few points") {
+TEST_CASE("every triangle is the winner's at its sides and none is missing, on few points") {
   Random random(1);
   for (int round = 0; round < trials(3000); ++round) {
     CAPTURE(round);
@@ -138,11 +138,11 @@ TEST_CASE("every triangle is the winner's at its sides, and none is missing: a f
   }
 }
 
-TEST_CASE("every triangle is the winner's at its sides, and none is missing: sets that are hard for tiles") {
+TEST_CASE("every triangle is the winner's at its sides and none is missing, on sets that are hard for tiles") {
   for (const TileSet& set : tile_sets()) check(set.name, distinct(set.points));
 }
 
-TEST_CASE("points on a line have no triangle, and one beside it makes one for each pair of neighbors") {
+TEST_CASE("points on a line have no triangle, and one point beside it makes a triangle for each pair of neighbors") {
   const double steps[][2] = {{1, 0}, {0, 1}, {3, -7}, {0.5, 0.25}, {-1, -1}};
   for (const auto& step : steps)
     for (const int count : {0, 1, 2, 3, 4, 5, 100, 1000}) {
@@ -168,7 +168,7 @@ TEST_CASE("the triangles do not depend on the order of the points") {
   }
 }
 
-TEST_CASE("subsets agree: triangles whose corners are kept stay, whatever else is removed") {
+TEST_CASE("triangles whose corners are kept stay, whatever other points are removed") {
   Random random(5);
   for (const Points& points : {perfect_grid(25, 1), rotated_integer_grid(20), integer_concentric(1105, true)}) {
     const std::vector<Triangle> all = triangles_of(triangulated(points));
@@ -188,7 +188,7 @@ TEST_CASE("subsets agree: triangles whose corners are kept stay, whatever else i
   }
 }
 
-TEST_CASE("no set is much worse than scattered points: steps of the merges") {
+TEST_CASE("no set takes many more merge steps than scattered points") {
   constexpr std::size_t count = 100000;
   const std::size_t scattered = calls(uniform(count, 6));
   REQUIRE(scattered > 10);
@@ -203,7 +203,7 @@ TEST_CASE("no set is much worse than scattered points: steps of the merges") {
     CHECK(calls(points) < 4 * scattered);
 }
 
-TEST_CASE("what is thrown while it works reaches the caller, and nobody is called after that") {
+TEST_CASE("an exception during the work reaches the caller, and no call follows it") {
   const Points points = uniform(100000, 9);
   for (const unsigned threads : {1u, 2u, 5u}) {
     Patch patch;
@@ -216,7 +216,7 @@ TEST_CASE("what is thrown while it works reaches the caller, and nobody is calle
   }
 }
 
-TEST_CASE("the number of threads changes no triangle, nor their order") {
+TEST_CASE("the number of threads changes neither the triangles nor their order") {
   for (const Points& points : {uniform(50000, 11), rounded_concentric(30000), along_curves(10000), clusters(3000, 12),
                                perfect_grid(200, 1), collinear_run(30000, 1, 0.5, 13)}) {
     const Patch expected = triangulated(points);
@@ -230,11 +230,11 @@ TEST_CASE("the number of threads changes no triangle, nor their order") {
   }
 }
 
-TEST_CASE("what is not kept is replaced by its mark in the neighbors") {
+TEST_CASE("a removed triangle is replaced by its mark in the neighbors") {
   const Points points = uniform(2000, 14);
   const Patch all = triangulated(points);
   const auto by_sum = [](unsigned sum) { return sum % 4 == 0 ? Patch::open : sum % 4 == 1 ? Patch::nothing : 0; };
-  std::vector<int> number;  // of each in the patch
+  std::vector<int> number;  // for each triangle of the patch
   std::vector<std::array<meshops::Site, 3>> kept;
   for (const auto& t : all.triangles) {
     const int fate = by_sum(static_cast<unsigned>(t[0] + t[1] + t[2]));
@@ -256,7 +256,7 @@ TEST_CASE("what is not kept is replaced by its mark in the neighbors") {
     }
 }
 
-TEST_CASE("three points have one triangle, and none have none") {
+TEST_CASE("three points have one triangle, and no points have none") {
   const Patch one = triangulated({{0, 0}, {1, 0}, {0, 1}});
   CHECK(one.triangles.size() == 1);
   CHECK(one.across.size() == 1);

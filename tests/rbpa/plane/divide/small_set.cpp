@@ -22,7 +22,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Points of a grid of the given width, some of them several times, in the scale of a power of two.
+/// Returns points of a grid of the given width, some repeated, scaled by a power of two.
 Points on_grid(std::size_t count, int width, int exponent, Random& random) {
   Points points;
   for (std::size_t i = 0; i < count; ++i)
@@ -32,8 +32,8 @@ Points on_grid(std::size_t count, int width, int exponent, Random& random) {
 
 }  // namespace
 
-// rbpa() finds them on tiles, of any size.
-TEST_CASE("small sets full of ties and repetitions have the triangles of tiles") {
+// rbpa() finds the triangles by tiles, whatever the size.
+TEST_CASE("small sets full of ties and duplicates have the triangles of tiles") {
   Random random(77);
   std::size_t triangles = 0, repeated = 0, isolated = 0;
   for (int trial = 0; trial < trials(3000); ++trial) {
@@ -64,20 +64,20 @@ TEST_CASE("zeros of both signs are one point") {
   CHECK(found.triangles == std::vector<rbpa::Triangle>{{0, 2, 4}});
 }
 
-TEST_CASE("coordinates that do not fit double are left to others") {
+TEST_CASE("coordinates that do not fit double are left to other methods") {
   Triangulation found;
   CHECK_FALSE(rbpa::triangulate_small_set(Points{{0, 0}, {1e200, 0}, {0, 1e-200}}, infinity, {}, found));
   CHECK(found.distinct == 0);
 }
 
-TEST_CASE("at the limit of small sets nothing changes but the way") {
+TEST_CASE("the result does not change at the limit of small sets") {
   for (const std::size_t count : {rbpa::small_set_limit - 1, rbpa::small_set_limit}) {
     const Points points = uniform(count, 5);
     CHECK(rbpa::triangulate(points, 0.9).triangles == rbpa::triangles(rbpa::rbpa(points, 0.9)));
   }
 }
 
-TEST_CASE("progress is called, and cancels") {
+TEST_CASE("progress is called, and can cancel") {
   Triangulation found;
   const Points points = uniform(50, 3);
   rbpa::Progress last{};

@@ -51,7 +51,7 @@ bool is_enumerated(const Tile& tile, const Radius& radius, Workspace& workspace)
   return find_by_enumeration(tile, radius, workspace.tile, workspace.own, found);
 }
 
-/// Those on the front of a workspace, on the sites.
+/// Returns the triangles on the front of a workspace, as sites.
 std::vector<Triangle> found_on(const Tile& tile, const LocalFront& front) {
   std::vector<Triangle> found;
   for (std::size_t t = 1; t < front.triangles(); ++t)
@@ -77,7 +77,7 @@ double circumradius(const Points& points, const Triangle& t) {
          (2 * std::abs(P::cross(ab, ca)));
 }
 
-/// Some of the least circumradii, exactly or nearly.
+/// Returns some of the least circumradii, exactly or nearly.
 std::vector<Radius> least_radii(const SiteSet& sites) {
   std::vector<double> radii;
   for (const Triangle& t : sites.delaunay)
@@ -89,7 +89,7 @@ std::vector<Radius> least_radii(const SiteSet& sites) {
   return some;
 }
 
-/// Lattice points, some of which are chosen.
+/// Returns lattice points, of which only some are kept.
 Points thinned_lattice(int columns, double unit, double kept, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -110,7 +110,7 @@ Points circle(int count, double radius, Point centre) {
 
 }  // namespace
 
-TEST_CASE("of all triangles within alpha those with a corner of the tile are found, and no other") {
+TEST_CASE("exactly the triangles within alpha with a corner of the tile are found") {
   for (const TileSet& set : {TileSet{"uniform", uniform(1500, 5)}, TileSet{"jittered", jittered_grid(40, 0.9, 6)},
                              TileSet{"thinned lattice", thinned_lattice(60, 1, 0.3, 7)},
                              TileSet{"thinned lattice of tenths", thinned_lattice(60, 0.1, 0.3, 8)},
@@ -141,7 +141,7 @@ TEST_CASE("of all triangles within alpha those with a corner of the tile are fou
   }
 }
 
-TEST_CASE("the results of a tile are true, and the same by every vector unit: radii that few triangles are within") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, for radii that admit few triangles") {
   Random random(11);
   const auto check = [](const TileSet& set, std::uint32_t most) {
     CAPTURE(set.name);
@@ -160,7 +160,7 @@ TEST_CASE("the results of a tile are true, and the same by every vector unit: ra
   }
 }
 
-TEST_CASE("a tile that enumerates lists every pair within a diameter, one of which it owns and another does not") {
+TEST_CASE("a tile that enumerates lists every pair within a diameter of which it owns one point only") {
   const SiteSet sites(uniform(1500, 12));
   const Radius radius(0.5 * mean_spacing(sites.points));
   std::size_t pairs = 0;
@@ -173,7 +173,7 @@ TEST_CASE("a tile that enumerates lists every pair within a diameter, one of whi
         if (!tile.owned[v] || tile.owned[u] || !radius.spans<double>(tile.points[v], tile.points[u])) continue;
         CHECK(near_rim.contains({tile.site[v], tile.site[u]}));
         ++pairs;
-        // Its site may turn out not to be settled: the points near it are listed then as well.
+        // Its site may prove not to be settled: the points near it are listed then as well.
         for (std::size_t w = 0; w < tile.points.size(); ++w)
           if (w != v && tile.owned[w] && radius.spans<double>(tile.points[v], tile.points[w]))
             CHECK(near_rim.contains({tile.site[w], tile.site[v]}));
@@ -182,7 +182,7 @@ TEST_CASE("a tile that enumerates lists every pair within a diameter, one of whi
   CHECK(pairs > 100);
 }
 
-TEST_CASE("where alpha is small a tile settles all of its sites but those beside others, also without a triangle") {
+TEST_CASE("where alpha is small a tile settles all its sites except those near other tiles, even without a triangle") {
   const SiteSet sites(uniform(1500, 13));
   for (const double alpha : {0.01, 0.3, 0.5}) {
     CAPTURE(alpha);
@@ -214,10 +214,10 @@ TEST_CASE("nothing is enumerated where it would not pay, or where points are unk
   tile.unknown.clear();
   tile.nothing_left = false;
   CHECK(is_enumerated(tile, Radius(0.5), workspace));
-  tile.x0 += 2 * tile.cell;  // its own points reach to where others may be
+  tile.x0 += 2 * tile.cell;  // its own points then reach to where there may be unknown points
   CHECK_FALSE(is_enumerated(tile, Radius(0.5), workspace));
 
-  // More points around one than are listed, and so many ties that they cost more than they save.
+  // More points around a point than are listed, and so many ties that they cost more than they save.
   Points crowded = even;
   for (const Point& p : moved(scaled(uniform(60, 15), -10), 10, 10)) crowded.push_back(p);
   CHECK_FALSE(is_first_enumerated(crowded, 0.3));

@@ -33,7 +33,7 @@ std::optional<double> covering_of(const Points& points, const Covering& covering
   return rbpa::smallest_covering(delaunay, rbpa::filtration(delaunay, points), covering);
 }
 
-/// What is left of the points when the complex at alpha is built anew, and all but the `most` largest components go.
+/// Returns the number of points that the `most` largest components of the complex at alpha, built anew, cover.
 std::size_t left_over(const Points& points, double alpha, std::optional<std::size_t> most) {
   const auto complex = rbpa::rbpa(points, alpha);
   const std::size_t covered = complex.distinct - complex.isolated.size();
@@ -48,7 +48,7 @@ constexpr double shares[] = {1e-9, 0.1, 0.5, 0.75, 0.9, 0.99, 1};
 
 }  // namespace
 
-TEST_CASE("smallest_covering of a share is the least alpha at which the complex built anew holds it") {
+TEST_CASE("smallest_covering of a share is the least alpha at which the complex built anew covers it") {
   std::size_t below_all = 0, one_less_helps = 0;
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
@@ -87,7 +87,7 @@ TEST_CASE("a share in decimals is met exactly") {
     }
 }
 
-TEST_CASE("outliers and dust less than the share do not change the alpha of the other points") {
+TEST_CASE("outliers and dust below the share do not change the alpha of the other points") {
   const Points points = uniform(400, 31);
   const std::optional<double> alone = covering_of(points, {0.98, 1});
   const std::optional<double> every_point = covering_of(points, {1, 1});
@@ -97,7 +97,7 @@ TEST_CASE("outliers and dust less than the share do not change the alpha of the 
     for (const rbpa::Point& p : Points{{far, 0}, {far + 0.1, 0}, {far, 0.1}}) more.push_back(p);
     const auto found = covering_of(more, {0.98, 1});
     REQUIRE(found);
-    // Three points more, of which one triangle is made at once, are to be held by none of the others.
+    // The three new points make a triangle of their own at a small alpha; no other component needs to reach them.
     CHECK(*found >= *alone);
     CHECK(*found < 2 * *every_point);
     CHECK(*covering_of(more, {1, 1}) > 20);
@@ -126,7 +126,7 @@ TEST_CASE("a greater share and fewer components need a greater alpha") {
   }
 }
 
-TEST_CASE("the order of the points, repetitions and a power of two change nothing of a share's alpha but its unit") {
+TEST_CASE("order, duplicates and scaling by a power of two change a share's alpha only by its unit") {
   Random random(36);
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
@@ -143,7 +143,7 @@ TEST_CASE("the order of the points, repetitions and a power of two change nothin
           std::ldexp(covering_of(points, {0.8, 2}).value(), exponent));
 }
 
-TEST_CASE("a share that is none, and a filtration of other points, are refused") {
+TEST_CASE("an invalid share, and a filtration of other points, are refused") {
   const Points points = uniform(30, 38);
   const auto delaunay = delaunay_arrays(points);
   const Filtration all = rbpa::filtration(delaunay, points);
@@ -173,7 +173,7 @@ TEST_CASE("false from go_on cancels a search for a share, in every phase") {
   }
 }
 
-TEST_CASE("the largest parts hold as much as by a sorted list") {
+TEST_CASE("the largest parts hold as many points as a sorted list shows") {
   Random random(40);
   rbpa::PartSizes sizes(50);
   std::vector<std::uint32_t> list;

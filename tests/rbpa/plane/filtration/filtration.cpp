@@ -30,7 +30,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 Filtration filtration_of(const Points& points) { return rbpa::filtration(delaunay_arrays(points), points); }
 
-/// What a step must count at this alpha, from the complex built anew.
+/// Returns the step that must be counted at this alpha, from the complex built anew.
 FiltrationStep recounted(const Points& points, double alpha, double area) {
   const rbpa::ComplexCounts counts = rbpa::count(rbpa::rbpa(points, alpha));
   return {alpha, counts.triangles, counts.solid_components, counts.components, counts.holes, counts.points_covered,
@@ -49,7 +49,7 @@ double area_of(const Points& points, const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-TEST_CASE("every step counts the complex at its alpha, and the double below still has the one before") {
+TEST_CASE("every step counts the complex at its alpha, and the next lower double still has the complex before") {
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
     CAPTURE(set.name);
@@ -99,7 +99,7 @@ TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
   }
 }
 
-TEST_CASE("the complex at a radius is that of another triangulation") {
+TEST_CASE("complex_at() a radius is the complex of another triangulation") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const rbpa::Delaunay delaunay(set.points);
@@ -124,7 +124,7 @@ TEST_CASE("the complex at a radius is that of another triangulation") {
   }
 }
 
-TEST_CASE("the area is that of the triangles") {
+TEST_CASE("the area is the sum of the triangles' areas") {
   for (const Points& points : {uniform(80, 3), random_grid(9, 50, true, 4), clusters(5, 5)})
     for (const FiltrationStep& step : filtration_of(points).steps)
       CHECK(step.area ==
@@ -141,7 +141,7 @@ TEST_CASE("equal radii are one step") {
   CHECK(rectangles.steps[0].alpha == 5);
 }
 
-TEST_CASE("points without a triangle have no step") {
+TEST_CASE("points without a triangle have no steps") {
   for (const Points& points :
        {Points{}, Points{{1, 2}}, Points{{1, 2}, {3, 4}}, Points(5, {1, 2}), collinear_run(20, 3, 1, 6)}) {
     const Filtration none = filtration_of(points);
@@ -152,7 +152,7 @@ TEST_CASE("points without a triangle have no step") {
   }
 }
 
-TEST_CASE("the order of the points, and repetitions, do not matter") {
+TEST_CASE("the order of the points, and duplicates, do not matter") {
   Random random(7);
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
@@ -164,7 +164,7 @@ TEST_CASE("the order of the points, and repetitions, do not matter") {
   }
 }
 
-TEST_CASE("a power of two scales every alpha and nothing else") {
+TEST_CASE("a power of two scales every alpha and changes nothing else") {
   const Points points = uniform(60, 8);
   const Filtration one = filtration_of(points);
   for (const int exponent : {-900, -3, 1, 900}) {
@@ -187,7 +187,7 @@ TEST_CASE("a radius above every finite double is infinity, and rbpa at infinity 
   CHECK(rbpa::smallest_covering(all) == all.steps.front().alpha);
 }
 
-TEST_CASE("smallest_covering is the least alpha at which all points are covered, by few enough solid components") {
+TEST_CASE("smallest_covering is the least alpha at which all points are covered by few enough solid components") {
   std::size_t ups_and_downs = 0;
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
@@ -195,7 +195,7 @@ TEST_CASE("smallest_covering is the least alpha at which all points are covered,
     const Filtration all = filtration_of(points);
     for (std::size_t most = 0; most <= 6; ++most) {
       CAPTURE(most);
-      // The first that counts anew; the complex between two of these radii is the lower one's.
+      // Builds the complex anew at each radius; between two radii it is that of the lower one.
       std::optional<double> expected, expected_any;
       bool again = false;
       for (const FiltrationStep& step : all.steps) {

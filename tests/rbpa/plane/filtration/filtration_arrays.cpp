@@ -50,7 +50,7 @@ std::set<Corners> corners_of(const std::vector<std::array<std::uint32_t, 3>>& tr
   return result;
 }
 
-/// Of each edge, by its ends, the triangles at it.
+/// Returns the triangles at each edge, by its ends.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges_of(const FiltrationArrays& arrays) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
   for (std::uint32_t t = 0; t < arrays.triangles.size(); ++t)
@@ -63,7 +63,7 @@ bool is_alive(const PersistencePair& pair, double alpha) {
   return pair.birth <= alpha && (!pair.death || alpha < *pair.death);
 }
 
-/// How often the triangle of a living pair is in each of the sets.
+/// Counts how often each set contains the triangle of a pair that is alive.
 std::vector<int> pairs_in(const FiltrationArrays& arrays, int dimension, double alpha, meshops::DisjointSets& sets,
                           std::size_t count) {
   std::vector<int> found(count, 0);
@@ -74,7 +74,7 @@ std::vector<int> pairs_in(const FiltrationArrays& arrays, int dimension, double 
 
 }  // namespace
 
-TEST_CASE("the triangles of a step are a prefix, and those of the complex at its alpha") {
+TEST_CASE("the triangles of a step are a prefix of the list, and form the complex at its alpha") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Made made(set.points);
@@ -95,7 +95,7 @@ TEST_CASE("the triangles of a step are a prefix, and those of the complex at its
   }
 }
 
-TEST_CASE("pairs are those of persistence, and their triangles come at their alphas") {
+TEST_CASE("pairs are those of persistence, and their triangles appear at their alphas") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Made made(set.points);
@@ -108,7 +108,7 @@ TEST_CASE("pairs are those of persistence, and their triangles come at their alp
   }
 }
 
-TEST_CASE("each component has the triangle of one living pair, and so has each hole") {
+TEST_CASE("each component has the triangle of one pair that is alive, and so has each hole") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Made made(set.points);
@@ -134,7 +134,7 @@ TEST_CASE("each component has the triangle of one living pair, and so has each h
   }
 }
 
-TEST_CASE("free edges are those with an empty circle on their diameter that is smaller than their triangles'") {
+TEST_CASE("free edges are those with an empty circle on their diameter that is smaller than their triangles' circles") {
   using Exact = rbpa::Predicates<long double>;
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
@@ -159,7 +159,7 @@ TEST_CASE("free edges are those with an empty circle on their diameter that is s
   }
 }
 
-TEST_CASE("the order of the points, and repetitions, do not matter to the arrays") {
+TEST_CASE("the order of the points, and duplicates, do not change the arrays") {
   Random random(11);
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
@@ -175,7 +175,7 @@ TEST_CASE("the order of the points, and repetitions, do not matter to the arrays
   }
 }
 
-TEST_CASE("arrays are cancelled in every phase, and refused of other points") {
+TEST_CASE("arrays can be cancelled in every phase, and those of other points are refused") {
   const Points points = random_grid(300, 40000, false, 3);
   const Made made(points);
   std::size_t calls = 0;

@@ -30,7 +30,7 @@ std::vector<Kind> all_kinds() {
 
 }  // namespace
 
-TEST_CASE("the least alpha of a triangle admits it, and the double below does not") {
+TEST_CASE("the least alpha of a triangle admits it, and the next lower double does not") {
   Random random(41);
   int infinite = 0, equal = 0;
   for (const Kind kind : all_kinds()) {
@@ -61,7 +61,7 @@ TEST_CASE("the least alpha of a triangle admits it, and the double below does no
   CHECK(equal > 30);
 }
 
-TEST_CASE("the least alpha of an edge spans it, and the double below does not") {
+TEST_CASE("the least alpha of an edge spans it, and the next lower double does not") {
   Random random(42);
   int equal = 0;
   for (const Kind kind : all_kinds()) {
@@ -92,7 +92,7 @@ TEST_CASE("a radius that is a double is its own least alpha") {
   CHECK(least_alpha({0, 0}, {0, 1}) == 0.5);
 }
 
-TEST_CASE("a radius outside the range of double is rounded up to the ends of it") {
+TEST_CASE("a radius outside the range of double is rounded up to a limit of the range") {
   const double smallest = std::numeric_limits<double>::denorm_min(), largest = std::numeric_limits<double>::max();
   CHECK(least_alpha({0, 0}, {0, smallest}) == smallest);
   CHECK(least_alpha({0, 0}, {smallest, 0}, {0, smallest}) == smallest);

@@ -43,7 +43,7 @@ std::size_t alive(const Pairs& pairs, int dimension, double alpha) {
   }));
 }
 
-/// Components and holes of the alpha complex with its dangling edges, from the definition and by long integers.
+/// The components and holes of the alpha complex with its dangling edges, from the definition and by long integers.
 class FullComplex {
  public:
   explicit FullComplex(const Points& points) : points_(points), lowest_(lowest_equal(points)) {
@@ -109,7 +109,7 @@ class FullComplex {
   std::vector<bool> free_;
 };
 
-/// Every alpha at which a pair is born or dies, finite and above 0, and the doubles around it.
+/// Returns every alpha at which a pair is born or dies, finite and above 0, and the adjacent doubles.
 std::vector<double> telling_alphas(const Pairs& pairs) {
   std::vector<double> alphas;
   for (const PersistencePair& p : pairs)
@@ -123,7 +123,7 @@ std::vector<double> telling_alphas(const Pairs& pairs) {
 
 }  // namespace
 
-TEST_CASE("the pairs alive at a step are its components and its holes") {
+TEST_CASE("the pairs alive at a step are its components and holes") {
   std::size_t holes = 0;
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
@@ -158,7 +158,7 @@ TEST_CASE("the pairs of the full complex alive at an alpha are its components an
   }
 }
 
-TEST_CASE("pairs have a length, are sorted, and exactly one of them stays") {
+TEST_CASE("pairs have positive persistence, are sorted, and exactly one never dies") {
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
     for (const SmallSet& set : small_sets()) {
       const Points& points = set.points;
@@ -177,7 +177,7 @@ TEST_CASE("pairs have a length, are sorted, and exactly one of them stays") {
 }
 
 TEST_CASE("the younger of two components dies, and a hole dies with its last triangle") {
-  // Right triangles with hypotenuses 2 and 4 whose corners are 10 apart: radii 1 and 2.
+  // Right triangles with hypotenuses 2 and 4 and corners 10 apart: radii 1 and 2.
   const Points two = {{0, 0}, {2, 0}, {1, 1}, {12, 0}, {16, 0}, {14, 2}};
   const Pairs solid = persistence_of(two, ComplexKind::solid);
   REQUIRE(solid.size() == 2);
@@ -185,7 +185,7 @@ TEST_CASE("the younger of two components dies, and a hole dies with its last tri
   CHECK(solid[1].birth == 2);
   CHECK(*solid[1].death > 5);
 
-  // A square of side 8 with its middle far from everything: the full complex has its boundary from 1 on.
+  // A square of side 8 whose middle is far from all points: the full complex has its boundary from 1 on.
   Points square;
   for (int i = -4; i < 4; i += 2)
     for (const Point& p : {Point{double(i), -4}, Point{4, double(i)}, Point{double(-i), 4}, Point{-4, double(-i)}})
@@ -209,7 +209,7 @@ TEST_CASE("points on a line are joined one after the other") {
   CHECK(persistence_of(line, ComplexKind::solid).empty());
 }
 
-TEST_CASE("the order of the points, and repetitions, do not matter to the pairs") {
+TEST_CASE("the order of the points, and duplicates, do not change the pairs") {
   Random random(7);
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
     for (const SmallSet& set : small_sets()) {

@@ -45,7 +45,7 @@ Found find(const Points& points) {
 
 std::vector<Plateau> plateaus_of(const Points& points) { return find(points).plateaus; }
 
-/// Steps of a plateau: from the first up to the last, which is not in it.
+/// The steps of a plateau: from `first` up to `last`, exclusive.
 struct Steps {
   std::size_t first, last;
 };
@@ -66,7 +66,7 @@ double half_diagonal(const Points& points) {
   return std::hypot(right->x - left->x, high->y - low->y) / 2;
 }
 
-// Shapes, by a given number of points, in a given square or disc.
+// Shapes by a given number of points in a given square or disc.
 
 Points in_disc(std::size_t count, rbpa::Point middle, double inside, double radius, Random& random) {
   Points points;
@@ -87,21 +87,22 @@ Points two_discs(Random& random) {
   return both(in_disc(500, {0, 0}, 0, 1, random), in_disc(500, {3, 0}, 0, 1, random));
 }
 
-/// A ring with a mouth that closes long before its middle fills up.
+/// Returns a ring with a mouth that closes long before its middle fills up.
 Points closing_ring(Random& random) {
   Points points = in_disc(6000, {0, 0}, 3, 4, random);
   std::erase_if(points, [](const rbpa::Point& p) { return p.x > 0 && std::abs(p.y) < p.x / 2; });
   return points;
 }
 
-/// A band bent so far that its bay holds more than it does.
+/// Returns a band bent so far that its bay is larger than the band.
 Points bay(Random& random) {
   Points points = in_disc(5000, {0, 0}, 4, 5, random);
   std::erase_if(points, [](const rbpa::Point& p) { return p.x > -1; });
   return points;
 }
 
-/// What is recommended has so many effective parts, so much of it is hole, and alpha is between spacing and gap.
+/// Checks that the recommended shape has this many effective parts and this share of holes, and that alpha is between
+/// spacing and gap.
 void recommends(const Points& points, double parts, double hole_share, double at_least, double below) {
   const std::vector<Plateau> plateaus = plateaus_of(points);
   REQUIRE(!plateaus.empty());
@@ -115,7 +116,7 @@ void recommends(const Points& points, double parts, double hole_share, double at
 
 }  // namespace
 
-TEST_CASE("within a plateau the change grows by a tenth at most, and it ends where it would grow by more") {
+TEST_CASE("within a plateau the change grows by at most a tenth, and the plateau ends where it would grow by more") {
   std::size_t ends = 0;
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
@@ -143,7 +144,7 @@ TEST_CASE("within a plateau the change grows by a tenth at most, and it ends whe
   CHECK(ends > 20);
 }
 
-TEST_CASE("no range beside the plateaus is longer than the shortest of them: all pairs of steps are tried") {
+TEST_CASE("no range outside the plateaus is longer than the shortest of them, of all pairs of steps") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     const Found found = find(set.points);
@@ -173,7 +174,7 @@ TEST_CASE("no range beside the plateaus is longer than the shortest of them: all
   }
 }
 
-TEST_CASE("alpha is in its plateau, not far above its beginning, and the counts are those of the complex there") {
+TEST_CASE("alpha is in its plateau, near its beginning, and the counts are those of the complex there") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
     for (const Plateau& plateau : plateaus_of(set.points)) {
@@ -191,7 +192,7 @@ TEST_CASE("alpha is in its plateau, not far above its beginning, and the counts 
   }
 }
 
-TEST_CASE("the order of the points and repetitions change no plateau, a power of two scales its alphas") {
+TEST_CASE("order and duplicates change no plateau, and a power of two scales its alphas") {
   Random random(61);
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
@@ -217,14 +218,14 @@ TEST_CASE("the order of the points and repetitions change no plateau, a power of
   }
 }
 
-TEST_CASE("shapes are found as they were made") {
+TEST_CASE("the recommended plateau recovers shapes") {
   Random random(64);
-  SUBCASE("two discs") { recommends(two_discs(random), 2, 0, 0.1, 0.5); }
-  SUBCASE("two discs, of which one is ten times as dense") {
+  SUBCASE("two discs have two parts") { recommends(two_discs(random), 2, 0, 0.1, 0.5); }
+  SUBCASE("two discs, one ten times as dense, have two parts") {
     const Points points = both(in_disc(2000, {0, 0}, 0, 1, random), in_disc(200, {5, 0}, 0, 1, random));
     recommends(points, 1.0 / (1.0 / 121 + 100.0 / 121), 0, 0.1, 1.6);
   }
-  SUBCASE("three clusters that thin out") {
+  SUBCASE("three clusters that thin out have three parts") {
     Points points;
     for (const rbpa::Point& middle : Points{{0, 0}, {5, 1}, {1, 5}})
       for (int i = 0; i < 500; ++i) {
@@ -234,12 +235,12 @@ TEST_CASE("shapes are found as they were made") {
       }
     recommends(points, 3, 0, 0.05, 2);
   }
-  SUBCASE("a ring") { recommends(in_disc(600, {0, 0}, 0.7, 1, random), 1, 0.5, 0.05, 0.7); }
-  SUBCASE("a ring around a disc") {
+  SUBCASE("a ring keeps its hole") { recommends(in_disc(600, {0, 0}, 0.7, 1, random), 1, 0.5, 0.05, 0.7); }
+  SUBCASE("a ring around a disc keeps its hole") {
     recommends(both(in_disc(1000, {0, 0}, 0.8, 1, random), in_disc(300, {0, 0}, 0, 0.4, random)),
                1.0 / (100.0 / 169 + 9.0 / 169), 0.48, 0.03, 0.2);
   }
-  SUBCASE("a square with four holes of different size") {
+  SUBCASE("a square keeps four holes of different size") {
     Points points = uniform(9000, 65);
     const double side = std::sqrt(9000.0);
     const auto is_hole = [&](const rbpa::Point& p) {
@@ -253,20 +254,20 @@ TEST_CASE("shapes are found as they were made") {
     CHECK(best.step.holes == 4);
     CHECK(best.step.solid_components == 1);
   }
-  SUBCASE("two half moons that reach into each other") {
+  SUBCASE("two interlocking half moons have two parts") {
     Points points;
     for (const rbpa::Point& p : in_disc(3000, {0, 0}, 0.85, 1.15, random))
       points.push_back(p.y > 0 ? p : rbpa::Point{p.x + 1, p.y + 0.4});
     recommends(points, 2, 0, 0.02, 0.25);
   }
-  SUBCASE("a ring with a mouth, which stays open") { recommends(closing_ring(random), 1, 0, 0.1, 1); }
+  SUBCASE("a ring with a mouth stays open") { recommends(closing_ring(random), 1, 0, 0.1, 1); }
   SUBCASE("a bay stays open, with an outlier too") {
     recommends(bay(random), 1, 0, 0.1, 2);
     recommends(both(bay(random), {{1000, 0}}), 1, 0, 0.1, 2);
   }
 }
 
-TEST_CASE("one outlier, however far, and dust leave the plateau of a shape where it was") {
+TEST_CASE("an outlier, however far, and dust do not move the plateau of a shape") {
   Random random(66);
   const Points points = two_discs(random);
   const Plateau alone = plateaus_of(points).front();
@@ -283,7 +284,7 @@ TEST_CASE("one outlier, however far, and dust leave the plateau of a shape where
   }
 }
 
-TEST_CASE("noise and grids are in one piece, and nothing in them is long by chance") {
+TEST_CASE("noise and grids are in one piece, and no plateau of them is long by chance") {
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     for (const std::size_t count : {30u, 100u, 1000u}) {
       CAPTURE(count);
@@ -323,7 +324,7 @@ TEST_CASE("how long structured plateaus are by chance, in a square and in a stri
     }
 }
 
-TEST_CASE("a triangle has one plateau, without an end; points without a triangle have none") {
+TEST_CASE("a triangle has one plateau without an end; points without a triangle have none") {
   const std::vector<Plateau> one = plateaus_of({{0, 0}, {6, 0}, {0, 8}});
   REQUIRE(one.size() == 1);
   CHECK(one[0].from == 5);
@@ -370,7 +371,7 @@ TEST_CASE("parts that become one piece come first, then that piece and what clos
       left_out += place(plateaus[i]) == 2 && place(plateaus[i + 1]) == 3 && plateaus[i + 1].ratio > plateaus[i].ratio;
     }
   }
-  // Each of the cases is there.
+  // Each of the cases occurs.
   CHECK(above > 0);
   CHECK(second_piece > 0);
   CHECK(by_chance > 0);

@@ -34,7 +34,8 @@ double area(const Points& points, const rbpa::Triangle& t) {
   return ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) / 2;
 }
 
-/// Areas of the holes of a complex: sets of Delaunay triangles that are not in it, joined across edges that are not.
+/// Returns the areas of the holes of a complex: sets of Delaunay triangles outside of it, joined across edges outside
+/// of it.
 std::vector<double> hole_areas(const Points& points, const rbpa::Triangulation& delaunay, double alpha,
                                ComplexKind kind) {
   const rbpa::Triangulation complex = rbpa::triangulate(points, alpha, {.complex = rbpa::Complex::full});
@@ -67,7 +68,7 @@ std::vector<double> hole_areas(const Points& points, const rbpa::Triangulation& 
 
 }  // namespace
 
-TEST_CASE("a hole at its birth is one of the complex, by triangles that are not in it") {
+TEST_CASE("a hole at its birth is a hole of the complex, made of triangles outside of it") {
   std::size_t holes = 0, nested = 0;
   for (int trial = 0; trial < 120; ++trial) {
     const Points points = trial % 2 == 0 ? uniform(40, 1700 + static_cast<std::uint64_t>(trial))
@@ -103,7 +104,7 @@ TEST_CASE("a hole at its birth is one of the complex, by triangles that are not 
   CHECK(nested > 0);
 }
 
-TEST_CASE("an edge at which a component ends has half the length of its death, in the full complex") {
+TEST_CASE("an edge that ends a component is twice as long as its death, in the full complex") {
   const Points points = uniform(300, 1701);
   const auto delaunay = delaunay_arrays(points);
   const rbpa::Delaunay checked(delaunay, points);
@@ -118,7 +119,7 @@ TEST_CASE("an edge at which a component ends has half the length of its death, i
   CHECK(edges == 299);
 }
 
-TEST_CASE("the pairs that last longest are chosen, of each dimension") {
+TEST_CASE("the most persistent pairs of each dimension are chosen") {
   const Points points = uniform(400, 1702);
   const auto delaunay = delaunay_arrays(points);
   const rbpa::Delaunay checked(delaunay, points);
@@ -147,7 +148,7 @@ TEST_CASE("the pairs that last longest are chosen, of each dimension") {
             all.begin(), all.end(), [&](const PersistencePair& pair) { return persistence(pair) >= least; })));
 }
 
-TEST_CASE("levels have the holes that are there, first and last") {
+TEST_CASE("levels list the first and the last of the holes that exist") {
   std::size_t holes = 0, left = 0, several = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const Points points = trial % 2 == 0 ? uniform(60, 1710 + static_cast<std::uint64_t>(trial))
@@ -205,7 +206,7 @@ TEST_CASE("levels have the holes that are there, first and last") {
   CHECK_THROWS_AS(rbpa::level_representatives(delaunay, filtration, zero), meshops::ContractViolation);
 }
 
-TEST_CASE("another triangulation's filtration, and a run that is cancelled") {
+TEST_CASE("a filtration of another triangulation is refused, and a run can be cancelled") {
   const Points points = uniform(2000, 1703), others = uniform(1999, 1704);
   const rbpa::Delaunay delaunay(points), other(others);
   CHECK_THROWS_AS(rbpa::representatives(delaunay, rbpa::filtration(other)), meshops::ContractViolation);

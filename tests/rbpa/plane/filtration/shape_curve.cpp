@@ -33,7 +33,7 @@ std::vector<ShapeState> curve_of(const Points& points) {
 }
 
 Wide area_of(const Points& points, const Triangle& triangle) {
-  // Of nearly flat ones the order of the corners matters.
+  // The order of the corners matters for nearly flat triangles.
   std::array<rbpa::Point, 3> corners{points[triangle[0]], points[triangle[1]], points[triangle[2]]};
   std::sort(corners.begin(), corners.end());
   const auto& [p, q, r] = corners;
@@ -44,7 +44,8 @@ struct Areas {
   Wide solid = 0, enclosed = 0;
 };
 
-/// Of the complex at alpha, built anew: what the outside does not reach through sides that are not there is enclosed.
+/// Measures the complex at alpha, built anew: a region that the outside does not reach through missing sides is
+/// enclosed.
 Areas areas_at(const Points& points, double alpha, const std::vector<Triangle>& delaunay) {
   const auto built = rbpa::triangles(rbpa::rbpa(points, alpha));
   const std::set<Triangle> solid(built.begin(), built.end());
@@ -79,7 +80,7 @@ bool is_near(Wide a, Wide b) { return std::abs(a - b) <= 1e-9L * std::max(std::a
 
 }  // namespace
 
-TEST_CASE("parts, holes and change at every step are those of the complex built anew") {
+TEST_CASE("parts, holes and change at every step equal those of the complex built anew") {
   std::size_t with_holes = 0, with_parts = 0;
   for (const SmallSet& set : small_sets()) {
     const Points& points = set.points;
@@ -117,7 +118,7 @@ TEST_CASE("parts, holes and change at every step are those of the complex built 
   CHECK(with_parts > 100);
 }
 
-TEST_CASE("the change does not depend on the order of the points, nor on their unit, to the last bit") {
+TEST_CASE("the change does not depend on the order of the points or their unit, to the last bit") {
   Random random(51);
   const auto same = [](const std::vector<ShapeState>& a, const std::vector<ShapeState>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ShapeState& s, const ShapeState& t) {

@@ -13,7 +13,7 @@ const std::vector<SmallSet>& small_sets() {
         {"one triangle", {{0, 0}, {3, 0}, {0, 4}}},
         {"all equal", Points(5, {1, 2})},
         {"two triangles that touch in a point", {{0, 0}, {1, 0.5}, {1, -0.5}, {-1, 0.5}, {-1, -0.5}, {0, 40}}},
-        // The triangle between them comes before any that joins it to one of them: from three pieces to four.
+        // The triangle in the middle comes before any that joins it to one of the others: from three pieces to four.
         {"three triangles far apart",
          {{0, 0}, {-9, -4}, {-7, -6}, {1000, 0}, {1009, -4}, {1007, -6}, {500, 870}, {498, 880}, {502, 880}}},
         {"ring of pinches", ring_of_pinches(12)},

@@ -1,4 +1,4 @@
-// What: sets of points that are small enough to be built anew at every one of their radii.
+// What: sets of points small enough to build the complex anew at every radius.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct SmallSet {
   Points points;
 };
 
-/// Scattered, gridded, cocircular, collinear, repeated, clustered, sparse, extreme.
+/// Returns scattered, gridded, cocircular, collinear, duplicate, clustered, sparse and extreme points.
 const std::vector<SmallSet>& small_sets();
 
 }  // namespace rbpa_test

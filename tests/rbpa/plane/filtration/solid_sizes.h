@@ -1,4 +1,4 @@
-// What: the vertices of the solid components of a mesh, found by walking from vertex to vertex.
+// What: the numbers of vertices of the solid components of a mesh, found by walking from vertex to vertex.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace rbpa_test {
 
-/// The largest first.
+/// Returns the numbers, the largest first.
 inline std::vector<std::size_t> solid_sizes(const rbpa::Mesh& mesh) {
   std::vector<std::size_t> sizes;
   std::vector<bool> seen(mesh.n_vertices());

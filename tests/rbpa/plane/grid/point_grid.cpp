@@ -32,14 +32,14 @@ Points on_a_segment(double dx, double dy, int count) {
   return points;
 }
 
-/// Every point half as far from the corner as the one before.
+/// Returns points each of which is half as far from the corner as the one before.
 Points geometric(int count) {
   Points points;
   for (int i = 0; i < count; ++i) points.push_back({std::ldexp(1.0, -i), std::ldexp(i % 3, -i)});
   return points;
 }
 
-/// Few of them, far away in all directions.
+/// Returns points of which a few are far away in all directions.
 Points with_far_points() {
   Points points = uniform(300, 7);
   for (const Point& p : {Point{0x1p140, 3}, Point{-0x1p149, 0x1p120}, Point{5, -0x1p145}}) points.push_back(p);
@@ -65,7 +65,7 @@ std::vector<Set> sets() {
           {"wide", with_far_points()}};
 }
 
-/// A point of the set, or one near it.
+/// Returns a point of the set, or one near it.
 Point near(const Points& points, Random& random) {
   const Point p = points[random.below(points.size())];
   if (random.chance(0.5)) return p;
@@ -74,7 +74,7 @@ Point near(const Points& points, Random& random) {
   return {p.x + t * (q.x / 2 - p.x / 2), p.y + t * (q.y / 2 - p.y / 2)};
 }
 
-/// The first site that is inside and that the scan did not reach, as text; "" when there is none.
+/// Returns the first site inside the box that the scan did not reach, as text; "" when there is none.
 std::string missed(const PointGrid& grid, const rbpa::Box& box) {
   const auto& points = grid.points();
   std::vector<int> visits(points.size(), 0);
@@ -120,7 +120,7 @@ void check_bookkeeping(const Set& set) {
     const Point p = grid.points()[s];
     REQUIRE(lowest.count(p) == 1);
     CHECK(grid.input_index()[s] == lowest[p]);
-    // Of −0 and +0 the one that came first is kept.
+    // The first one of −0 and +0 in the input is kept.
     const Point given = set.points[lowest[p]];
     CHECK(std::signbit(p.x) == std::signbit(given.x));
     CHECK(std::signbit(p.y) == std::signbit(given.y));
@@ -130,7 +130,7 @@ void check_bookkeeping(const Set& set) {
 
 }  // namespace
 
-TEST_CASE("a scan reaches every point of a box, and none twice") {
+TEST_CASE("a scan reaches every point of a box once") {
   for (const Set& set : sets()) check_scans(set, 90);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("sites are the distinct points, each with its lowest input index") {
   for (const Set& set : sets()) check_bookkeeping(set);
 }
 
-TEST_CASE("no two points are farther apart than the diameter bound") {
+TEST_CASE("no two points are farther apart than the bound of the diameter") {
   for (const Set& set : sets()) {
     CAPTURE(set.name);
     const PointGrid grid(set.points);

@@ -49,7 +49,7 @@ Points repeated(Points points, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("every distinct point is a site, where it was given, with the least of its indices") {
+TEST_CASE("every distinct point is a site at the given place, with the lowest of its indices") {
   check_sites({});
   check_sites({{0, 0}, {-0.0, 0}, {0, -0.0}});
   Points wide = uniform(200, 1);
@@ -60,7 +60,7 @@ TEST_CASE("every distinct point is a site, where it was given, with the least of
     check_sites(repeated(points, 8));
 }
 
-TEST_CASE("no two are farther apart than the bound, however they are scaled") {
+TEST_CASE("no two sites are farther apart than the bound, however they are scaled") {
   rbpa::Threads one;
   for (const Points& points :
        {uniform(50, 9), scaled(uniform(50, 10), -800), mixed_exponents(10, 11), corners_of_range()}) {

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
 
-/// Every generated set of a moderate size is a group; a fifth of all points are in none. The points of the groups
+/// Every generated set of moderate size as a group; a fifth of all points are in no group. The points of the groups
 /// alternate.
 struct MixedSets {
   Points points;
@@ -57,7 +57,7 @@ struct MixedSets {
   }
 };
 
-/// A group as a call by itself has it.
+/// The result of a call for one group alone.
 struct Alone {
   double alpha = none;
   std::vector<Polygon> polygons;
@@ -91,7 +91,7 @@ Alone alone(const Points& points, std::span<const std::uint32_t> members, const 
   return found;
 }
 
-/// The double itself, as NaN is not equal to itself.
+/// Returns the bits of a double, as NaN is not equal to itself.
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 bool are_equal(const GroupShapes& a, const GroupShapes& b) {
@@ -154,7 +154,7 @@ std::string refusal(const Points& points, const Groups& groups, const rbpa::Grou
 
 TEST_SUITE_BEGIN("groups");
 
-TEST_CASE("each group has what a call with its points alone has, by every rule, with any number of threads") {
+TEST_CASE("each group has the result of a call with its points alone, by every rule, with any number of threads") {
   Random random(5);
   const MixedSets sets(all_trials() ? 400 : 120, random);
   const Groups groups = rbpa::groups_of(sets.labels, sets.count);
@@ -171,7 +171,7 @@ TEST_CASE("each group has what a call with its points alone has, by every rule, 
   check_as_alone(sets.points, groups, {.given = each});
 }
 
-TEST_CASE("thousands of small groups, and one that is large among them") {
+TEST_CASE("thousands of small groups and a large one among them have the right shapes") {
   Random random(6);
   const Points points = uniform(60000, 9);
   std::vector<std::uint32_t> labels;
@@ -182,7 +182,7 @@ TEST_CASE("thousands of small groups, and one that is large among them") {
   check_as_alone(points, groups, {.given = alpha});
 }
 
-TEST_CASE("what is wrong with a group is said of it, and the others have their shapes") {
+TEST_CASE("a problem is reported for its group, and the other groups have their shapes") {
   Points points;
   const Groups groups = in_turn({{{0, 0}, {1, 0}, {0, 1}},
                                  {},
@@ -207,7 +207,7 @@ TEST_CASE("what is wrong with a group is said of it, and the others have their s
   CHECK(found.triangles.empty());
   CHECK(found.triangle_begin == std::vector<std::uint64_t>{0, 1, 1, 1, 1, 1, 1, 1, 3});
 
-  // Chosen, there is a radius for all but those that no triangle can be made of.
+  // A radius is chosen for every group that has a triangle.
   const GroupShapes chosen = rbpa::shapes_of_groups(points, groups, {});
   std::vector<std::size_t> without;
   for (const GroupProblem& problem : chosen.problems) without.push_back(problem.group);
@@ -227,7 +227,7 @@ TEST_CASE("what is wrong with a group is said of it, and the others have their s
   CHECK(large.polygons.size() == 1);
 }
 
-TEST_CASE("labels, offsets, members and radii that are wrong are refused") {
+TEST_CASE("wrong labels, offsets, members and radii are refused") {
   const Points points = {{0, 0}, {1, 0}, {0, 1}};
   const std::vector<std::uint32_t> labels = {0, 5, 1};
   CHECK_THROWS_WITH_AS(rbpa::groups_of(labels, 2), "point 1 has label 5, expected one of 2 groups, numbered from 0",
@@ -246,7 +246,7 @@ TEST_CASE("labels, offsets, members and radii that are wrong are refused") {
   CHECK(refusal(points, {{0, 3}, {0, 1, 2}}, {.given = zero}) == "alpha is 0, expected a radius above 0, or infinity");
 }
 
-TEST_CASE("every group is visited once, with its points; who throws or cancels ends the run") {
+TEST_CASE("every group is visited once, with its points; an exception or cancelling ends the run") {
   const Points points = uniform(30000, 3);
   Random random(4);
   std::vector<std::uint32_t> labels;
@@ -292,10 +292,10 @@ TEST_CASE("every group is visited once, with its points; who throws or cancels e
   }
 }
 
-TEST_CASE("a large group is asked while it is worked on whether to go on, by every rule") {
+TEST_CASE("work on a large group can be cancelled, by every rule") {
   const Points points = uniform(120000, 5);
   const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 1), 3);
-  const double one[] = {60.0}, tiny[] = {1e-9};  // of which there are no polygons to ask for
+  const double one[] = {60.0}, tiny[] = {1e-9};  // it has no polygons
   for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = one}, {.given = tiny}, {}, {.plateau = 1}})
     for (const unsigned threads : {1U, 2U}) {
       std::size_t calls = 0;

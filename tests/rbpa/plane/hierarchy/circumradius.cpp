@@ -18,10 +18,10 @@ TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
 
-/// Less by a millionth it is below the true one; the ladder gives away ten.
+/// The result is reduced by a millionth to be below the true radius; the ladder allows ten times as much.
 constexpr double digits = 1e-6;
 
-/// The area stands clear of what rounding may do to it.
+/// Returns whether the area is clearly larger than its rounding error.
 template <typename Real>
 bool is_clear(const std::array<Point, 3>& p) {
   using P = rbpa::Predicates<Real>;
@@ -29,7 +29,7 @@ bool is_clear(const std::array<Point, 3>& p) {
   return std::abs(P::cross(ab, ca)) >= 24 * P::unit_roundoff * P::cross_magnitude(ab, ca);
 }
 
-/// Counts the triangles of a kind whose area is clear.
+/// Checks and counts the triangles of a kind whose area is clear.
 template <typename Real>
 std::size_t check(Kind kind, Random& random) {
   CAPTURE(name(kind));
@@ -54,7 +54,7 @@ std::size_t check(Kind kind, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the scheduled circumradius is not above the true one, and not below half of it where the area is clear") {
+TEST_CASE("the scheduled circumradius is not above the true one, and at least half of it where the area is clear") {
   Random random(53);
   for (const Kind kind : kinds_that_fit_double) {
     const std::size_t clear = check<double>(kind, random);
@@ -64,7 +64,7 @@ TEST_CASE("the scheduled circumradius is not above the true one, and not below h
   CHECK(check<long double>(Kind::extreme, random) > 0);
 }
 
-TEST_CASE("without rounding of the area to speak of it is the circumradius") {
+TEST_CASE("it is the circumradius where the area is hardly rounded") {
   for (const double scale : {0x1p-100, 1.0, 0x1p100}) {
     CHECK(circumradius<double>({0, 0}, {3 * scale, 0}, {0, 4 * scale}) == doctest::Approx(2.5 * scale));
     CHECK(circumradius<double>({5 * scale, 0}, {-3 * scale, 4 * scale}, {0, -5 * scale}) == doctest::Approx(5 * scale));
@@ -74,7 +74,7 @@ TEST_CASE("without rounding of the area to speak of it is the circumradius") {
 }
 
 TEST_CASE("a triangle so flat that rounding hides its area gets a finite radius, not above the true one") {
-  // Three points at 1/10, 2/10 and 3/10 on a diagonal are nearly on a line.
+  // Three points at 1/10, 2/10 and 3/10 of a diagonal are nearly on a line.
   for (const double e : {0.0, 0x1p-54, 0x1p-53, 0x1p-50}) {
     const std::array<Point, 3> p{Point{0.1, 0.1}, {0.2, 0.2 + e}, {0.3, 0.3 - e}};
     if (exact::orientation(p[0], p[1], p[2]) == 0) continue;

@@ -22,7 +22,7 @@ TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
 
-/// The square of a point, cut after cut.
+/// Returns the square of a point, cut by cut.
 Square textbook(Square square, const Point& p, int depth) {
   for (; depth > 0; --depth) {
     const double x = square.middle_x(), y = square.middle_y();
@@ -31,7 +31,7 @@ Square textbook(Square square, const Point& p, int depth) {
   return square;
 }
 
-/// A corner of one of the squares, or beside it by the last bit.
+/// Returns a corner of one of the squares, or a point beside it by the last bit.
 Point near_a_corner(Random& random, const Square& all, int depth) {
   Square square = all;
   for (; depth > 0; --depth)
@@ -46,7 +46,7 @@ Point near_a_corner(Random& random, const Square& all, int depth) {
 
 }  // namespace
 
-TEST_CASE("a point lies in the square to which cut after cut leads, on cuts and beside them by the last bit") {
+TEST_CASE("a point lies in the square that repeated cuts find, also on cuts and beside them by the last bit") {
   Random random(41);
   for (int number = 0; number < 300; ++number) {
     const Square all{random.between(-3, 3), random.between(-3, 3), random.between(0.1, 2)};
@@ -69,7 +69,7 @@ TEST_CASE("a point lies in the square to which cut after cut leads, on cuts and 
   }
 }
 
-TEST_CASE("squares that are merged hold what their quarters held") {
+TEST_CASE("merged squares hold the points of their quarters") {
   const Points points = uniform(3000, 42);
   const Square all{0, 0, 60};
   EqualSquares<double> merged(all, 6);
@@ -86,7 +86,7 @@ TEST_CASE("squares that are merged hold what their quarters held") {
   }
 }
 
-TEST_CASE("squares that are too small for their place are not apart") {
+TEST_CASE("squares too small for their place are not apart") {
   CHECK(EqualSquares<double>({0x1p52, 0, 64}, 6).are_apart());
   CHECK_FALSE(EqualSquares<double>({0x1p52, 0, 64}, 7).are_apart());
   CHECK_FALSE(EqualSquares<double>({0, -0x1p52, 64}, 8).are_apart());

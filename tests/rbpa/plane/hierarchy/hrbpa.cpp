@@ -36,7 +36,7 @@ bool admits(const Point& a, const Point& b, const Point& c, double alpha) {
   return (std::isinf(alpha) ? rbpa::Radius() : rbpa::Radius(alpha)).admits<long double>(a, b, c);
 }
 
-/// The first thing that is wrong with hrbpa(), as rbpa() sees it.
+/// Returns the first difference of hrbpa() from rbpa().
 std::string wrong_with_hierarchy(const Points& points, double alpha, std::size_t leaf_capacity) {
   const Hierarchy h = hierarchy(points, alpha, leaf_capacity);
   const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, alpha);
@@ -62,7 +62,7 @@ void check_law_of_the_levels(const Points& points, double alpha, std::size_t lea
   FAIL_CHECK(wrong, "\nshrunk: ", wrong_with_hierarchy(few, alpha, leaf_capacity), "\n", literal(few));
 }
 
-/// The message of a refusal; "" when there is none.
+/// Returns the message of a refusal; "" when there is none.
 std::string refusal(const Points& points, double alpha, std::size_t leaf_capacity = 64) {
   try {
     rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = [](const rbpa::Progress&) -> bool {
@@ -76,7 +76,7 @@ std::string refusal(const Points& points, double alpha, std::size_t leaf_capacit
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Points on a parabola so flat that every circumradius is far above their diameter.
+/// Returns points on a parabola so flat that every circumradius is far above their diameter.
 Points flat_parabola(int count, double curvature) {
   Points points;
   for (int i = 0; i < count; ++i) {
@@ -86,14 +86,14 @@ Points flat_parabola(int count, double curvature) {
   return points;
 }
 
-/// Density that falls with the square of the distance from the center, over three decades.
+/// Returns points whose density falls with the square of the distance from the center, over three decades.
 Points heavy_centre(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Points points;
   while (points.size() < count) {
     const double x = random.between(-1, 1), y = random.between(-1, 1), square = x * x + y * y;
     if (square > 1 || square == 0) continue;
-    // The area inside r grows with r² for uniform points; here with log(1 + (r/core)²).
+    // The area inside r grows with r² for uniform points, and here with log(1 + (r/core)²).
     constexpr double core = 1e-3;
     const double r = core * std::sqrt(std::expm1(square * std::log1p(1 / (core * core)))) / std::sqrt(square);
     points.push_back({r * x, r * y});
@@ -101,7 +101,7 @@ Points heavy_centre(std::size_t count, std::uint64_t seed) {
   return points;
 }
 
-/// Half the points uniform in the unit square, half in clusters of width 10⁻¹, 10⁻² and 10⁻³.
+/// Returns points of which half are uniform in the unit square, and half in clusters of width 10⁻¹, 10⁻² and 10⁻³.
 Points three_decades(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Points points;
@@ -116,9 +116,9 @@ Points three_decades(std::size_t count, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("after every level the mesh is the complex of its radius, and at the end that of alpha") {
+TEST_CASE("after every level the mesh is the complex of its radius, in the end that of alpha") {
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a part of it here and there.
+    // The beginning of the set, and a random subset.
     Points points = set.make(), some = points;
     Random random(points.size());
     random.shuffle(some);
@@ -132,7 +132,7 @@ TEST_CASE("after every level the mesh is the complex of its radius, and at the e
   }
 }
 
-TEST_CASE("the complex of a level is what rbpa() gives for its radius") {
+TEST_CASE("the complex of a level is that of rbpa() for its radius") {
   for (const Points& points : {uniform(300, 1), sparse_grid(20, 0.4, 2), clusters(20, 3), star(325)}) {
     const Hierarchy h = hierarchy(points, infinity, 2);
     REQUIRE(h.levels.size() >= 3);
@@ -144,7 +144,7 @@ TEST_CASE("the complex of a level is what rbpa() gives for its radius") {
   }
 }
 
-TEST_CASE("without tiles, where exponents are extreme, pivots and seeds find the same triangles and levels") {
+TEST_CASE("pivots and seeds, which replace tiles at extreme exponents, find the same triangles and levels") {
   for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
     const double spacing = mean_spacing(points);
     for (const double alpha : {0.6 * spacing, 3 * spacing, infinity}) {
@@ -160,7 +160,7 @@ TEST_CASE("without tiles, where exponents are extreme, pivots and seeds find the
   });
 }
 
-TEST_CASE("circumradii far above the diameter are met without a radius, however few levels there are") {
+TEST_CASE("circumradii far above the diameter are reached without a radius for them, however few levels there are") {
   for (const double curvature : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-12})
     for (const int count : {4, 10, 20, 40, 100})
       for (const std::size_t k : {1u, 16u, 64u}) {
@@ -182,8 +182,8 @@ TEST_CASE("random sets on small grids obey the law of the levels for any capacit
   }
 }
 
-TEST_CASE("the triangles and the levels that add some do not depend on the order of the input") {
-  // How a site is tested depends on the order of sites: there may be a level more on which nothing happens.
+TEST_CASE("the triangles, and the levels that add some, do not depend on the order of the input") {
+  // The test of a site depends on the order of sites, so there may be additional levels without changes.
   using Growth = std::vector<std::pair<double, std::size_t>>;
   const auto growth = [](const Hierarchy& h) {
     Growth found;
@@ -208,7 +208,7 @@ TEST_CASE("the triangles and the levels that add some do not depend on the order
   }
 }
 
-TEST_CASE("radii and points that are none are refused by name before anything is computed") {
+TEST_CASE("invalid radii and points are refused by name before anything is computed") {
   const Points points = uniform(5000, 1);
   for (const double alpha : {0.0, -0.0, -1.5, -infinity, std::nan("")}) {
     CAPTURE(alpha);
@@ -224,7 +224,7 @@ TEST_CASE("radii and points that are none are refused by name before anything is
   CHECK(contains(refusal({}, 1, 0), "leaf_capacity"));
 }
 
-TEST_CASE("fewer than three points, or all on a line, have no levels and no triangle") {
+TEST_CASE("fewer than three points, or points on a line, have no levels and no triangle") {
   Points line;
   for (const int i : {4, 1, 5, 0, 3, 7, 2, 6}) line.push_back({3.0 * i, -7.0 * i});
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{1, 2}, {3, 4}}, Points(100, Point{0.1, 0.2}), line}) {
@@ -252,7 +252,7 @@ TEST_CASE("a radius below the least gives one level") {
   }
 }
 
-TEST_CASE("progress grows, an unanswered call changes nothing, and false cancels at once") {
+TEST_CASE("progress ascends, true changes nothing, and false cancels at once") {
   const Points points = jittered_grid(120, 0.8, 1);
   std::vector<rbpa::Progress> seen;
   const Hierarchy watched = rbpa::hrbpa(points, infinity, {.progress = [&](const rbpa::Progress& p) {
@@ -274,14 +274,14 @@ TEST_CASE("progress grows, an unanswered call changes nothing, and false cancels
   }
 }
 
-TEST_CASE("a close pair among uniform points costs few levels, on which next to nothing takes part") {
+TEST_CASE("a close pair among uniform points costs few levels, in which few points take part") {
   Points points = uniform(20000, 4);
   const Hierarchy without = hierarchy(points, infinity, 1);
   points.push_back({points[77].x + 1e-12, points[77].y});
   const Hierarchy with = hierarchy(points, infinity, 1);
   CHECK(wrong_numbers(with, infinity) == "");
   CHECK(with.least_radius < 1e-11);
-  // About forty doublings lie between the pair and its neighbors.
+  // About forty doublings separate the pair from its neighbors.
   CHECK(with.levels.size() <= without.levels.size() + 8);
   std::size_t extra = 0;
   for (const rbpa::Level& level : with.levels)
@@ -289,7 +289,7 @@ TEST_CASE("a close pair among uniform points costs few levels, on which next to 
   CHECK(extra < 100);
 }
 
-TEST_CASE("over all levels not more than four times as many points take part as there are") {
+TEST_CASE("over all levels at most four times as many points take part as there are points") {
   const struct {
     const char* name;
     Points points;

@@ -26,7 +26,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// The first thing that differs from hrbpa(), or from triangulate(); "" when nothing does.
+/// Returns the first difference from hrbpa() or triangulate(); "" when there is none.
 std::string difference_from_mesh(const Points& points, double alpha, std::size_t leaf_capacity, unsigned threads) {
   const rbpa::HierarchyArrays made = rbpa::hrbpa_arrays(
       points, alpha, {.leaf_capacity = leaf_capacity, .neighbors = true, .boundary = true, .threads = threads});
@@ -68,7 +68,7 @@ void check_levels(const Points& points, double alpha, std::size_t leaf_capacity,
 
 }  // namespace
 
-TEST_CASE("levels in arrays are those of the mesh: generated sets, alphas, leaves") {
+TEST_CASE("levels in arrays equal those of the mesh, for generated sets, alphas and leaves") {
   Random random(31);
   std::size_t sets = 0;
   for (const NamedSet& set : generated_sets()) {
@@ -82,12 +82,12 @@ TEST_CASE("levels in arrays are those of the mesh: generated sets, alphas, leave
   CHECK(sets > 20);
 }
 
-TEST_CASE("levels in arrays by several threads, with tiles") {
+TEST_CASE("levels in arrays by several threads, with tiles, equal those of the mesh") {
   const Points points = uniform(30000, 32);
   for (const double alpha : {0.005, infinity}) check_levels(points, alpha, 16, 4);
 }
 
-TEST_CASE("levels in arrays where doubles are far apart") {
+TEST_CASE("levels in arrays equal those of the mesh where doubles are far apart") {
   for_each_far_set([&](std::string_view name, const Points& points, const Points& far) {
     CAPTURE(name);
     Points both = points;
@@ -96,7 +96,7 @@ TEST_CASE("levels in arrays where doubles are far apart") {
   });
 }
 
-TEST_CASE("levels in arrays: nothing to look for, and wrong calls") {
+TEST_CASE("levels in arrays of trivial input are empty, and wrong calls are refused") {
   CHECK(rbpa::hrbpa_arrays({}, 1).levels.empty());
   const Points line = {{0, 0}, {1, 1}, {2, 2}, {1, 1}};
   const rbpa::HierarchyArrays made = rbpa::hrbpa_arrays(line, infinity);

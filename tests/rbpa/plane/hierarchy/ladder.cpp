@@ -25,7 +25,7 @@ void check_ladder(double least, Radius last, Real largest) {
   CAPTURE(least);
   const Ladder ladder(least, last, largest);
   const Real end = last.is_infinite() ? largest : Real(last.value());
-  // The last level is the first whose power reaches the end.
+  // The last level is the first whose power of two reaches the end.
   CHECK(ladder.is_last(ladder.end()));
   CHECK_FALSE(ladder.is_last(ladder.end() - 1));
   CHECK(ladder.radius(ladder.end()).is_infinite() == last.is_infinite());
@@ -42,15 +42,15 @@ void check_first_reaching(const Ladder& ladder, Real radius, double least) {
   CAPTURE(radius);
   const int first = ladder.first_reaching(radius);
   REQUIRE(first >= 0);
-  // Those before are too small; the radius may be rounded by a millionth.
+  // Powers before it are too small; the radius may be rounded by a millionth.
   if (first > 0) REQUIRE(std::ldexp(Real(least), first - 1) < radius * (1 - Real(1e-6)));
-  // And not earlier than it must be, but within a hundred-thousandth of the power of two.
+  // It is the first necessary one, within a hundred-thousandth of the power of two.
   if (first < ladder.end()) REQUIRE(std::ldexp(Real(least), first) >= radius * (1 - Real(2e-5)));
 }
 
 }  // namespace
 
-TEST_CASE("the radii double until the last, which is as given") {
+TEST_CASE("the radii double until the last, which is the given one") {
   Random random(51);
   for (int trial = 0; trial < trials(200); ++trial) {
     const double least = std::ldexp(1 + random.unit(), random.integer(-150, 100));
@@ -67,7 +67,7 @@ TEST_CASE("the radii double until the last, which is as given") {
   check_ladder(1e300, Radius(), std::ldexp(1.0L, 1030));
 }
 
-TEST_CASE("a least radius that is not below the last makes one level") {
+TEST_CASE("a least radius that is not below the last gives one level") {
   for (const double last : {1.0, 0.5, 5e-324}) {
     const Ladder ladder(1, Radius(last), 1);
     CHECK(ladder.end() == 0);
@@ -77,7 +77,7 @@ TEST_CASE("a least radius that is not below the last makes one level") {
   CHECK(Ladder(most, Radius(), std::ldexp(1.0L, 1030)).end() == 0);
 }
 
-TEST_CASE("no level before the first that reaches a radius does, and that one does") {
+TEST_CASE("the first level that reaches a radius is found") {
   Random random(52);
   for (int trial = 0; trial < trials(20000); ++trial) {
     const double least = std::ldexp(1 + random.unit(), random.integer(-100, 10));
@@ -94,7 +94,7 @@ TEST_CASE("no level before the first that reaches a radius does, and that one do
   CHECK(longest.first_reaching(0) == 0);
 }
 
-TEST_CASE("no finite ladder reaches infinity, and an infinite one reaches every other radius with its last level") {
+TEST_CASE("no finite ladder reaches infinity, and an infinite one reaches every other radius by its last level") {
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(Ladder(1, Radius(8), 1).first_reaching(infinity) == Ladder::never);
   CHECK(Ladder(1, Radius(), 8).first_reaching(infinity) == Ladder::never);

@@ -1,4 +1,4 @@
-// What a visitor of levels sees while hrbpa() runs.
+// The view of a visitor of levels while hrbpa() runs.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// What there was to see when a level ended.
+/// The state when a level ended.
 struct Seen {
   Level level;
   std::vector<Triangle> triangles;  ///< in the order of their faces, smallest index first
@@ -70,7 +70,7 @@ Watched watch(const Points& points, double alpha, std::size_t leaf_capacity) {
   return watched;
 }
 
-/// All but the time.
+/// Compares all numbers except the time.
 bool same_numbers(const Level& a, const Level& b) {
   return a.alpha == b.alpha && a.number == b.number && a.transferred == b.transferred &&
          a.taking_part == b.taking_part && a.advancing == b.advancing && a.triangles == b.triangles;
@@ -105,7 +105,7 @@ std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-/// Of every generated set at most a hundred points.
+/// Calls check() with at most a hundred points of every generated set.
 template <typename Check>
 void for_small_sets(const Check& check) {
   for (const NamedSet& set : generated_sets()) {
@@ -118,7 +118,7 @@ void for_small_sets(const Check& check) {
 
 }  // namespace
 
-TEST_CASE("the levels that are reported are those of the result, each with as many faces as it has triangles") {
+TEST_CASE("the reported levels are those of the result, each with as many faces as it has triangles") {
   std::size_t levels = 0, in_vain = 0;
   for_small_sets([&](const Points& points, std::size_t k) {
     const auto& [hierarchy, seen] = watch(points, infinity, k);
@@ -132,14 +132,14 @@ TEST_CASE("the levels that are reported are those of the result, each with as ma
     in_vain += hierarchy.looked_in_vain;
   });
   CHECK(levels > 100);
-  CHECK(in_vain == 0);  // else no level was left out
+  CHECK(in_vain == 0);  // otherwise some level was left out
 }
 
-TEST_CASE("what is seen at the end of a level is the complex of its radius") {
+TEST_CASE("the mesh at the end of a level is the complex of its radius") {
   for_small_sets([](const Points& points, std::size_t k) {
     const auto& [hierarchy, seen] = watch(points, infinity, k);
     const auto topology = rbpa::level_topology(hierarchy);
-    const std::size_t step = seen.size() / 10 + 1;  // of sets with very many levels some
+    const std::size_t step = seen.size() / 10 + 1;  // some levels, for sets with very many
     for (std::size_t i = 0; i < seen.size(); i += step) {
       const rbpa::SolidAlphaComplex direct = rbpa::rbpa(points, seen[i].level.alpha);
       CHECK(sorted(seen[i].triangles) == rbpa::triangles(direct));
@@ -158,7 +158,7 @@ TEST_CASE("faces keep their numbers to the end") {
   CHECK(faces(hierarchy.complex) == last);
 }
 
-TEST_CASE("a run that is watched has the result of one that is not, faces in the same order") {
+TEST_CASE("a run with a visitor has the same result as one without, faces in the same order") {
   for (const double alpha : {infinity, 0.8})
     for_small_sets([alpha](const Points& points, std::size_t k) {
       CAPTURE(alpha);
@@ -167,7 +167,7 @@ TEST_CASE("a run that is watched has the result of one that is not, faces in the
     });
 }
 
-TEST_CASE("so it is where tiles find the triangles, by any number of threads") {
+TEST_CASE("a run with a visitor has the same result where tiles find the triangles, by any number of threads") {
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     CAPTURE(set.name);
@@ -177,14 +177,14 @@ TEST_CASE("so it is where tiles find the triangles, by any number of threads") {
   }
 }
 
-TEST_CASE("a run that is not watched has its time on the first level") {
+TEST_CASE("a run without a visitor reports its time on the first level") {
   const Hierarchy alone = hierarchy(clusters(20, 3), infinity, 2);
   REQUIRE(alone.levels.size() > 3);
   CHECK(alone.levels.front().seconds > 0);
   for (std::size_t i = 1; i < alone.levels.size(); ++i) CHECK(alone.levels[i].seconds == 0);
 }
 
-TEST_CASE("what the visitor throws ends the run at that level") {
+TEST_CASE("an exception of the visitor ends the run at that level") {
   const Points points = uniform(500, 4);
   const std::size_t all = hierarchy(points, infinity, 1).levels.size();
   REQUIRE(all > 3);
@@ -201,7 +201,7 @@ TEST_CASE("what the visitor throws ends the run at that level") {
   }
 }
 
-TEST_CASE("where there are no levels nothing is reported") {
+TEST_CASE("nothing is reported where there are no levels") {
   for (const Points& points : {Points{}, Points{{1, 2}, {3, 4}}, Points{{0, 0}, {1, 1}, {3, 3}}})
     CHECK(watch(points, infinity, 1).seen.empty());
 }

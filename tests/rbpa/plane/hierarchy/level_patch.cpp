@@ -38,7 +38,7 @@ bool admits(const Radius& radius, const Points& points, const Corners& t) {
   return radius.admits<double>(at(0), at(1), at(2));
 }
 
-/// All triangles, which is what an infinite ladder admits.
+/// Returns all triangles, which an infinite ladder admits.
 Patch delaunay_patch(const Points& points) {
   std::vector<rbpa::SitePoint> places;
   for (const rbpa::Point& p : points) places.push_back({p, static_cast<std::uint32_t>(places.size())});
@@ -59,7 +59,7 @@ void check_parts(const Points& input, double least) {
   parts.part(patch, SiteLevels(sites, ladder));
   if (parts.later.empty()) parts.first = patch;
 
-  // The same triangles, each on its level.
+  // Both have the same triangles, each on its level.
   std::vector<Corners> first = parts.first.triangles;
   std::sort(first.begin(), first.end());
   std::size_t f = 0, l = 0;
@@ -79,7 +79,7 @@ void check_parts(const Points& input, double least) {
   CHECK(f == parts.first.triangles.size());
   CHECK(l == parts.later.size());
 
-  // What lies across a side lies there in the part, too, unless it waits.
+  // A triangle across a side is also across it in the part, unless it waits.
   std::map<std::pair<meshops::Site, meshops::Site>, int> side;
   for (std::size_t t = 0; t < parts.first.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
@@ -98,13 +98,13 @@ void check_parts(const Points& input, double least) {
 
 }  // namespace
 
-TEST_CASE("a patch is parted into a patch of the first level and triangles that wait for the first that admits them") {
+TEST_CASE(
+    "a patch is split into a patch of the first level and triangles that wait for the first level that admits them") {
   for (const Points& points : {uniform(400, 1), perfect_grid(15, 1), clusters(20, 2), sparse_grid(20, 0.4, 3)})
     for (const double least : {1e-3, 0.5, 0.7071, 1.0, 3.0, 1e5}) check_parts(points, least);
 }
 
-TEST_CASE(
-    "a side beyond which a triangle waits is one at which no other patch has any, other sides stay what they are") {
+TEST_CASE("no other patch has a triangle at a side beyond which one waits; other sides do not change") {
   // Two triangles at an edge; the second is too large for the first level.
   const Points points = {{0, 0}, {1, 0}, {0, 1}, {10, 10}};
   rbpa::Threads one;
@@ -142,7 +142,7 @@ TEST_CASE("waiting triangles come level by level, in the order in which they wer
   for (const int level : {7, 8, 9}) CHECK(waiting.after(level) == Ladder::never);
 }
 
-TEST_CASE("where no triangle waits there is no next level") {
+TEST_CASE("there is no next level where no triangle waits") {
   WaitingTriangles none;
   none.sort(3);
   for (int level = 0; level <= 3; ++level) {

@@ -41,7 +41,7 @@ std::size_t check_levels(const Points& points, double alpha, std::size_t leaf_ca
   const rbpa::Hierarchy h = rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = {}});
   const auto counts = rbpa::level_topology(h);
   REQUIRE(counts.size() == h.levels.size());
-  // Extreme sets have hundreds of levels, and exact arithmetic in every one.
+  // Extreme sets have hundreds of levels, each with exact arithmetic.
   for (std::size_t i = 0; i < counts.size(); i += 1 + counts.size() / 20) {
     CAPTURE(h.levels[i].alpha);
     REQUIRE(counts[i] == rbpa::count(rbpa::rbpa(points, h.levels[i].alpha)));
@@ -59,7 +59,7 @@ void add_face(meshops::PolygonSoup& soup, const rbpa::SolidAlphaComplex& complex
   soup.add_face(corners);
 }
 
-/// A mesh in bulk, of the points that have faces.
+/// Makes a mesh in bulk, of the points that have faces.
 rbpa::SolidAlphaComplex complex_of(meshops::PolygonSoup soup) {
   std::map<std::uint32_t, std::uint32_t> number;
   for (std::uint32_t& corner : soup.corners)
@@ -85,12 +85,12 @@ TEST_SUITE("filtration") {
     CHECK(levels > 100);
   }
 
-  TEST_CASE("where the complex touches itself, on a level or at the end, it is one space and several surfaces") {
+  TEST_CASE("a complex that touches itself, on a level or at the end, is one space and several surfaces") {
     Random random(11);
     std::size_t pinches = 0;
     for (std::size_t i = 0; i < 60; ++i) {
       const Points points = points_of(random_picture(9, 9, 0.3 + 0.008 * static_cast<double>(i), random));
-      // Radii below, at, and above that of the pictures' pixels.
+      // Radii below, at, and above the radius of the pictures' pixels.
       for (const double alpha : {picture_alpha, 1.5, infinity}) check_levels(points, alpha, 1 + i % 7);
       const ComplexCounts solid = rbpa::count(rbpa::rbpa(points, picture_alpha));
       pinches += solid.solid_components - solid.components;
@@ -98,7 +98,7 @@ TEST_SUITE("filtration") {
     CHECK(pinches > 100);
   }
 
-  TEST_CASE("triangles may come in any order: the counts are those of the ones so far") {
+  TEST_CASE("triangles may come in any order: the counts are those of the triangles so far") {
     Random random(12);
     for (int round = 0; round < 20; ++round) {
       const rbpa::SolidAlphaComplex complex =

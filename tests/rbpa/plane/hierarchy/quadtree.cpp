@@ -24,7 +24,7 @@ Points distinct(Points points) {
   return points;
 }
 
-/// By the definition, square by square.
+/// Finds the smallest leaf by the definition, square by square.
 template <typename Real>
 Real textbook(const Points& points, Real x, Real y, Real side, std::size_t capacity) {
   const Real middle_x = x + side / 2, middle_y = y + side / 2;
@@ -79,7 +79,7 @@ TEST_CASE("the smallest leaf is that of squares cut in four while they hold too 
   check(integer_circle(1105));
 }
 
-TEST_CASE("points on the cuts belong to the upper right") {
+TEST_CASE("points on a cut belong to the upper right") {
   for (int number = 0; number < 3000; ++number) {
     CAPTURE(number);
     Random random(static_cast<std::uint64_t>(number));
@@ -90,7 +90,7 @@ TEST_CASE("points on the cuts belong to the upper right") {
   }
 }
 
-TEST_CASE("where the numbers end before the points part, squares are cut down to that end") {
+TEST_CASE("where doubles end before the points separate, squares are cut down to that limit") {
   const double one = std::nextafter(0x1p52, 0x1p53);
   check({{0x1p52, 0x1p52}, {one, 0x1p52}, {0x1p52, one}, {0, 0}});
   check({{0x1p52, 0}, {0x1p52, 1e-10}, {0x1p52, 2e-10}, {0, 0}});
@@ -99,7 +99,7 @@ TEST_CASE("where the numbers end before the points part, squares are cut down to
   check(nearest_doubles(100, 8), true);
 }
 
-TEST_CASE("the ends of the range of double") {
+TEST_CASE("the smallest leaf is right at the limits of double") {
   check(scaled(uniform(50, 9), 1010), false);
   check(denormals(12, 60, 10), false);
   check(mixed_exponents(20, 11), false);
@@ -107,7 +107,7 @@ TEST_CASE("the ends of the range of double") {
   check(corners_of_range(), false);
 }
 
-TEST_CASE("a tree of no capacity is one of capacity 1, and order does not matter") {
+TEST_CASE("capacity 0 counts as capacity 1, and order does not matter") {
   Points points = distinct(uniform(100, 13));
   const double side = Quadtree<double>(points, 1).smallest_side();
   CHECK(Quadtree<double>(points, 0).smallest_side() == side);

@@ -43,7 +43,7 @@ Partial part(const rbpa::Region& region) {
   return rbpa::partial(region, given(region, points_of(picture), picture_alpha), picture_alpha);
 }
 
-/// The left of the picture has every list filled: chains, rings of open components, a pinch that waits, a held polygon.
+/// The left half of the picture fills every list: chains, rings of open components, a pinch that waits, a held polygon.
 Partial with_all_lists() {
   Partial made = part(left);
   const rbpa::PartialState& state = made.state();
@@ -83,7 +83,7 @@ TEST_CASE("the checksum is that of the XZ format") {
   CHECK(rbpa::crc64(text("This is a test of the emergency broadcast system.")) == 0x27DB'187F'C15B'BC72);
 }
 
-TEST_CASE("bytes hold everything, and the same bytes are written again") {
+TEST_CASE("bytes preserve everything, and writing again gives the same bytes") {
   Partial without_holes = with_all_lists();
   CHECK(rbpa::take_holes(without_holes).size() == 1);
   for (const Partial& partial : {Partial(), with_all_lists(), without_holes}) {
@@ -96,7 +96,7 @@ TEST_CASE("bytes hold everything, and the same bytes are written again") {
   }
 }
 
-TEST_CASE("the format of this version does not change unseen") {
+TEST_CASE("a change of the format is noticed") {
   const Points square{{0, 0}, {2, 0}, {0, 2}, {2, 2}, {1, 1}};
   const rbpa::Region region{-9, -9, 2, 9};
   const Bytes bytes = rbpa::to_bytes(rbpa::partial(region, given(region, square, 1.0), 1));
@@ -105,7 +105,7 @@ TEST_CASE("the format of this version does not change unseen") {
   CHECK(rbpa::crc64({bytes.data(), bytes.size() - 8}) == 5'268'788'840'152'528'991U);
 }
 
-TEST_CASE("cut off anywhere, or a bit changed anywhere: refused") {
+TEST_CASE("bytes that are truncated or have one bit changed are refused") {
   const Bytes bytes = rbpa::to_bytes(with_all_lists());
   for (std::size_t size = 0; size < bytes.size(); ++size)
     REQUIRE(refusal({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}) != "");
@@ -120,7 +120,7 @@ TEST_CASE("cut off anywhere, or a bit changed anywhere: refused") {
   }
 }
 
-TEST_CASE("a refusal names what is wrong") {
+TEST_CASE("a refusal names the problem") {
   const Bytes bytes = rbpa::to_bytes(with_all_lists());
   CHECK(refusal({}).find("RBPAPART") != std::string::npos);
   CHECK(refusal(Bytes(100, 7)).find("100 bytes that do not begin with RBPAPART") != std::string::npos);
@@ -144,7 +144,8 @@ TEST_CASE("a refusal names what is wrong") {
 }
 
 TEST_CASE(
-    "signed bytes with anything in them: refused, or read as what is written again; never more memory than bytes") {
+    "bytes with a valid checksum are refused, or read and written again unchanged, and take no more memory than "
+    "bytes") {
   Partial any = with_all_lists();
   SUBCASE("") {}
   SUBCASE("with holes taken") { CHECK(rbpa::take_holes(any).size() == 1); }
@@ -172,7 +173,7 @@ TEST_CASE(
       const Partial made = rbpa::partial_from_bytes(changed);
       REQUIRE(rbpa::to_bytes(made) == changed);
       ++read;
-      // What can be read can be merged, or is refused then.
+      // Bytes that can be read can be merged, or are refused by merge().
       Partial with = made;
       rbpa::merge(std::move(with), Partial(rest));
       ++merged;

@@ -30,7 +30,7 @@ Cover sum(const Regions& regions) {
 
 std::vector<Quadrant> list(const Cover& cover) { return {cover.quadrants().begin(), cover.quadrants().end()}; }
 
-/// How many have the place; −∞ is in a region that begins there.
+/// Returns the number of regions that contain the place; −∞ is in a region that begins there.
 std::size_t times(const Regions& regions, const Point& place) {
   return static_cast<std::size_t>(
       std::count_if(regions.begin(), regions.end(), [&](const Region& region) { return region.contains(place); }));
@@ -46,7 +46,7 @@ Region random_region(Random& random) {
   return {x0, y0, x1, y1};
 }
 
-/// Every kind of place that borders on integers from −4 to 4 distinguish.
+/// Returns a place of every kind that borders on integers from −4 to 4 distinguish.
 std::vector<Point> places() {
   std::vector<double> along{-infinity, -5};
   for (int i = -4; i <= 4; ++i) along.push_back(i);
@@ -58,7 +58,7 @@ std::vector<Point> places() {
 
 }  // namespace
 
-TEST_CASE("regions of a cut are the whole plane in any order, and less when one is missing") {
+TEST_CASE("regions of a cut cover the plane in any order, and less when one is missing") {
   Random random(1);
   for (int run = 0; run < trials(300); ++run) {
     Points points;
@@ -78,7 +78,7 @@ TEST_CASE("regions of a cut are the whole plane in any order, and less when one 
   }
 }
 
-TEST_CASE("random regions: what is wrong and what is missing is so, and is found") {
+TEST_CASE("overlaps and gaps of random regions are found, and no others") {
   Random random(2);
   int overlaps = 0;
   for (int run = 0; run < trials(2000); ++run) {
@@ -107,7 +107,7 @@ TEST_CASE("a part of the plane is the same however it was cut") {
   CHECK(list(sum(across)).size() == 4);
 }
 
-TEST_CASE("less than nothing is wrong") {
+TEST_CASE("a negative cover is wrong") {
   CHECK(Cover(std::vector<Quadrant>{{{0, 0}, -1}}).wrong());
   CHECK(Cover(std::vector<Quadrant>{{{0, 0}, 1}, {{1, -1}, -1}}).wrong());
 }

@@ -18,7 +18,7 @@ using rbpa::Region;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A coordinate of one of the points, or one between two of them.
+/// Returns a coordinate of one of the points, or one between two of them.
 double place(const Points& points, bool is_x, Random& random) {
   const auto any = [&] {
     const rbpa::Point& p = points[random.below(points.size())];
@@ -70,7 +70,7 @@ Regions halving_cut(const Points& points, std::size_t cuts, Random& random) {
     const bool is_x = random.chance(0.5);
     const double at = place(points, is_x, random);
     if (is_x ? at < cut.x0 || at > cut.x1 : at < cut.y0 || at > cut.y1) continue;
-    // On the border of the region, one of the two is empty.
+    // On the border of the region, one of the two parts is empty.
     (is_x ? cut.x1 : cut.y1) = at;
     (is_x ? rest.x0 : rest.y0) = at;
     regions.push_back(rest);

@@ -1,4 +1,4 @@
-// What: the plane cut into regions in many ways, regions with their points, and what of the whole is expected.
+// What: the plane cut into regions in many ways, regions with their points, and the expected whole.
 // Law:  a function of the arguments alone. Borders run through points wherever they can.
 #pragma once
 
@@ -14,16 +14,16 @@ namespace rbpa_test {
 
 using Regions = std::vector<rbpa::Region>;
 
-/// Lines along both axes, up to so many each way.
+/// Cuts along lines of both axes, up to `lines` of each.
 Regions grid_cut(const Points& points, std::size_t lines, Random& random);
-/// Regions that are halved again and again, so many times.
+/// Halves regions repeatedly, `cuts` times.
 Regions halving_cut(const Points& points, std::size_t cuts, Random& random);
-/// Squares that are quartered while they have more than so many points.
+/// Quarters squares while they have more than `most` points.
 Regions quartering_cut(const Points& points, std::size_t most);
-/// One of these.
+/// Cuts in one of these ways.
 Regions any_cut(const Points& points, std::size_t regions, Random& random);
 
-/// Points of a region and its halo, with their indices; in another order when `shuffled`.
+/// Points of a region and its halo, with their indices; in random order when `shuffled`.
 struct Given {
   Points points;
   std::vector<std::uint64_t> indices;
@@ -31,16 +31,16 @@ struct Given {
 };
 Given given(const rbpa::Region& region, const Points& points, double alpha, Random* shuffled = nullptr);
 
-/// Each region by itself.
+/// Computes each region separately.
 std::vector<rbpa::Partial> partials(const Regions& regions, const Points& points, double alpha);
 
-/// All of them merged, two by two in any order; every now and then one goes through bytes.
+/// Merges all of them, two by two in a random order; some pass through bytes.
 rbpa::Partial merged(std::vector<rbpa::Partial> parts, Random& random);
 
-/// By rbpa(), count() and polygons() of all points.
+/// Returns the whole complex by rbpa(), count() and polygons() of all points.
 rbpa::WholeComplex whole(const Points& points, double alpha);
 
-/// Empty when both are the same to the last bit; else what is not.
+/// Returns the first difference; empty when both are the same to the last bit.
 std::string difference(const rbpa::WholeComplex& found, const rbpa::WholeComplex& expected);
 
 }  // namespace rbpa_test

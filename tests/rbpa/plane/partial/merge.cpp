@@ -1,4 +1,4 @@
-// What merge() promises, and what is refused.
+// The promises of merge(), and refused input.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ std::size_t corners_of(const rbpa::TakenHoles& taken) {
 
 }  // namespace
 
-TEST_CASE("a thousand random trees of merges: the same bytes") {
+TEST_CASE("merge is associative: a thousand random trees of merges give the same bytes") {
   Random random(1);
   for (const double alpha : {0.62, 0.8}) {
     const Points points = uniform(1500, 7);
@@ -67,7 +67,7 @@ TEST_CASE("a thousand random trees of merges: the same bytes") {
   }
 }
 
-TEST_CASE("some of the regions: the same bytes in any order, whether or not they are side by side") {
+TEST_CASE("merging some of the regions gives the same bytes in any order, also of regions that are not adjacent") {
   Random random(2);
   for (int run = 0; run < trials(400); ++run) {
     const Points points = points_of(random_picture(9, 9, random.between(0.4, 0.8), random));
@@ -110,7 +110,7 @@ TEST_CASE("the order of points, points beyond the halo and threads change no byt
     CHECK(bytes_of(rbpa::partial(region, given(region, many, 0.7), 0.7, {.threads = threads})) == expected);
 }
 
-TEST_CASE("polygons taken at any time are all of them, with the same counts") {
+TEST_CASE("polygons taken at any time are complete, with the same counts") {
   Random random(4);
   std::size_t early = 0;
   for (int run = 0; run < trials(200); ++run) {
@@ -136,7 +136,7 @@ TEST_CASE("polygons taken at any time are all of them, with the same counts") {
   CHECK(early > 200);
 }
 
-TEST_CASE("holes taken at any time are those of the polygons that have their names") {
+TEST_CASE("holes taken at any time belong to the polygons of their names") {
   Random random(5);
   std::size_t early = 0, late = 0;
   for (int run = 0; run < trials(300); ++run) {
@@ -187,7 +187,7 @@ TEST_CASE("holes taken at any time are those of the polygons that have their nam
   CHECK(late > 100);
 }
 
-TEST_CASE("what is finished does not stay: a long row of islands has a small rim") {
+TEST_CASE("finished parts are released: a long row of islands has a small rim") {
   Points points;
   for (int i = 0; i < 1000; ++i)
     for (const double y : {0.0, 1.0, 2.0})
@@ -205,7 +205,7 @@ TEST_CASE("what is finished does not stay: a long row of islands has a small rim
 }
 
 TEST_CASE("a polygon is finished when an open component that it touches certainly comes first") {
-  // A block of squares, and one that touches it in (14, 14).
+  // A block of squares, and one square that touches it in (14, 14).
   Points points{{16, 14}, {14, 16}, {16, 16}, {15, 15}};
   for (int x = 0; x <= 14; ++x)
     for (int y = 0; y <= 14; ++y)
@@ -217,11 +217,11 @@ TEST_CASE("a polygon is finished when an open component that it touches certainl
     CHECK(settled[0].area == 4);
     CHECK(settled[0].points == 4);
   };
-  // By a chain.
+  // Finished by a chain.
   Partial above = part({-infinity, 8, infinity, infinity});
   CHECK(above.rim().components == 1);
   check(above);
-  // By a ring: of the block only the middle is missing.
+  // Finished by a ring: only the middle of the block is missing.
   Partial around;
   for (const double x : {-infinity, 6.5, 7.5})
     for (const double y : {-infinity, 6.5, 7.5}) {
@@ -233,7 +233,7 @@ TEST_CASE("a polygon is finished when an open component that it touches certainl
   check(around);
 }
 
-TEST_CASE("of no region: merged with another it is that") {
+TEST_CASE("a partial of no region is neutral for merge()") {
   const Points points = uniform(100, 1);
   const Partial some = rbpa::partial(halves[0], given(halves[0], points, 2), 2);
   CHECK(bytes_of(rbpa::merge(Partial(), Partial(some))) == bytes_of(some));
@@ -249,7 +249,7 @@ TEST_CASE("of no region: merged with another it is that") {
   CHECK(!Partial().is_whole());
 }
 
-TEST_CASE("an infinite radius is refused with the reason, and what else is no input") {
+TEST_CASE("an infinite radius is refused with the reason, and so is other invalid input") {
   const Points points = uniform(50, 1);
   const Given all = given(Region{}, points, 1);
   CHECK(says(refusal([&] { rbpa::partial({}, all, infinity); }), "no halo around a region is enough"));
@@ -270,7 +270,7 @@ TEST_CASE("an infinite radius is refused with the reason, and what else is no in
   CHECK(says(refusal([&] { rbpa::partial({}, wrong, 1); }), "point 5000000000 is ("));
 }
 
-TEST_CASE("other radii and regions that overlap are not merged") {
+TEST_CASE("different radii and overlapping regions are not merged") {
   const Points points = uniform(400, 1);
   const auto part = [&](const Region& region, double alpha) {
     return rbpa::partial(region, given(region, points, alpha), alpha);
@@ -283,7 +283,7 @@ TEST_CASE("other radii and regions that overlap are not merged") {
              "from (5, 8) on, expected disjoint regions"));
 }
 
-TEST_CASE("a refusal names what is missing") {
+TEST_CASE("a refusal names the missing region") {
   const Points points = uniform(400, 1);
   const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
   CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }), "none contains the points from (10, -inf) on"));
@@ -291,9 +291,9 @@ TEST_CASE("a refusal names what is missing") {
   CHECK(refusal([&] { rbpa::finish(rbpa::merge(part(halves[0]), part(halves[1]))); }).empty());
 }
 
-TEST_CASE("halos that are not complete are found when they matter") {
+TEST_CASE("incomplete halos are found where they matter") {
   const Points points = uniform(400, 1);
-  // The second half has its own points only.
+  // The second half has only its own points.
   const auto both = [&] {
     return rbpa::merge(rbpa::partial(halves[0], given(halves[0], points, 1), 1),
                        rbpa::partial(halves[1], given(halves[1], points, 0x1p-60), 1));

@@ -1,4 +1,4 @@
-// Regions, cut anyhow and merged in any order, are the whole.
+// Regions cut in any way and merged in any order give the whole.
 #include "rbpa/partial.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Triangles and isolated points of all regions are those of the whole.
+/// Checks that triangles and isolated points of all regions are those of the whole.
 std::string wrong_with_items(const Points& points, double alpha, const Regions& regions) {
   const rbpa::Triangulation expected = rbpa::triangulate(points, alpha, {.threads = 1});
   rbpa::OwnedItems all;
@@ -53,7 +53,7 @@ std::string wrong_with_items(const Points& points, double alpha, const Regions& 
   return same(all.isolated, expected.isolated) ? "" : "isolated points";
 }
 
-/// Empty when merging the regions in several orders is the whole, and always the same bytes.
+/// Returns "" when merging the regions in several orders gives the whole, and always the same bytes.
 std::string wrong_with_cut(const Points& points, double alpha, const Regions& regions, int orders, Random& random) {
   const rbpa::WholeComplex expected = whole(points, alpha);
   const std::vector<Partial> parts = partials(regions, points, alpha);
@@ -69,7 +69,7 @@ std::string wrong_with_cut(const Points& points, double alpha, const Regions& re
   return wrong_with_items(points, alpha, regions);
 }
 
-/// Cuts into about so many regions, each checked; what fails is made small.
+/// Cuts into about `regions` regions, and checks each cut; a failure is reduced to a small case.
 void check_cuts(const Points& points, double alpha, std::size_t regions, int cuts, int orders, Random& random) {
   for (int cut = 0; cut < cuts; ++cut) {
     const Regions chosen = any_cut(points, regions, random);
@@ -82,7 +82,7 @@ void check_cuts(const Points& points, double alpha, std::size_t regions, int cut
 
 }  // namespace
 
-TEST_CASE("generated sets of every kind, also at the radii where ties decide") {
+TEST_CASE("merged regions are the whole on generated sets of every kind, also at radii where ties decide") {
   Random random(1);
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
@@ -95,7 +95,7 @@ TEST_CASE("generated sets of every kind, also at the radii where ties decide") {
   }
 }
 
-TEST_CASE("sets that are hard for tiles") {
+TEST_CASE("merged regions are the whole on sets that are hard for tiles") {
   Random random(2);
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
@@ -103,7 +103,7 @@ TEST_CASE("sets that are hard for tiles") {
   }
 }
 
-TEST_CASE("a few points of any kind, and borders through most of them") {
+TEST_CASE("merged regions are the whole on few points of any kind, with borders through most of them") {
   Random random(3);
   for (int run = 0; run < trials(1500); ++run) {
     const TileSet set = few_points(random);
@@ -113,7 +113,7 @@ TEST_CASE("a few points of any kind, and borders through most of them") {
   }
 }
 
-TEST_CASE("pinches, chains of holes and islands: random pictures") {
+TEST_CASE("merged regions are the whole on random pictures with pinches, chains of holes and islands") {
   Random random(4);
   for (int run = 0; run < trials(250); ++run) {
     const Picture picture = random_picture(10, 10, random.between(0.2, 0.9), random);
@@ -121,7 +121,7 @@ TEST_CASE("pinches, chains of holes and islands: random pictures") {
   }
 }
 
-TEST_CASE("a ring around everything, and a hole that many regions see") {
+TEST_CASE("merged regions are the whole with a ring around everything, and a hole that many regions see") {
   Random random(5);
   Points points;
   for (int x = -40; x <= 40; ++x)
@@ -132,13 +132,13 @@ TEST_CASE("a ring around everything, and a hole that many regions see") {
   for (const std::size_t regions : {2U, 40U, 400U}) check_cuts(points, 0.8, regions, 4, 2, random);
 }
 
-TEST_CASE("a radius larger than most regions") {
+TEST_CASE("merged regions are the whole at a radius larger than most regions") {
   Random random(6);
   const Points points = uniform(300, 8);
   for (const double alpha : {2.0, 6.0, 50.0}) check_cuts(points, alpha, 150, 3, 2, random);
 }
 
-TEST_CASE("one dense cell, and much land without points") {
+TEST_CASE("merged regions are the whole with one dense cell and much empty land") {
   Random random(7);
   Points points = uniform(1500, 9);
   for (Point& p : points) p = {p.x * 0x1p-10, p.y * 0x1p-10};
@@ -146,7 +146,7 @@ TEST_CASE("one dense cell, and much land without points") {
   for (const double alpha : {0.0008, 0.02, 9.0}) check_cuts(points, alpha, 30, 3, 2, random);
 }
 
-TEST_CASE("points given many times, on lattices whose lines are borders") {
+TEST_CASE("merged regions are the whole with duplicates, on lattices whose lines are borders") {
   Random random(8);
   for (int run = 0; run < 60; ++run) {
     const Points points = random_grid(8, 90, true, random.bits());
@@ -155,7 +155,7 @@ TEST_CASE("points given many times, on lattices whose lines are borders") {
   check_cuts(duplicates(200, 5, 1), 0.3, 12, 5, 2, random);
 }
 
-TEST_CASE("coordinates at the ends of double, of halos beyond them") {
+TEST_CASE("merged regions are the whole at the limits of double, with halos beyond them") {
   Random random(9);
   const double most = std::numeric_limits<double>::max();
   const Points points{{-most, -most}, {most, -most}, {0, most},   {most, most},
@@ -163,7 +163,7 @@ TEST_CASE("coordinates at the ends of double, of halos beyond them") {
   for (const double alpha : {5e-324, 1e-300, 1.0, 1e307, most}) check_cuts(points, alpha, 6, 30, 2, random);
 }
 
-TEST_CASE("real data, cut at random") {
+TEST_CASE("merged regions are the whole on real data, cut at random") {
   Random random(10);
   std::size_t sets = 0;
   for (const PointFile& file : point_files(bundled_data())) {
@@ -189,7 +189,7 @@ TEST_CASE("how all further data is cut at random" * doctest::skip()) {
   }
 }
 
-TEST_CASE("how random sets and cuts go on for long" * doctest::skip()) {
+TEST_CASE("how thousands of random sets and cuts are merged to the whole" * doctest::skip()) {
   Random random(12);
   for (int run = 0; run < trials(20'000); ++run) {
     const TileSet set = few_points(random);

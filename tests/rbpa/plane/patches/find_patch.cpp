@@ -39,7 +39,7 @@ namespace {
 
 using P = rbpa::Predicates<double>;
 
-/// Infinity, some circumradii exactly or nearly, and a radius for which there is nothing.
+/// Returns infinity, some circumradii exactly or nearly, and a radius without triangles.
 std::vector<Radius> radii(const SiteSet& sites) {
   Random random(1);
   std::vector<Radius> all = {Radius()};
@@ -67,16 +67,16 @@ void check(const TileSet& set, std::uint32_t max_points) {
 
 }  // namespace
 
-TEST_CASE("the results of a tile are true, and the same by every vector unit: all points in a tile") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, with all points in a tile") {
   for (const TileSet& set : tile_sets()) check(set, 2048);
 }
 
-TEST_CASE("the results of a tile are true, and the same by every vector unit: small tiles") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, for small tiles") {
   for (const TileSet& set : tile_sets())
     for (const std::uint32_t most : {5u, 40u}) check(set, most);
 }
 
-TEST_CASE("the results of a tile are true, and the same by every vector unit: a few points") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, for few points") {
   Random random(2);
   for (int round = 0; round < trials(600); ++round) {
     CAPTURE(round);
@@ -85,7 +85,7 @@ TEST_CASE("the results of a tile are true, and the same by every vector unit: a 
   }
 }
 
-TEST_CASE("the results of a tile are true, and the same by every vector unit: beside unknown crowds") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, beside unknown crowds") {
   Random random(6);
   for (int round = 0; round < 150; ++round) {
     CAPTURE(round);
@@ -97,8 +97,8 @@ TEST_CASE("the results of a tile are true, and the same by every vector unit: be
   }
 }
 
-TEST_CASE("a point that is off a lattice by less than differences can resolve is not of the lattice") {
-  // Differences from the third point round to those from (0, 0), which would be on a circle with the others.
+TEST_CASE("a point off a lattice by less than differences can resolve is not on the lattice") {
+  // Differences from the third point round to those from (0, 0), which would be cocircular with the others.
   const Points five = {{1, 2}, {-2, 1}, {0x1p-60, 0}, {-2, -1}, {-1, 0}};
   const Points nine = {{2, 1}, {3, 2}, {-3, 3}, {-3, -2}, {2, -2}, {-1, -3}, {3, -1}, {1e-20, 1e-20}, {3, 1}};
   for (const Points& points : {five, nine})
@@ -133,7 +133,7 @@ TEST_CASE("a tile finds the same whatever the workspace and the result were used
   CHECK(again.settled.empty());
 }
 
-TEST_CASE("tiles along streets give up and find nothing, at every vector unit") {
+TEST_CASE("tiles along streets give up and find nothing, on every vector unit") {
   Random random(8);
   Points streets;
   for (int i = 0; i < 20000; ++i) {
@@ -149,7 +149,7 @@ TEST_CASE("tiles along streets give up and find nothing, at every vector unit") 
   }
 }
 
-TEST_CASE("a tile that has all points settles most sites and finds most triangles of a set of even density") {
+TEST_CASE("a tile with all points settles most sites and finds most triangles of a set of even density") {
   for (const TileSet& set :
        {TileSet{"uniform", uniform(1500, 5)}, TileSet{"grid", perfect_grid(40, 1)},
         TileSet{"fine grid far out", moved(perfect_grid(40, 0x1p-20), 0x1p30, 0x1p31)},
@@ -170,7 +170,7 @@ TEST_CASE("a tile that has all points settles most sites and finds most triangle
         CHECK(known > sites.points.size() * 3 / 4);
 
         if (set.name != "uniform") continue;
-        // With a radius, the sides beyond which it is exceeded: most are seen to be so.
+        // With a radius: the sides beyond which it is exceeded; most of them are recognized.
         const Radius radius(0.6 * mean_spacing(set.points));
         std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
         for (const Triangle& t : sites.delaunay)

@@ -49,7 +49,7 @@ std::vector<Triangle> triangles_on(const meshops::Front& front) {
   return canonical(std::move(found));
 }
 
-/// Lays the tiles of a set: returns how many sites are settled.
+/// Lays the tiles of a set. Returns the number of settled sites.
 std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   rbpa::Threads threads(2);
   const rbpa::Sites sites(input, threads);
@@ -90,7 +90,7 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   for (const Triangle& t : missing)
     for (const std::uint32_t s : t) CHECK_FALSE(known[s]);
 
-  // Nothing of the complex lies beyond a frozen side, and an active one is on the boundary.
+  // The complex has no triangle beyond a frozen side, and an active side is on the boundary.
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const Triangle& t : complex)
     for (std::size_t i = 0; i < 3; ++i) sides.insert({t[i], t[(i + 1) % 3]});
@@ -107,7 +107,7 @@ std::ptrdiff_t check_laid(const Points& input, const Radius& radius) {
   return std::count(known.begin(), known.end(), true);
 }
 
-/// Both searches on sets that tiles share unevenly.
+/// Checks both searches on sets that tiles share unevenly.
 void check_searches(const Points& points, const std::vector<double>& alphas) {
   for (const double alpha : alphas) {
     CAPTURE(alpha);
@@ -128,7 +128,7 @@ Points together(Points a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE("what is laid is sound and of the complex; nothing is missing at settled sites, nor beyond frozen sides") {
+TEST_CASE("laid patches are sound and in the complex; none is missing at settled sites or beyond frozen sides") {
   std::ptrdiff_t known = 0;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
@@ -139,7 +139,7 @@ TEST_CASE("what is laid is sound and of the complex; nothing is missing at settl
   CHECK(known > 0);
 }
 
-TEST_CASE("both searches find the same: densities that differ from tile to tile") {
+TEST_CASE("both searches find the same where densities differ from tile to tile") {
   const Points crowd = moved(scaled(uniform(1200, 1), -8), 3, 20), thin = uniform(2500, 2);
   check_searches(together(thin, crowd), {0.05, 0.7, 2});
   check_searches(together(jittered_grid(50, 0.9, 3), moved(perfect_grid(30, 0x1p-5), 10.5, 10.25)), {0.03, 0.6, 1.5});
@@ -148,13 +148,13 @@ TEST_CASE("both searches find the same: densities that differ from tile to tile"
   check_searches(clusters(300, 6), {1e-6, 1e-3, 0.1});
 }
 
-TEST_CASE("both searches find the same: a point just off a lattice") {
+TEST_CASE("both searches find the same with a point just off a lattice") {
   const Points points = {{-1e-20, 0}, {-2, -2}, {-2, 0}, {-2, 1}, {-2, 2}, {-1, -2}, {-1, -1},
                          {-1, 0},     {1, 0},   {1, 2},  {2, -1}, {2, 0},  {2, 1},   {2, 2}};
   check_searches(points, {1, 1.5, 1e9});
 }
 
-TEST_CASE("both searches find the same: tile sets and a few points") {
+TEST_CASE("both searches find the same on tile sets and few points") {
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
     const double spacing = mean_spacing(set.points);

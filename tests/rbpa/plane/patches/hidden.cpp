@@ -1,4 +1,4 @@
-// Tiles beside points that are not in the grid: their results are true of all points.
+// Tiles beside points that are not in the grid: their results hold for all points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
   const PointGrid grid(points);
   const auto& all = grid.levels()[0];
   const rbpa::HiddenPoints places(hidden, {{all.x, all.y}, {all.x + all.width, all.y + all.height}});
-  // The complex of all, on their positions here: those of the grid first.
+  // The complex of all points, numbered by their positions here: those of the grid first.
   Points together(grid.points().begin(), grid.points().end());
   together.insert(together.end(), hidden.begin(), hidden.end());
   std::set<Triangle> complex;
@@ -63,7 +63,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
 
 }  // namespace
 
-TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site that has one beside it") {
+TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site beside one") {
   Random random(1);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
@@ -78,7 +78,7 @@ TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settl
   }
 }
 
-TEST_CASE("what lies far outside costs the sides it can be seen from, and what lies within its neighborhood") {
+TEST_CASE("a far point costs the sides that see it, and a near one its neighborhood") {
   const Points points = uniform(3000, 2);
   const Counts none = check_hidden(points, {}, Radius());
   const Counts inside = check_hidden(points, {{27.3, 27.4}}, Radius());

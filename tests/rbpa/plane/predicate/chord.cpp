@@ -40,7 +40,7 @@ void check_contests(Kind kind, Random& random) {
 
 }  // namespace
 
-TEST_CASE("points compete for a chord as by rational numbers, in either arithmetic") {
+TEST_CASE("points compete for a chord as rational numbers show, in either arithmetic") {
   Random random(41);
   for (const Kind kind : kinds_that_fit_double) {
     check_contests<double>(kind, random);

@@ -18,7 +18,7 @@ using P = rbpa::Predicates<double>;
 
 TEST_SUITE_BEGIN("predicates");
 
-TEST_CASE("differences are the integers that they are, times one power of two, or none") {
+TEST_CASE("differences are exact integers times one power of two, or there are none") {
   const Point a = {500000.25, 0x1p-3}, b = {500001, 0.25}, c = {499999.5, 4};
   const FixedVectors<2> fixed(29, a, {&b, &c});
   REQUIRE(fixed.are_exact());
@@ -33,8 +33,8 @@ TEST_CASE("differences are the integers that they are, times one power of two, o
   CHECK(FixedVectors<2>(29, a, {&a, &a}).are_exact());
 }
 
-TEST_CASE("the greatest integers that fit overflow nothing") {
-  // Differences of 2^29 − 1 units, in every direction; one more unit does not fit.
+TEST_CASE("the greatest integers that fit do not overflow") {
+  // Differences of 2^29 − 1 units in every direction; one more unit does not fit.
   const double most = 0x1p29 - 1;
   int fitted = 0, ties = 0;
   Random random(5);
@@ -57,7 +57,7 @@ TEST_CASE("the greatest integers that fit overflow nothing") {
   CHECK(ties > trials(1000));
 }
 
-TEST_CASE("circles through four points of a grid, and beside them, are decided as by integers of any length") {
+TEST_CASE("circles through four points of a grid, and nearly so, are decided as by integers of any length") {
   Random random(6);
   int ties = 0;
   for (int trial = 0; trial < trials(30000); ++trial) {
@@ -66,7 +66,7 @@ TEST_CASE("circles through four points of a grid, and beside them, are decided a
     std::array<Point, 4> s;
     for (Point& p : s)
       p = {offset.x + std::ldexp(random.integer(0, width), exponent), std::ldexp(random.integer(0, width), exponent)};
-    // A rectangle's corners are on a circle.
+    // The corners of a rectangle are on a circle.
     if (random.chance(0.6)) s = {s[0], {s[1].x, s[0].y}, s[1], {s[0].x, s[1].y}};
     if (rbpa::exact_integer::orientation(s[0], s[1], s[2]) < 0) std::swap(s[0], s[2]);
     if (rbpa::exact_integer::orientation(s[0], s[1], s[2]) <= 0) continue;

@@ -27,7 +27,8 @@ std::vector<Kind> kinds() {
   return all;
 }
 
-/// About the circumradius of (a, b, c), or about half of |ab|, or anything: within the domain of the predicates.
+/// Returns a radius near the circumradius of (a, b, c), near half of |ab|, or arbitrary, within the domain of the
+/// predicates.
 double radius_near(const Point& a, const Point& b, const Point& c, Random& random) {
   using Long = Predicates<long double>;
   const auto ab = Long::from(a, b), bc = Long::from(b, c), ca = Long::from(c, a);
@@ -42,7 +43,7 @@ double radius_near(const Point& a, const Point& b, const Point& c, Random& rando
   return std::clamp(jiggled(clamped, 1, random), 0x1p-152, 0x1p+754);
 }
 
-/// Makes (a, b, p) turn left; false when they are on a line or two of the four coincide.
+/// Makes (a, b, p) turn left. Returns false when they are on a line or two of the four coincide.
 template <typename Real>
 bool make_left_turn(std::array<Point, 4>& s) {
   const int side = rbpa::exact_integer::orientation(s[0], s[1], s[2]);
@@ -103,7 +104,7 @@ TEST_CASE_TEMPLATE("no filter decides wrongly: many near ties against integers",
   }
 }
 
-TEST_CASE_TEMPLATE("exchange of arguments changes the sign as it does for the real number", Real, double, long double) {
+TEST_CASE_TEMPLATE("exchanging arguments changes the sign as for real numbers", Real, double, long double) {
   using P = Predicates<Real>;
   Random random(33);
   for (const Kind kind : kinds<Real>()) {
@@ -122,7 +123,7 @@ TEST_CASE_TEMPLATE("exchange of arguments changes the sign as it does for the re
       const int in = P::in_perturbed_circle(a, b, c, d);
       CHECK(in != 0);
       CHECK(in == P::in_perturbed_circle(b, c, a, d));
-      // With d left of a→b too, the two circles through a and b contain each other's point or not: never both.
+      // With d left of a→b too, exactly one of the two circles through a and b contains the other's point.
       if (P::orientation(a, b, d) > 0) CHECK(in == -P::in_perturbed_circle(a, b, d, c));
     }
   }
@@ -154,7 +155,8 @@ TEST_CASE_TEMPLATE("candidates of an edge are totally ordered by their perturbed
   }
 }
 
-TEST_CASE_TEMPLATE("a circumradius equal to alpha is equal, and one step apart is not", Real, double, long double) {
+TEST_CASE_TEMPLATE("a circumradius equal to alpha compares equal, and one a step apart does not", Real, double,
+                   long double) {
   using P = Predicates<Real>;
   for (const int exponent : {-90, -1, 0, 1, 90}) {
     const auto scaled = [&](double x, double y) { return Point{std::ldexp(x, exponent), std::ldexp(y, exponent)}; };
@@ -170,7 +172,7 @@ TEST_CASE_TEMPLATE("a circumradius equal to alpha is equal, and one step apart i
   }
 }
 
-TEST_CASE("radii beyond the limits of double stand for every circumradius of coordinates that fit") {
+TEST_CASE("radii beyond the limits of double represent every circumradius of coordinates that fit") {
   Random random(35);
   for (int trial = 0; trial < trials(3000); ++trial) {
     std::array<Point, 3> s;

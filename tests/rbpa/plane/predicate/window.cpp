@@ -30,7 +30,7 @@ Points scaled_inside(const Points& points, const Window& window) {
   return inside;
 }
 
-/// Nothing is lost by scaling, and what is inside fits.
+/// Checks that scaling loses nothing, and that points inside fit.
 void check_window(const Points& points) {
   const Window window = window_of(points);
   CHECK(std::is_sorted(window.beyond.begin(), window.beyond.end()));
@@ -48,7 +48,7 @@ void check_window(const Points& points) {
 
 }  // namespace
 
-TEST_CASE("ordinary points are seen as they are") {
+TEST_CASE("ordinary points are not scaled") {
   for (const Points& points : {uniform(100, 1), moved(uniform(50, 2), 1e6, -1e6), Points{}, Points{{0, 0}}}) {
     const Window window = window_of(points);
     CHECK(window.exponent == 0);
@@ -56,7 +56,7 @@ TEST_CASE("ordinary points are seen as they are") {
   }
 }
 
-TEST_CASE("a set far from 1 is scaled, none of it lies beyond") {
+TEST_CASE("a set far from 1 is scaled, and none of it lies beyond") {
   for (const int exponent : {-1000, -600, -300, -200, 200, 300, 600, 900})
     for (const Points& points : {uniform(200, 3), perfect_grid(12, 1), clusters(8, 4)}) {
       CAPTURE(exponent);
@@ -69,7 +69,7 @@ TEST_CASE("a set far from 1 is scaled, none of it lies beyond") {
   check_window(denormals(20, 100, 5));
 }
 
-TEST_CASE("of a set too wide the window has the most points, and the few others lie beyond") {
+TEST_CASE("the window of a set that is too wide has most of the points, and the few others lie beyond") {
   Points points = uniform(100, 6);
   points.push_back({1e200, 0});
   points.push_back({0.5, 1e-200});
@@ -77,7 +77,7 @@ TEST_CASE("of a set too wide the window has the most points, and the few others 
   const Window window = window_of(points);
   CHECK(window.beyond == std::vector<std::uint32_t>{100, 101});
   check_window(points);
-  // Where no window has half of the points, all are beyond: nothing would be won.
+  // All points are beyond where no window has half of them: a window would not help.
   const Points wide = mixed_exponents(40, 7);
   CHECK(window_of(wide).beyond.size() == wide.size());
   check_window(wide);
@@ -104,7 +104,7 @@ TEST_CASE("the window is a function of the set") {
   }
 }
 
-TEST_CASE("a scaled radius admits what alpha admits of the points as they were given") {
+TEST_CASE("a scaled radius admits the triangles that alpha admits for the given points") {
   Random random(11);
   for (const int exponent : {-1020, -700, -300, 0, 300, 700, 1000}) {
     CAPTURE(exponent);
@@ -115,7 +115,7 @@ TEST_CASE("a scaled radius admits what alpha admits of the points as they were g
       const std::size_t a = random.below(inside.size()), b = random.below(inside.size()),
                         c = random.below(inside.size());
       if (exact::orientation(points[a], points[b], points[c]) == 0) continue;
-      // Radii of right triangles are met exactly; others are far below or above all.
+      // Radii of right triangles are met exactly; other radii are far below or above all.
       const double r = std::ldexp(0.25 * static_cast<double>(1 + random.below(24)), exponent);
       for (const double alpha :
            {r, std::nextafter(r, 0.0), 5e-324, std::numeric_limits<double>::max(), std::ldexp(1.0, exponent - 40)}) {

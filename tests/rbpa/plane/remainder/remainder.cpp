@@ -33,7 +33,7 @@ TEST_SUITE_BEGIN("remainder");
 
 namespace {
 
-/// The patch of each tile, in any order; of some tiles nothing.
+/// Returns the patch of each tile, in any order; of some tiles nothing.
 std::vector<TilePatch> patches_of(const PointGrid& grid, const Radius& radius, std::uint32_t max_points,
                                   double share_found, Random& random) {
   std::vector<TilePatch> told;
@@ -58,7 +58,7 @@ struct Counts {
   std::size_t sites = 0, complete = 0, not_done = 0, told = 0, added = 0;
 };
 
-/// The first law that is broken, "" when none is.
+/// Returns the first violated law, "" when there is none.
 std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t max_points, double share_found,
                        std::uint64_t seed, Counts& counts) {
   Random random(seed);
@@ -84,7 +84,7 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
   for (const Triangle& t : complex)
     for (const std::uint32_t s : t)
       if (!told.contains(t) && remainder.is_settled(s))
-        return "site " + std::to_string(s) + " is complete, and a triangle there is not told";
+        return "site " + std::to_string(s) + " is complete, and tiles did not find a triangle there";
   const std::vector<std::uint32_t> not_done = remainder.not_done();
   if (!std::is_sorted(not_done.begin(), not_done.end())) return "not_done is not ascending";
   counts.not_done += not_done.size();
@@ -108,18 +108,19 @@ std::string wrong_with(const Points& input, const Radius& radius, std::uint32_t 
       const int across = patch.across[t][i];
       if (across >= 0) {
         const auto s = static_cast<std::size_t>(across);
-        if (s >= 3 * patch.triangles.size()) return "a side is across of nothing";
-        if (patch.across[s / 3][s % 3] != static_cast<int>(3 * t + i)) return "a side is not across of what is";
+        if (s >= 3 * patch.triangles.size()) return "a side has no counterpart";
+        if (patch.across[s / 3][s % 3] != static_cast<int>(3 * t + i)) return "two sides do not name each other";
         if (beyond == at_side.end() || corners(patch.triangles[s / 3]) != beyond->second)
-          return "a side is across of another triangle";
+          return "a side is across from another triangle";
       } else if (across == Patch::open) {
-        if (beyond == at_side.end() || !told.contains(beyond->second)) return "a side is open to what is not told";
+        if (beyond == at_side.end() || !told.contains(beyond->second))
+          return "a side is open, and tiles found nothing across it";
       } else if (beyond != at_side.end() || across != Patch::nothing) {
-        return "a side is said to have nothing beyond, and has";
+        return "a side is marked as having nothing beyond, but something is there";
       }
     }
   }
-  if (all.size() != told.size() + patch.triangles.size()) return "a triangle is told";
+  if (all.size() != told.size() + patch.triangles.size()) return "a triangle is in both the tiles and the remainder";
   return all == complex ? ""
                         : "the complex has " + std::to_string(complex.size()) + " triangles, not these " +
                               std::to_string(all.size());
@@ -142,7 +143,7 @@ Counts check(const TileSet& set, const Radius& radius, std::uint32_t max_points,
 
 }  // namespace
 
-TEST_CASE("tiles and remainder are the complex, each triangle once: sets that are hard for tiles") {
+TEST_CASE("tiles and remainder are the complex, each triangle once, on sets that are hard for tiles") {
   Counts sum;
   for (const TileSet& set : tile_sets()) {
     const double spacing = mean_spacing(set.points);
@@ -159,7 +160,7 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: sets that ar
   CHECK(sum.told > sum.added);
 }
 
-TEST_CASE("tiles and remainder are the complex, each triangle once: a few points") {
+TEST_CASE("tiles and remainder are the complex, each triangle once, on few points") {
   Random random(2);
   for (int round = 0; round < trials(1000); ++round) {
     CAPTURE(round);
@@ -167,13 +168,13 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: a few points
     const double spacing = mean_spacing(set.points);
     for (const std::uint32_t most : {1u, 6u, 2048u}) {
       check(set, Radius(), most, 1);
-      // No less than half the shortest distance, as radii are.
+      // At least half the shortest distance, as radii are.
       if (spacing > 0 && set.name == "uniform") check(set, Radius(random.between(0.6, 3) * spacing), most, 1);
     }
   }
 }
 
-TEST_CASE("tiles and remainder are the complex, each triangle once: when some tiles find nothing") {
+TEST_CASE("tiles and remainder are the complex, each triangle once, when some tiles find nothing") {
   Random random(3);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -187,7 +188,7 @@ TEST_CASE("tiles and remainder are the complex, each triangle once: when some ti
 }
 
 TEST_CASE(
-    "tiles and remainder are the complex, each triangle once: a wheel of which every other triangle is too large") {
+    "tiles and remainder are the complex, each triangle once, on a wheel whose every other triangle is too large") {
   Random random(4);
   Points wheel = {{0, 0}};
   double t = -1;
@@ -204,14 +205,14 @@ TEST_CASE("where density is even nearly all sites are done, however many tiles t
   for (const Points& points : {uniform(1500, 6), jittered_grid(40, 0.9, 7), perfect_grid(40, 1)})
     for (const Radius& radius : {Radius(), Radius(1)}) {
       const Counts counts = check({"even", points}, radius, 100, 1);
-      // The hull and its neighbors, and theirs where a circle is large.
+      // The hull and its neighbors, and their neighbors where a circle is large.
       CHECK(counts.not_done < 0.3 * static_cast<double>(counts.sites));
       CHECK(counts.complete > 0.8 * static_cast<double>(counts.sites));
       CHECK(counts.added < counts.told / 40);
     }
 }
 
-TEST_CASE("what is thrown while the remainder is completed reaches the caller") {
+TEST_CASE("an exception while the remainder is completed reaches the caller") {
   const Points points = uniform(20000, 8);
   rbpa::Threads one;
   const rbpa::Sites sites(points, one);

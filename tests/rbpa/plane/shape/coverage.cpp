@@ -27,7 +27,7 @@ using Numbers = std::vector<std::optional<std::uint32_t>>;
 
 enum class Side { outside, on, inside };
 
-/// By counting crossings of a ray, in numbers that are exact: the points are small integers.
+/// Returns the side by counting crossings of a ray, in exact numbers: the points are small integers.
 Side side_of(const Point& p, const rbpa::Ring& ring, const Points& points) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.points.size(); ++i) {
@@ -80,7 +80,7 @@ void check(const Points& points, double alpha) {
 }  // namespace
 
 TEST_CASE(
-    "a point is in the first polygon that has it, inside or on a ring: pinches, islands, what lies in filled holes") {
+    "a point is in the first polygon that contains it, inside or on a ring, with pinches, islands and filled holes") {
   Random random(11);
   for (int run = 0; run < 60; ++run) {
     const int columns = random.integer(3, 16);
@@ -91,7 +91,7 @@ TEST_CASE(
   for (const double solid : {0.5, 0.7})
     for (int run = 0; run < 10; ++run) {
       Points points = points_of(random_picture(10, 10, solid, random));
-      // Points in holes, in no triangle; some of them twice.
+      // Points in holes, in no triangle; some of them repeated.
       for (int i = 0; i < 12; ++i)
         points.push_back(
             {static_cast<double>(2 * random.integer(0, 9) + 1), static_cast<double>(2 * random.integer(0, 9) + 1)});
@@ -99,13 +99,13 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("no polygon, no point in one") {
+TEST_CASE("without polygons no point is in one") {
   check({}, 1);
   check({{0, 0}, {1, 0}, {2, 0}, {1, 0}}, 1);
   check({{0, 0}, {1, 0}, {0, 1}, {9, 9}, {9, 9}, {0, 1}}, 1);
 }
 
-TEST_CASE("which points lie in filled holes can be cancelled, wherever it is") {
+TEST_CASE("the search for points in filled holes can be cancelled anywhere") {
   const Points points = uniform(60000, 5);
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, 0.4);
   const PolygonFilter filled{.min_hole_area = std::numeric_limits<double>::infinity()};
@@ -113,7 +113,8 @@ TEST_CASE("which points lie in filled holes can be cancelled, wherever it is") {
   std::size_t asked = 0;
   rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return ++asked > 0; });
   const auto queries = static_cast<double>(complex.isolated.size());
-  CHECK(static_cast<double>(asked) > queries * std::log2(queries) / 2 / 16384);  // what the sort of these compares
+  // The sort of the queries compares that often
+  CHECK(static_cast<double>(asked) > queries * std::log2(queries) / 2 / 16384);
   for (std::size_t last = 1; last <= asked; ++last) {
     std::size_t left = last;
     CHECK_THROWS_AS(rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return --left > 0; }),

@@ -15,7 +15,7 @@ using namespace rbpa_test;
 
 TEST_SUITE_BEGIN("shape");
 
-TEST_CASE("neighbors by the triangles alone are those that the run finds") {
+TEST_CASE("neighbors from the triangles alone equal those that the run finds") {
   Random random(61);
   const double infinity = std::numeric_limits<double>::infinity();
   for (int run = 0; run < 60; ++run) {
@@ -27,7 +27,7 @@ TEST_CASE("neighbors by the triangles alone are those that the run finds") {
       CHECK(rbpa::link_triangles(made.triangles, points.size()) == made.neighbors);
     }
   }
-  // Many triangles at a point that has the least index, and at one that has the greatest.
+  // Many triangles at the point of least index, and at that of greatest index.
   Points wheel = {{0, 0}};
   for (int i = 0; i < 500; ++i) wheel.push_back({std::cos(i * 0.0125), std::sin(i * 0.0125)});
   for (int turn = 0; turn < 2; ++turn) {

@@ -35,7 +35,7 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// The polygons, after every law was checked.
+/// Returns the polygons after checking every law.
 std::vector<Polygon> checked(const Points& points, double alpha) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
   const std::vector<Polygon> polygons = rbpa::polygons(complex);
@@ -60,7 +60,7 @@ std::vector<Polygon> checked(const Picture& picture) {
   return polygons;
 }
 
-/// How many points the two rings share.
+/// Returns the number of points that the two rings share.
 std::size_t touches(const rbpa::Ring& a, const rbpa::Ring& b) {
   return static_cast<std::size_t>(std::count_if(a.points.begin(), a.points.end(), [&](std::uint32_t p) {
     return std::find(b.points.begin(), b.points.end(), p) != b.points.end();
@@ -75,12 +75,12 @@ double sum_of_areas(const std::vector<Polygon>& polygons) {
 
 }  // namespace
 
-TEST_CASE("no triangle, no polygon") {
+TEST_CASE("without triangles there are no polygons") {
   CHECK(checked(Points{}, 1).empty());
   CHECK(checked({{0, 0}, {1, 0}, {2, 0}}, infinity).empty());
 }
 
-TEST_CASE("one triangle, whatever the order of its points") {
+TEST_CASE("one triangle is one polygon, whatever the order of its points") {
   const std::vector<Polygon> polygons = checked({{0, 4}, {3, 0}, {0, 0}}, infinity);
   REQUIRE(polygons.size() == 1);
   CHECK(polygons[0].shell.points == std::vector<std::uint32_t>{2, 1, 0});
@@ -115,7 +115,7 @@ TEST_CASE("a hole that touches itself is two holes that touch") {
   CHECK(touches(polygons[0].holes[0], polygons[0].holes[1]) == 1);
 }
 
-TEST_CASE("chains of holes, a shell among them") {
+TEST_CASE("a chain of holes, with a shell among them, is cut at its touching points") {
   CHECK(checked({"######",  //
                  "#.#.##",  //
                  "##.#.#",  //
@@ -147,7 +147,7 @@ TEST_CASE("an island in a hole is a polygon of its own, also where it touches th
             .size() == 2);
 }
 
-TEST_CASE("chessboards, framed and bare") {
+TEST_CASE("chessboards, framed and bare, have the expected polygons") {
   Picture board;
   for (int r = 0; r < 8; ++r) board.push_back(r % 2 == 0 ? "#.#.#.#." : ".#.#.#.#");
   CHECK(checked(board).size() == 32);
@@ -157,18 +157,18 @@ TEST_CASE("chessboards, framed and bare") {
   checked(framed);
 }
 
-TEST_CASE("chains and rings of triangles that touch are a polygon each") {
+TEST_CASE("each triangle of a touching chain or ring is a polygon") {
   CHECK(checked(chain_of_triangles(100), 3).size() == 100);
   CHECK(checked(ring_of_pinches(60), ring_of_pinches_alpha).size() == 60);
 }
 
-TEST_CASE("random pictures: parts, holes, areas and perimeters are those of a flood fill") {
+TEST_CASE("random pictures have the parts, holes, areas and perimeters of a flood fill") {
   Random random(3);
   for (const double solid : {0.3, 0.5, 0.6, 0.7, 0.8, 0.9})
     for (int run = 0; run < 25; ++run) checked(random_picture(12, 15, solid, random));
 }
 
-TEST_CASE("filters: random pictures, filled and dropped as by a flood fill") {
+TEST_CASE("filters fill and drop parts of random pictures as a flood fill does") {
   Random random(4);
   for (const double solid : {0.5, 0.6, 0.7, 0.8})
     for (int run = 0; run < 10; ++run) {
@@ -186,7 +186,7 @@ TEST_CASE("filters: random pictures, filled and dropped as by a flood fill") {
     }
 }
 
-TEST_CASE("filters: a hole that is filled covers the islands in it, one that stays keeps them") {
+TEST_CASE("filters that fill a hole cover its islands, and others keep them") {
   const Picture picture = {"#######",  //
                            "#.....#",  //
                            "#.###.#",  //
@@ -206,7 +206,7 @@ TEST_CASE("filters: a hole that is filled covers the islands in it, one that sta
   CHECK(left(0, 1000).empty());
 }
 
-TEST_CASE("filters refuse what is no area") {
+TEST_CASE("filters refuse invalid areas") {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(Points{{0, 0}, {1, 0}, {0, 1}}, 1);
   const rbpa::Triangulation arrays = rbpa::triangulate(Points{{0, 0}, {1, 0}, {0, 1}}, 1, {.neighbors = true});
   for (const double bad : {-1.0, -infinity, std::nan("")}) {
@@ -227,7 +227,7 @@ TEST_CASE("arrays of other points are refused, and a cancelled run ends") {
   CHECK_THROWS_AS(rbpa::polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
 }
 
-TEST_CASE("dust, and a plate with many holes: every sort can be cancelled") {
+TEST_CASE("dust, and a plate with many holes, can be cancelled in every sort") {
   const Points points = uniform(60000, 5);
   for (const double alpha : {0.6, 0.9}) {  // some triangles and a few holes; most of them
     CAPTURE(alpha);
@@ -258,7 +258,7 @@ TEST_CASE("dust, and a plate with many holes: every sort can be cancelled") {
   }
 }
 
-TEST_CASE("integer grids: shells less holes are the triangles, to the last unit") {
+TEST_CASE("shells less holes have exactly the area of the triangles on integer grids") {
   Random random(5);
   for (int run = 0; run < trials(300); ++run) {
     const int columns = random.integer(3, 20);
@@ -273,7 +273,7 @@ TEST_CASE("integer grids: shells less holes are the triangles, to the last unit"
   }
 }
 
-TEST_CASE("random grids have what is rare: holes that begin where their shell does") {
+TEST_CASE("random grids include holes that begin where their shell does") {
   Random random(8);
   std::size_t found = 0;
   for (int run = 0; run < trials(400); ++run) {
@@ -285,7 +285,7 @@ TEST_CASE("random grids have what is rare: holes that begin where their shell do
   CHECK(found > 0);
 }
 
-TEST_CASE("a wheel whose spokes meet in a point: as many holes meet there") {
+TEST_CASE("as many holes as a wheel has spokes meet in its hub") {
   Points points = {{0, 0}};
   for (int turn = 0; turn < 3; ++turn) {
     const double c = turn == 0 ? 1 : -0.5, s = turn == 0 ? 0 : (turn == 1 ? 0.866 : -0.866);
@@ -304,7 +304,7 @@ TEST_CASE("a wheel whose spokes meet in a point: as many holes meet there") {
   CHECK(through_hub == 3);
 }
 
-TEST_CASE("generated sets of every kind at every alpha") {
+TEST_CASE("polygons of generated sets of every kind obey the laws at every alpha") {
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
     std::vector<double> alphas = usual_alphas(points);
@@ -319,7 +319,7 @@ TEST_CASE("generated sets of every kind at every alpha") {
   }
 }
 
-TEST_CASE("real data at every alpha") {
+TEST_CASE("polygons of real data obey the laws at every alpha") {
   std::size_t sets = 0;
   for (const PointFile& file : point_files(bundled_data())) {
     const Points points = read_points(file);
@@ -346,7 +346,7 @@ TEST_CASE("shuffled points give the same polygons in the same order") {
   }
 }
 
-TEST_CASE("moved by integers, scaled by powers of two, turned by a right angle: the polygons follow") {
+TEST_CASE("polygons move by integers, scale by powers of two and turn by right angles with their points") {
   for (const double alpha : {0.8, 1.0, 1.25, 3.0}) {
     const Points points = sparse_grid(30, 0.5, 7);
     const std::vector<Polygon> polygons = checked(points, alpha);
@@ -365,7 +365,7 @@ TEST_CASE("moved by integers, scaled by powers of two, turned by a right angle: 
     for (const Point& p : points) turned.push_back({-p.y, p.x});
     const std::vector<Polygon> after = checked(turned, alpha);
     CHECK(parts(after) == parts(polygons));
-    // The same rings, which only begin elsewhere.
+    // The rings are the same, except where they begin.
     const auto rings = [](const std::vector<Polygon>& all) {
       std::vector<std::vector<std::uint32_t>> result;
       const auto add = [&](rbpa::Ring ring) {
@@ -383,7 +383,7 @@ TEST_CASE("moved by integers, scaled by powers of two, turned by a right angle: 
   }
 }
 
-TEST_CASE("areas and perimeters at the ends of double are right, or infinite") {
+TEST_CASE("areas and perimeters at the limits of double are right, or infinite") {
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   const auto one = [](const Points& points) { return checked(points, infinity).at(0); };
   CHECK(one({{0, 0}, {0x1p-537, 0}, {0, 0x1p-536}}).area == least);
@@ -392,7 +392,7 @@ TEST_CASE("areas and perimeters at the ends of double are right, or infinite") {
   CHECK(one({{0, 0}, {3 * 0x1p1020, 0}, {0, 4 * 0x1p1020}}).area == infinity);
   CHECK(one({{-most, -most}, {most, -most}, {0, most}}).perimeter == infinity);
   CHECK(rbpa::total(checked({{-most, -most}, {most, -most}, {0, most}}, infinity)).area == infinity);
-  // Far from the origin the products are large and the area is not.
+  // Far from the origin the products are large and the area is small.
   CHECK(one({{0x1p52, 0x1p52}, {0x1p52 + 1, 0x1p52}, {0x1p52, 0x1p52 + 1}}).area == 0.5);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// The rings, each from its least index, sorted: the same whichever point the curve begins with.
+/// Returns the rings, each from its least index, sorted: the same wherever the curve begins.
 std::vector<Indices> rings_of(Indices curve) {
   std::vector<Indices> expected;
   rbpa::CurveSplitter splitter(100);
@@ -38,12 +38,12 @@ TEST_CASE("a curve without repetition is one ring") {
   CHECK(rings_of({5, 3, 9, 1}) == std::vector<Indices>{{1, 5, 3, 9}});
 }
 
-TEST_CASE("a point passed k times joins k rings") {
+TEST_CASE("a point that is passed k times joins k rings") {
   CHECK(rings_of({0, 1, 2, 0, 3, 4}) == std::vector<Indices>{{0, 1, 2}, {0, 3, 4}});
   CHECK(rings_of({0, 1, 2, 0, 3, 4, 0, 5, 6}) == std::vector<Indices>{{0, 1, 2}, {0, 3, 4}, {0, 5, 6}});
 }
 
-TEST_CASE("rings in a row, and rings on rings") {
+TEST_CASE("rings in a row, and rings on rings, are separated") {
   CHECK(rings_of({0, 1, 2, 3, 4, 2, 5}) == std::vector<Indices>{{0, 1, 2, 5}, {2, 3, 4}});
   CHECK(rings_of({0, 1, 2, 3, 4, 5, 6, 4, 7, 2, 8}) == std::vector<Indices>{{0, 1, 2, 8}, {2, 3, 4, 7}, {4, 5, 6}});
 }

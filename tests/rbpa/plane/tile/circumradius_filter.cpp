@@ -32,8 +32,8 @@ struct Sample {
   std::vector<Corners> triangles;
 };
 
-/// Triangles whose corners are up to `reach` of the box apart, in a box of this size at this corner; coordinates are
-/// multiples of `pitch` unless it is 0.
+/// Returns triangles whose corners are up to `reach` of the box apart, in a box of this size at this corner.
+/// Coordinates are multiples of `pitch` unless it is 0.
 Sample sample(Random& random, std::size_t points, double corner, double size, double reach, double pitch) {
   Sample made;
   made.tile.columns = made.tile.rows = 4;
@@ -68,8 +68,7 @@ struct Counts {
   std::size_t inside = 0, outside = 0, uncertain = 0;
 };
 
-/// The filter's result for all triangles, checked. The front and the coordinates are used again, as they are from tile
-/// to tile.
+/// Checks the filter's result for all triangles. The front and the coordinates are reused, as from tile to tile.
 class Checked {
  public:
   Counts operator()(const Sample& sample, double alpha) {
@@ -105,7 +104,7 @@ class Checked {
 
 }  // namespace
 
-TEST_CASE("what single precision decides of a radius is true, on every kind of vector unit") {
+TEST_CASE("radius decisions in single precision are true, on every kind of vector unit") {
   struct Kind {
     double corner, size, reach, pitch;
   };
@@ -125,7 +124,7 @@ TEST_CASE("what single precision decides of a radius is true, on every kind of v
         const Sample made = sample(random, points, kind.corner, kind.size, kind.reach, kind.pitch);
         const double scale = kind.size * kind.reach;
         for (const double alpha : {1e-9, 1e-3, 0.3, 0.7, 1.0, 2.0, 30.0, 1e5, 1e12, 1e30}) check(made, alpha * scale);
-        // Next to that of one of them, where rounding matters most.
+        // Near the circumradius of one of them, where rounding matters most.
         for (std::size_t i = 0; i < 40 && i < made.triangles.size(); ++i) {
           const double radius = circumradius(made.tile, made.triangles[i]);
           if (!std::isfinite(radius) || radius == 0) continue;
@@ -137,7 +136,7 @@ TEST_CASE("what single precision decides of a radius is true, on every kind of v
   }
 }
 
-TEST_CASE("little is left to exact arithmetic") {
+TEST_CASE("few decisions are left to exact arithmetic") {
   Random random(2);
   Checked check;
   const Sample made = sample(random, 6000, 0, 1, 0.02, 0);
@@ -147,7 +146,7 @@ TEST_CASE("little is left to exact arithmetic") {
     CHECK(counts.outside > 100);
     CHECK(counts.uncertain < 10);
   }
-  // Nothing is outside a radius beyond all that can be distinguished.
+  // No triangle is outside a radius beyond all distinguishable ones.
   CHECK(check(made, 1e12).outside == 0);
 }
 

@@ -31,7 +31,7 @@ bool same(const Tile& a, const Tile& b) {
          a.start == b.start && a.unknown == b.unknown;
 }
 
-/// The first law of a tile that is broken, "" when none is.
+/// Returns the first violated law of a tile, "" when there is none.
 std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& grid) {
   const auto points = grid.points();
   const std::size_t n = tile.points.size(), cells = tile.cells();
@@ -41,7 +41,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
   if (!tile.unknown.empty() && tile.unknown.size() != cells + 1) return "unknown";
   if (!tile.unknown.empty() && tile.unknown.front() != 0) return "unknown does not begin with 0";
 
-  // Rounding of coordinates, and of what is computed from them.
+  // Rounding of coordinates and of numbers computed from them.
   const double off_x = 8 * 0x1p-52 * (std::abs(tile.x0) + std::abs(tile.x1()) + tile.columns * tile.cell),
                off_y = 8 * 0x1p-52 * (std::abs(tile.y0) + std::abs(tile.y1()) + tile.rows * tile.cell);
   std::vector<bool> here(points.size(), false);
@@ -78,7 +78,7 @@ std::string wrong_with(const Tile& tile, const Block& block, const PointGrid& gr
   return "";
 }
 
-/// Cuts a set into tiles of up to so many points; counts those with unknown cells.
+/// Cuts a set into tiles of up to `max_points` points. Returns the number of tiles with unknown cells.
 int check_tiles(const Points& points, std::uint32_t max_points) {
   CAPTURE(max_points);
   const PointGrid grid(points);
@@ -105,7 +105,7 @@ int check_tiles(const Points& points, std::uint32_t max_points) {
 
 }  // namespace
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: small sets") {
+TEST_CASE("every site has one owner, and a tile has all points of its box or lists the gaps, on small sets") {
   int with_unknown = 0;
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);
@@ -114,7 +114,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or li
   CHECK(with_unknown > 0);
 }
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: a few points") {
+TEST_CASE("every site has one owner, and a tile has all points of its box or lists the gaps, on few points") {
   Random random(1);
   for (int round = 0; round < trials(400); ++round) {
     const TileSet set = few_points(random);
@@ -124,7 +124,7 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or li
   }
 }
 
-TEST_CASE("every site has one owner, and a tile has every point of its box or lists where not: generated sets") {
+TEST_CASE("every site has one owner, and a tile has all points of its box or lists the gaps, on generated sets") {
   int with_unknown = 0;
   for (const NamedSet& set : generated_sets()) {
     const Points points = set.make();
@@ -135,11 +135,11 @@ TEST_CASE("every site has one owner, and a tile has every point of its box or li
   CHECK(with_unknown > 0);
 }
 
-TEST_CASE("a tile has no more points than it can have: what is around it is unknown then") {
+TEST_CASE("a tile does not exceed its greatest number of points: its surroundings are unknown then") {
   CHECK(check_tiles(uniform(31000, 4), Tile::max_points) > 0);
 }
 
-TEST_CASE("a tile in a grid of its own has the points beyond, or lists where not: a crowd beside a crowd") {
+TEST_CASE("a tile in a grid of its own has the points beyond or lists the gaps, for a crowd beside a crowd") {
   Random random(5);
   int with_unknown = 0;
   for (int round = 0; round < 40; ++round) {
@@ -167,7 +167,7 @@ TEST_CASE("a block of more points than a tile can have gives an empty tile") {
   CHECK(tile.points.empty());
 }
 
-TEST_CASE("a tile does not depend on what was cut before it") {
+TEST_CASE("a tile does not depend on tiles cut before it") {
   Random random(3);
   for (const TileSet& set : tile_sets()) {
     CAPTURE(set.name);

@@ -28,7 +28,7 @@ bool within_two_radii(const Point3& p, const Point3& q, double radius) {
   return x * x + y * y + z * z <= 4 * rational(radius) * rational(radius);
 }
 
-/// Every distinct point is one site of one cell, and around it are all sites that are within two radii.
+/// Checks that every distinct point is one site of one cell, and that all sites within two radii are around it.
 void check(const Points3& points, double radius) {
   Threads threads;
   const Cells cells(points, radius, threads);
@@ -49,7 +49,7 @@ void check(const Points3& points, double radius) {
   }
   CHECK(cells.first_in(cells.size()) == sites.size());
 
-  // All input points, of equal ones the lowest index first.
+  // All input points; of equal ones the lowest index is first.
   std::map<Point3, std::vector<std::uint32_t> > expected, found;
   for (std::uint32_t i = 0; i < points.size(); ++i) expected[points[i]].push_back(i);
   for (Site p = 0; p < sites.size(); ++p) found[sites[p]].push_back(cells.input_index()[p]);
@@ -62,7 +62,7 @@ void check(const Points3& points, double radius) {
 
 }  // namespace
 
-TEST_CASE("all within two radii of a point are in the cells around its cell") {
+TEST_CASE("the cells around a point's cell hold all points within two radii") {
   Random random(71);
   for (int trial = 0; trial < 150; ++trial) {
     Points3 points =
@@ -73,7 +73,7 @@ TEST_CASE("all within two radii of a point are in the cells around its cell") {
   }
 }
 
-TEST_CASE("cells of points that are as far apart as doubles can be, or as near") {
+TEST_CASE("cells are right for points as far apart, and as near, as doubles can be") {
   constexpr double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
   const Points3 points = {{most, -most, 0},      {-most, most, least},
                           {0, least, -least},    {2 * least, 0, 0},
@@ -82,13 +82,13 @@ TEST_CASE("cells of points that are as far apart as doubles can be, or as near")
   for (const double radius : {least, 0x1p-500, 1.0, 0x1.04p0, 8.0, 0x1p60, most / 4, most}) check(points, radius);
 }
 
-TEST_CASE("two points exactly two radii apart see each other wherever they lie") {
+TEST_CASE("two points exactly two radii apart find each other wherever they lie") {
   for (const double start : {0.0, 1.0, 1.99, -0.01, 1e6, 0x1p40, -0x1p52 + 1})
     for (const double radius : {0.5, 1.0, 3.0})
       check({{start, 0, 0}, {start + 2 * radius, 0, 0}, {0, start, -2 * radius}, {0, start, 0}}, radius);
 }
 
-TEST_CASE("many points, many threads: the same cells in the same order, also of shuffled points") {
+TEST_CASE("many points, also shuffled, have the same cells in the same order with any number of threads") {
   Random random(72);
   Points3 points = space_set(SpaceKind::cube, 60'000, random);
   for (std::size_t i = 0; i < 100; ++i) points.push_back(points[100 * i]);

@@ -20,7 +20,8 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// The finite tetrahedra, corners sorted, after points came in that order; and whether neighbors name each other.
+/// Returns the finite tetrahedra, with sorted corners, after inserting points in that order. Counts in `wrong`
+/// neighbors that are not mutual.
 std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const std::vector<std::uint32_t>& order,
                                                    std::size_t& wrong) {
   const rbpa::space::Spread spread = rbpa::space::spread(points);
@@ -48,7 +49,7 @@ std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const 
 
 }  // namespace
 
-TEST_CASE("points inserted in any order make the same tetrahedra") {
+TEST_CASE("the order of insertion does not change the tetrahedra") {
   Random random(99);
   std::size_t wrong = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -68,8 +69,8 @@ TEST_CASE("points inserted in any order make the same tetrahedra") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("a cavity with more vertices than the table has room for") {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {  // so that the hash table's entries collide in every way
+TEST_CASE("a cavity with more vertices than the table has room for is filled correctly") {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {  // different collisions of the hash table's entries
     Random random(seed);
     Points3 points = space_set(SpaceKind::near_sphere, 600, random);
     std::sort(points.begin(), points.end());
@@ -103,8 +104,8 @@ TEST_CASE("an error bound is rounded up, whatever its size") {
   CHECK(ErrorBound::deleted().is_deleted());
 }
 
-TEST_CASE("no point is inside the sphere of a tetrahedron, by integers") {
-  // Whatever the filter decided.
+TEST_CASE("no point is inside the sphere of a tetrahedron, as integers show") {
+  // The result must not depend on the filter.
   Random random(102);
   for (const SpaceKind kind : {SpaceKind::near_sphere, SpaceKind::nearest, SpaceKind::plate, SpaceKind::extreme}) {
     CAPTURE(name(kind));

@@ -19,7 +19,7 @@ using rbpa::space::spatial_order;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("the Hilbert curve visits each cell once, and goes on through a face") {
+TEST_CASE("the Hilbert curve visits each cell once, and continues through a face") {
   for (const int levels : {1, 2, 3, 4}) {
     const std::uint32_t cells = 1u << levels;
     std::vector<std::array<std::uint32_t, 3>> at(cells * cells * cells, {99, 99, 99});
@@ -30,7 +30,7 @@ TEST_CASE("the Hilbert curve visits each cell once, and goes on through a face")
           REQUIRE(index < at.size());
           CHECK(at[index][0] == 99);
           at[index] = {x, y, z};
-          // A cell's parts follow each other.
+          // The parts of a cell are consecutive.
           CHECK(hilbert_index(x / 2, y / 2, z / 2, levels - 1) == index / 8);
         }
     for (std::size_t i = 1; i < at.size(); ++i) {
@@ -42,7 +42,7 @@ TEST_CASE("the Hilbert curve visits each cell once, and goes on through a face")
   }
 }
 
-TEST_CASE("each distinct point comes once, as its lowest index, in an order that depends on the set alone") {
+TEST_CASE("each distinct point comes once, with its lowest index, in an order that depends on the set alone") {
   Random random(97);
   for (int k = 0; k < space_kinds; ++k) {
     CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -74,14 +74,14 @@ TEST_CASE("each distinct point comes once, as its lowest index, in an order that
   }
 }
 
-TEST_CASE("points that follow each other are near, in clusters of any size too") {
+TEST_CASE("consecutive points are near each other, also in clusters of any size") {
   Random random(98);
   Points3 points;
   for (const double size : {1.0, 1e-5, 1e-12})
     for (int i = 0; i < 1000; ++i)
       points.push_back({1 + size * random.unit(), size * random.unit(), -size * random.unit()});
   const auto order = spatial_order(points, points, {}).order;
-  // Within the last round, which has seven of eight points, most steps are below a fifth of the cluster.
+  // Within the last round, which has seven points in eight, most steps are shorter than a fifth of the cluster.
   std::array<int, 3> near{};
   for (std::size_t i = points.size() / 5; i < points.size(); ++i) {
     const std::size_t cluster = order[i] / 1000;

@@ -33,7 +33,7 @@ Point3 unit(const Point3& p) {
   return {p.x / length, p.y / length, p.z / length};
 }
 
-/// Points, and normals that are known.
+/// Points, and their true normals.
 struct Known {
   Points3 points, normals;
   void add(const Point3& p, const Point3& n) {
@@ -67,7 +67,7 @@ Known torus(std::size_t count) {
   return known;
 }
 
-/// (x (x − 1)² (x − 2) + y²)² + z² = 1/100, of genus 2, by steps down its gradient from points near it.
+/// Returns points of (x (x − 1)² (x − 2) + y²)² + z² = 1/100, of genus 2, by gradient steps from points near it.
 Known double_torus(std::size_t count) {
   Random random(4);
   Known known;
@@ -87,7 +87,7 @@ Known double_torus(std::size_t count) {
   return known;
 }
 
-/// All sides of a box on a grid of pitch 1, edges and corners included, with normals away from its middle.
+/// Returns all sides of a box on a grid of pitch 1, edges and corners included, with normals away from its middle.
 Known box(int x, int y, int z) {
   Known known;
   const auto outward = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
@@ -100,7 +100,7 @@ Known box(int x, int y, int z) {
   return known;
 }
 
-/// The share of the points whose normals point to the side of the known ones.
+/// Returns the fraction of the points whose normals are on the side of the true ones.
 double agreeing(const Known& known, const Points3& normals) {
   REQUIRE(normals.size() == known.points.size());
   std::size_t count = 0;
@@ -108,7 +108,7 @@ double agreeing(const Known& known, const Points3& normals) {
   return static_cast<double>(count) / static_cast<double>(normals.size());
 }
 
-/// In degrees, whichever side they point to: the mean of the angles to the known ones.
+/// Returns the mean angle to the true normals in degrees, regardless of the side.
 double mean_angle(const Known& known, const Points3& normals) {
   double sum = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
@@ -127,7 +127,7 @@ void check_units(const Points3& normals) {
   }
 }
 
-/// Points and normals of a file of six columns of the larger collection; none where it is not there.
+/// Reads points and normals from a file of six columns of the larger collection; none where the file is missing.
 Known scan(const std::string& name) {
   Known known;
   std::ifstream file(further_data() / name);
@@ -142,7 +142,7 @@ Known scan(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("normals of closed surfaces point outward, and nearly where they should") {
+TEST_CASE("normals of closed surfaces point outward, nearly in the true direction") {
   const auto check = [](const Known& known, double angle) {
     const Points3 normals = estimate_normals(known.points);
     check_units(normals);
@@ -157,8 +157,8 @@ TEST_CASE("normals of closed surfaces point outward, and nearly where they shoul
   check(box(12, 12, 12), 7);
 }
 
-/// A torus as a scanner with lines across its axis sees it: points along a line are a twentieth of the distance of
-/// lines.
+/// Returns a torus as a scanner with lines across its axis sees it: the spacing along a line is a twentieth of the
+/// distance of lines.
 Known scan_lines() {
   Known known;
   const int lines = 60;
@@ -174,7 +174,7 @@ Known scan_lines() {
   return known;
 }
 
-TEST_CASE("on the lines of a scanner normals are those of the surface, not of a line") {
+TEST_CASE("on scan lines normals are those of the surface, not of a line") {
   const Known known = scan_lines();
   CHECK(known.points.size() > 100'000);
   const Points3 normals = estimate_normals(known.points);
@@ -183,7 +183,7 @@ TEST_CASE("on the lines of a scanner normals are those of the surface, not of a 
   CHECK(mean_angle(known, normals) < 3);
 }
 
-TEST_CASE("around sharp edges and on the other side of a thin plate they keep to the outside") {
+TEST_CASE("normals stay outward around sharp edges and on the other side of a thin plate") {
   for (const int thickness : {2, 3, 5}) {
     CAPTURE(thickness);
     const Known plate = box(40, 30, thickness);
@@ -191,7 +191,7 @@ TEST_CASE("around sharp edges and on the other side of a thin plate they keep to
   }
 }
 
-TEST_CASE("the normals of a plane are its own, exactly where it is level, upward; of a wall to +y") {
+TEST_CASE("the normals of a plane are its own, exactly for a level plane, upward, and toward +y for a wall") {
   Random random(7);
   Points3 level, tilted, wall;
   for (int i = 0; i < 500; ++i) {
@@ -205,7 +205,7 @@ TEST_CASE("the normals of a plane are its own, exactly where it is level, upward
   for (const Point3& n : estimate_normals(wall)) CHECK(n.y > 1 - 1e-12);
 }
 
-TEST_CASE("components are turned one by one, the inner of two spheres outward as well") {
+TEST_CASE("components are oriented separately, so that also the inner of two spheres has outward normals") {
   Known both = sphere(2000, 0, 3, 1);
   const Known inner = sphere(1000, 0, 1, 2);
   for (std::size_t i = 0; i < inner.points.size(); ++i) both.add(inner.points[i], inner.normals[i]);
@@ -235,7 +235,7 @@ TEST_CASE("neither the order of the points nor the threads nor a power of two ch
   }
 }
 
-TEST_CASE("any exponents: the same normals at 2^500 and 2^-500, and with both in one set") {
+TEST_CASE("normals are the same at 2^500 and 2^-500, and with both in one set") {
   const Known ball = sphere(1500, 0, 1, 5);
   const Points3 expected = estimate_normals(ball.points);
   Points3 far, near, both;
@@ -254,7 +254,7 @@ TEST_CASE("any exponents: the same normals at 2^500 and 2^-500, and with both in
   check_units(estimate_normals({{{most, most, most}, {-most, most, least}, {most, -most, 0}, {least, 0, least}}}));
 }
 
-TEST_CASE("equal points are one, and have one normal") {
+TEST_CASE("equal points count as one, and have the same normal") {
   Known ball = sphere(300, 0, 1, 6);
   const Points3 expected = estimate_normals(ball.points);
   Points3 doubled = ball.points;
@@ -278,18 +278,18 @@ TEST_CASE("points on a line have the direction across it that is nearest to z, o
   }
   CHECK(estimate_normals(upright) == Points3(50, {0, 1, 0}));
   for (const Point3& n : estimate_normals(slanted)) CHECK(dot(n, {-0.8, 0, 0.6}) > 1 - 1e-12);
-  // As far as double resolves it: none of these is on the line of two others.
+  // On a line as far as double resolves it: no three of these are exactly on a line.
   Points3 rounded;
   for (int i = 0; i < 50; ++i) rounded.push_back({0.1 * i, 0.7 * i, 0.3 * i});
   const double beside = std::hypot(0.1, 0.7), length = std::hypot(beside, 0.3);
   const Point3 expected = {-0.3 * 0.1 / (beside * length), -0.3 * 0.7 / (beside * length), beside / length};
   for (const Point3& n : estimate_normals(rounded)) CHECK(dot(n, expected) > 1 - 1e-12);
-  // Three points that are not: the plane through them.
+  // Three points that are not on a line: the plane through them.
   for (const Point3& n : estimate_normals({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}))
     CHECK(dot(n, unit({1, 1, 1})) > 1 - 1e-12);
 }
 
-TEST_CASE("the surface of a ball over estimated normals is that over true ones") {
+TEST_CASE("the surface of a ball from estimated normals equals that from true ones") {
   const Known ball = sphere(1500, 0, 1, 8);
   const auto expected = rbpa::surface(ball.points, ball.normals, 0.2);
   const auto estimated = rbpa::surface(ball.points, estimate_normals(ball.points), 0.2);
@@ -298,7 +298,7 @@ TEST_CASE("the surface of a ball over estimated normals is that over true ones")
   CHECK(estimated.neighbors == expected.neighbors);
 }
 
-TEST_CASE("further scans and models: the side of nearly all normals is that in the file, or the other") {
+TEST_CASE("further scans and models have nearly all normals on the side in the file, or on the other side") {
   struct Expected {
     const char* name;
     double share, angle;
@@ -333,7 +333,7 @@ TEST_CASE("bad input is refused with its place") {
   CHECK(estimate_normals(points, {.neighbors = 1'000'000}) == estimate_normals(points));
 }
 
-TEST_CASE("progress is called in every part of the work, and cancels it there") {
+TEST_CASE("progress is called in every part of the work, and can cancel it there") {
   const Known ball = sphere(20'000, 0, 1, 9);
   for (const unsigned threads : {1u, 2u}) {
     std::size_t asked = 0;
@@ -352,11 +352,11 @@ TEST_CASE("progress is called in every part of the work, and cancels it there") 
   }
 }
 
-TEST_CASE("normals are turned toward the viewpoint, of all points or of each") {
+TEST_CASE("normals are turned toward the viewpoint, one for all points or one for each") {
   const Known known = sphere(2000, 0, 1, 5);
   const std::vector<Point3> from = {{0.5, 0.2, -0.1}};  // inside
   const auto inward = estimate_normals(known.points, {.viewpoints = from});
-  std::vector<Point3> own;  // some are seen from inside, the others from outside
+  std::vector<Point3> own;  // some are inside, the others outside
   for (std::size_t i = 0; i < known.points.size(); ++i)
     own.push_back(i % 3 == 0 ? from[0] : Point3{2 * known.points[i].x, 2 * known.points[i].y, 2 * known.points[i].z});
   const auto mixed = estimate_normals(known.points, {.viewpoints = own, .threads = 2});
@@ -382,7 +382,7 @@ TEST_CASE("a viewpoint in the plane turns normals upward, and extreme coordinate
   CHECK(normals == std::vector<Point3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, 5}});
 }
 
-TEST_CASE("viewpoints of another number, or not finite, are refused") {
+TEST_CASE("viewpoints of a wrong number, or not finite, are refused") {
   const std::vector<Point3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, two = {{0, 0, 1}, {0, 0, 2}};
   const std::vector<Point3> bad = {{0, 0, std::numeric_limits<double>::infinity()}};
   CHECK_THROWS_AS(estimate_normals(points, {.viewpoints = two}), rbpa::InvalidInput);

@@ -22,8 +22,8 @@ Real square(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Each point is in its place, and around it are those that sorting all others by distance, then by coordinates, puts
-/// first.
+/// Checks that each point is in its place, and that the points around it come first when all others are sorted by
+/// distance, then by coordinates.
 template <typename Real>
 void check(const Points3& points, std::size_t count) {
   rbpa::Threads threads(1);
@@ -48,7 +48,7 @@ void check(const Points3& points, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("the nearest are those that sorting finds, among ties the least") {
+TEST_CASE("the nearest points are those that sorting finds, and the least among ties") {
   Random random(21);
   for (int k = 0; k < space_kinds; ++k) {
     CAPTURE(name(static_cast<SpaceKind>(k)));

@@ -21,7 +21,7 @@ using Vector = std::array<long double, 3>;
 
 long double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
-/// Point i and those around it, from their centroid.
+/// Returns point i and the points around it, relative to their centroid.
 std::vector<Vector> centred(const Neighborhoods& points, std::size_t i) {
   std::vector<Vector> all = {{points.points[i].x, points.points[i].y, points.points[i].z}};
   for (const std::uint32_t j : points.around(i))
@@ -34,7 +34,7 @@ std::vector<Vector> centred(const Neighborhoods& points, std::size_t i) {
   return all;
 }
 
-/// The sum of the squares of the distances to the plane through the centroid.
+/// Returns the sum of squared distances to the plane through the centroid.
 long double misfit(const std::vector<Vector>& points, const Vector& normal) {
   long double sum = 0;
   for (const Vector& v : points) sum += dot(v, normal) * dot(v, normal);

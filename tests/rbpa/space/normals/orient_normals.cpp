@@ -15,7 +15,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Of points with one nearest each.
+/// Orients the normals of points with one nearest point each.
 Points3 oriented(Points3 points, std::vector<std::uint32_t> nearest, Points3 normals) {
   rbpa::space::orient_normals<double>({std::move(points), {}, 1, std::move(nearest)}, normals, {});
   return normals;
@@ -37,12 +37,12 @@ TEST_CASE("an edge around a corner indicates the outside of both faces") {
   const Point3 up = {0, 0, 1}, down = {0, 0, -1};
   for (const double sign : {1.0, -1.0}) {
     CHECK(oriented({{0, 0, 1}, {1, 0, 0}}, {1, 0}, {up, {sign, 0, 0}}) == Points3{up, {1, 0, 0}});
-    // From below, where the corner is an outer one as well.
+    // From below, the corner is an outer one too.
     CHECK(oriented({{0, 0, 1}, {1, 0, 2}}, {1, 0}, {up, {sign, 0, 0}}) == Points3{down, {1, 0, 0}});
   }
 }
 
-TEST_CASE("points that are nobody's nearest are reached as well") {
+TEST_CASE("points that are the nearest of no point are reached too") {
   const Point3 up = {0, 0, 1}, down = {0, 0, -1};
   CHECK(oriented({{0, 0, 1}, {1, 0, 1.5}, {-5, 0, 0}}, {1, 0, 0}, {down, down, down}) == Points3{up, up, up});
 }

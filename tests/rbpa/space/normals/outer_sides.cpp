@@ -29,8 +29,8 @@ struct Known {
   Points3 points, normals;
 };
 
-/// Over the square from −1 to 1: at random on both sides of a sheet of some thickness and on its rim, or for 0 on a
-/// sheet that has one; moved off it by noise.
+/// Returns points over the square from −1 to 1: random on both sides of a sheet of some thickness and on its rim, or on
+/// the one side of a sheet of thickness 0; moved by noise.
 Known sheet(const std::string& name, std::size_t count, double thickness, double noise, const Height& height) {
   Random random(91);
   Known known{.name = name, .points = {}, .normals = {}};
@@ -82,7 +82,7 @@ double right_share(const Known& known, const Points3& normals) {
   return static_cast<double>(right) / static_cast<double>(normals.size());
 }
 
-/// The points with planes whose normals are on the right side, and what a ball finds of them, after some turn.
+/// Returns the sides that a ball finds, for planes with the true normals, some of them turned.
 std::vector<std::int8_t> sides_of(const Known& known, const std::function<bool(std::size_t)>& is_turned,
                                   const rbpa::SurfaceOptions& options = {}) {
   std::vector<std::size_t> order(known.points.size());
@@ -107,7 +107,7 @@ const Height flat = [](double, double) { return 0.0; }, saddle = [](double x, do
 
 }  // namespace
 
-TEST_CASE("of solids thinner than the points are apart nearly all normals are outward") {
+TEST_CASE("nearly all normals are outward on solids thinner than the spacing of points") {
   for (const Known& known : {sheet("plate", 6000, 0.02, 0, flat), sheet("thinner plate", 6000, 0.01, 0, flat),
                              sheet("rough plate", 6000, 0.02, 0.001, flat), sheet("saddle", 6000, 0.02, 0, saddle),
                              sheet("waves", 12'000, 0.01, 0, waves), sheet("a few", 900, 0.04, 0, flat)}) {
@@ -116,7 +116,7 @@ TEST_CASE("of solids thinner than the points are apart nearly all normals are ou
   }
 }
 
-TEST_CASE("of open sheets, level, with crests and valleys, and rough, nothing is turned") {
+TEST_CASE("open sheets, level, with crests and valleys, or rough, are not turned") {
   for (const double noise : {0.0, 0.1, 0.3, 0.6})
     for (const std::size_t count : {900u, 6000u})
       for (const Height& height : {flat, saddle, waves}) {
@@ -127,27 +127,27 @@ TEST_CASE("of open sheets, level, with crests and valleys, and rough, nothing is
       }
 }
 
-TEST_CASE("a solid whose normals are right is left alone; one inside out is turned where the ball sees it") {
+TEST_CASE("a solid with right normals is left alone; one inside out is turned where the ball sees it") {
   const Known known = ball(3000);
   for (const std::int8_t side : sides_of(known, [](std::size_t) { return false; })) CHECK(side == 0);
   const auto sides = sides_of(known, [](std::size_t) { return true; });
   REQUIRE(sides.size() == known.points.size());
   CHECK(std::count(sides.begin(), sides.end(), 1) == 0);
   CHECK(std::count(sides.begin(), sides.end(), -1) > 2800);
-  // A twentieth that is turned contradicts, one in a hundred does not.
+  // One point in twenty that is turned is a contradiction, one in a hundred is not.
   const auto some = sides_of(known, [](std::size_t i) { return i < 150; });
   CHECK(std::count(some.begin(), some.end(), -1) > 140);
   const auto few = sides_of(known, [](std::size_t i) { return i < 30; });
   CHECK(std::count(few.begin(), few.end(), -1) == 0);
 }
 
-TEST_CASE("components are judged one by one") {
+TEST_CASE("components are judged separately") {
   Known known = ball(1000);
   for (std::size_t i = 0; i < 1000; ++i) {
     known.points.push_back({known.points[i].x + 5, known.points[i].y, known.points[i].z});
     known.normals.push_back(known.normals[i]);
   }
-  // Sorted by x, so that the first half is one ball.
+  // Points are sorted by x, so that the first half is one ball.
   const auto sides = sides_of(known, [](std::size_t i) { return i < 1000; });
   REQUIRE(sides.size() == 2000);
   CHECK(std::count(sides.begin(), sides.end(), -1) > 900);
@@ -171,7 +171,7 @@ TEST_CASE("the sides do not depend on the order of the points, the threads or a 
   CHECK(std::memcmp(found.data(), expected_shuffled.data(), found.size() * sizeof(Point3)) == 0);
 }
 
-TEST_CASE("looking can be cancelled") {
+TEST_CASE("the search for sides can be cancelled") {
   const Known known = sheet("plate", 3000, 0.02, 0, flat);
   std::size_t asked = 0;
   const auto count = [&](const rbpa::Progress&) {

@@ -22,7 +22,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// By sorting all distances, in extended precision.
+/// Finds the outliers by sorting all distances, in extended precision.
 std::vector<std::uint32_t> by_definition(const Points3& points, const OutlierOptions& options) {
   const std::set<Point3> distinct(points.begin(), points.end());
   if (distinct.size() < 2) return {};
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> by_definition(const Points3& points, const OutlierOpt
   return found;
 }
 
-/// Of integers, whose squares no arithmetic rounds, some of them far out.
+/// Returns points of integers, whose squares are not rounded, some of them far out.
 Points3 integer_points(std::size_t count, Random& random) {
   Points3 points(count);
   for (Point3& p : points) {
@@ -60,7 +60,7 @@ Points3 integer_points(std::size_t count, Random& random) {
 
 }  // namespace
 
-TEST_CASE("outliers are those by the definition") {
+TEST_CASE("outliers follow the definition") {
   Random random(101);
   std::size_t found = 0;
   for (int i = 0; i < trials(400); ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("outliers are those by the definition") {
   CHECK(found > 100);
 }
 
-TEST_CASE("the order of the points, threads and a power of two change nothing of outliers but their unit") {
+TEST_CASE("order, threads and a power of two change outliers only by their unit") {
   Random random(102);
   Points3 points = integer_points(3000, random);
   const rbpa::Outliers whole = rbpa::outliers(points, {.threads = 1});
@@ -97,7 +97,7 @@ TEST_CASE("the order of the points, threads and a power of two change nothing of
   CHECK(named == whole.points);
 }
 
-TEST_CASE("few points, equal ones, and coordinates at both ends of double have outliers, or none") {
+TEST_CASE("few points, equal points, and coordinates at both limits of double have the right outliers") {
   CHECK(rbpa::outliers({}).points.empty());
   CHECK(rbpa::outliers(Points3(9, {1, 2, 3})).points.empty());
   CHECK(rbpa::outliers(Points3{{0, 0, 0}, {1e300, 0, 0}}).points.empty());
@@ -110,7 +110,7 @@ TEST_CASE("few points, equal ones, and coordinates at both ends of double have o
   CHECK(found.distance == doctest::Approx(4e-300));
 }
 
-TEST_CASE("what is no factor, no number of neighbors or no point is refused; progress cancels") {
+TEST_CASE("an invalid factor, number of neighbors or point is refused; progress can cancel") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   for (const double factor : {0.5, -1.0, std::nan("")})
     CHECK_THROWS_AS(rbpa::outliers(points, {.factor = factor}), rbpa::InvalidInput);

@@ -25,7 +25,8 @@ constexpr double pi = 3.14159265358979323846;
 
 double length(const Point3& p) { return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z); }
 
-/// At random on a sphere of radius 1, moved along its normals by noise, in spacings, that has a bell curve nearly.
+/// Returns random points on the unit sphere, moved along their normals by nearly normally distributed noise, given in
+/// spacings.
 Points3 sphere(std::size_t count, double noise) {
   Random random(98);
   const double spacing = std::sqrt(4 * pi / static_cast<double>(count));
@@ -33,7 +34,7 @@ Points3 sphere(std::size_t count, double noise) {
   while (points.size() < count) {
     const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     if (length(p) < 0.1 || length(p) > 1) continue;
-    double bell = -6;  // of standard deviation 1
+    double bell = -6;  // with standard deviation 1
     for (int i = 0; i < 12; ++i) bell += random.unit();
     const double out = (1 + noise * spacing * bell) / length(p);
     points.push_back({out * p.x, out * p.y, out * p.z});
@@ -75,12 +76,12 @@ TEST_CASE("a sphere with noise of half a spacing becomes one that the ball close
   }
 }
 
-TEST_CASE("a smooth surface is moved once, however coarse its points are, and one with noise no more than it takes") {
+TEST_CASE("a smooth surface takes one step, however coarse its points, and a noisy one takes as many as necessary") {
   for (const std::size_t count : {500u, 5000u}) CHECK(scale_space(sphere(count, 0)).steps == 1);
   CHECK(scale_space(sphere(1500, 0.5)).steps <= 3);
 }
 
-TEST_CASE("points of a plane and of a line lie still, and so does a single one") {
+TEST_CASE("points of a plane or a line, and a single point, do not move") {
   Random random(99);
   Points3 level, line;
   for (int i = 0; i < 300; ++i) {
@@ -95,7 +96,7 @@ TEST_CASE("points of a plane and of a line lie still, and so does a single one")
   CHECK(scale_space({}).points.empty());
 }
 
-TEST_CASE("so many steps are one after the other") {
+TEST_CASE("a given number of steps equals that many single steps") {
   const Points3 points = sphere(1500, 0.4);
   const auto once = scale_space(points, {.steps = 1});
   CHECK(once.steps == 1);
@@ -103,7 +104,7 @@ TEST_CASE("so many steps are one after the other") {
   CHECK_FALSE(same_bytes(once.points, scale_space(points, {.steps = 1, .neighbors = 12}).points));
 }
 
-TEST_CASE("neither the order of the points nor the threads nor a power of two changes where they go") {
+TEST_CASE("neither the order of the points nor the threads nor a power of two changes the result") {
   Random random(100);
   for (int k = 0; k < space_kinds; ++k) {
     CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -126,7 +127,7 @@ TEST_CASE("neither the order of the points nor the threads nor a power of two ch
   }
 }
 
-TEST_CASE("bad input is refused, and the work can be cancelled") {
+TEST_CASE("bad input is refused, and a run can be cancelled") {
   CHECK_THROWS_WITH_AS(scale_space({{{0, 0, 0}, {0, std::nan(""), 0}}}),
                        "point 1 is (0, nan, 0), expected finite coordinates", rbpa::InvalidInput);
   CHECK_THROWS_WITH_AS(scale_space({}, {.neighbors = 1}), "scale space from 1 neighbors, expected at least 2",

@@ -23,7 +23,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Of each vertex of the tree whether it is below another, itself included.
+/// Returns, for each vertex of the tree, whether it is below `top`, which is included.
 std::vector<bool> below(const OrientationTree& tree, std::uint32_t top) {
   std::vector<bool> is_below(tree.parent.size(), false);
   is_below[top] = true;
@@ -32,7 +32,7 @@ std::vector<bool> below(const OrientationTree& tree, std::uint32_t top) {
   return is_below;
 }
 
-/// Each cut counted by itself, over all edges of the graph.
+/// Computes the confidence cut by cut, each over all edges of the graph.
 std::vector<double> by_every_cut(const Neighborhoods& near, const Points3& normals, const OrientationTree& tree,
                                  const OuterSides& sides) {
   const auto root = static_cast<std::uint32_t>(near.points.size());
@@ -46,7 +46,7 @@ std::vector<double> by_every_cut(const Neighborhoods& near, const Points3& norma
       if (inside[i] == inside[j]) continue;
       const auto c = compare_normals<double>(near.points[i], normals[i], near.points[j], normals[j]);
       double weight = std::max(0.0, std::abs(c.agreement) - c.tilt);
-      if (weight < 0x1p-20) weight = 0;  // what rounding leaves is no vote
+      if (weight < 0x1p-20) weight = 0;  // a rounding error is no vote
       sum += c.agreement > 0 ? weight : -weight;
       all += weight;
     }
@@ -95,7 +95,7 @@ Points3 ball(std::size_t count, double noise, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("a point is as sure as the least sure cut between it and the middle, each counted over all edges") {
+TEST_CASE("the confidence at a point is the least of the cuts between it and the middle, each over all edges") {
   Random random(61);
   double least = 1, most = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -128,7 +128,7 @@ TEST_CASE("a point is as sure as the least sure cut between it and the middle, e
   CHECK(most == 1);
 }
 
-TEST_CASE("a tree has all points, each behind its parent") {
+TEST_CASE("the tree has all points, each after its parent") {
   Random random(62);
   const Points3 any = space_set(SpaceKind::clusters, 300, random);
   const std::set<Point3> distinct(any.begin(), any.end());
@@ -145,7 +145,7 @@ TEST_CASE("a tree has all points, each behind its parent") {
   }
 }
 
-TEST_CASE("of a smooth ball every normal is sure; of noise those on the wrong side are in doubt") {
+TEST_CASE("every normal of a smooth ball is confident, and those on the wrong side of noise are in doubt") {
   for (const double spacings : {0.0, 0.5, 2.0, 3.0}) {
     CAPTURE(spacings);
     const Points3 points = ball(4000, spacings * std::sqrt(4 * 3.14159265358979 / 4000), 63);
@@ -172,7 +172,7 @@ TEST_CASE("of a smooth ball every normal is sure; of noise those on the wrong si
   }
 }
 
-TEST_CASE("outliers are in doubt themselves, and do not make the others doubtful") {
+TEST_CASE("outliers are in doubt themselves, and do not make other points doubtful") {
   Points3 points = ball(3000, 0, 64);
   Random random(65);
   for (int i = 0; i < 150; ++i) points.push_back({random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)});
@@ -186,7 +186,7 @@ TEST_CASE("outliers are in doubt themselves, and do not make the others doubtful
   CHECK(sure(3000, 3150) < 0.5);
 }
 
-TEST_CASE("where a ball decides, its votes are how sure the sides are") {
+TEST_CASE("the ball's votes are the confidence where a ball decides") {
   for (const double half : {0.01, 0.02}) {
     CAPTURE(half);
     Points3 plate;
@@ -209,7 +209,7 @@ TEST_CASE("where a ball decides, its votes are how sure the sides are") {
   }
 }
 
-TEST_CASE("the certainty does not depend on the order of the points, the threads or a power of two") {
+TEST_CASE("the confidence does not depend on the order of the points, the threads or a power of two") {
   Random random(67);
   for (const SpaceKind kind :
        {SpaceKind::cube, SpaceKind::grid, SpaceKind::noisy_sphere, SpaceKind::plate, SpaceKind::extreme}) {
@@ -227,7 +227,7 @@ TEST_CASE("the certainty does not depend on the order of the points, the threads
   }
 }
 
-TEST_CASE("no plane is no certainty: points on a line, in all directions, alone") {
+TEST_CASE("points on a line, in all directions, or alone have no plane and no confidence") {
   for (const double c : rbpa::estimate_normals_and_certainty({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}}).certainty)
     CHECK(c == 0);
   CHECK(rbpa::estimate_normals_and_certainty({{{5, 5, 5}}}).certainty == std::vector<double>{0});

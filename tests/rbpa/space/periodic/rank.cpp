@@ -16,7 +16,7 @@ unsigned rank_of(const std::vector<rbpa::space::Boxes>& vectors) {
 
 }  // namespace
 
-TEST_CASE("integer vectors have so many directions as none of the others gives") {
+TEST_CASE("the rank of integer vectors is the number of independent directions") {
   CHECK(rank_of({}) == 0);
   CHECK(rank_of({{0, 0, 0}}) == 0);
   CHECK(rank_of({{0, 0, 0}, {0, -2, 0}, {0, 5, 0}}) == 1);

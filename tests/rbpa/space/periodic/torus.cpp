@@ -32,7 +32,7 @@ TEST_CASE("every image of a wrapped point is exact, and rounding moves it by a t
     CHECK(p.x >= 0);
     CHECK(p.x < box);
     CHECK(!std::signbit(p.x));
-    // Off by a multiple of the side, and little.
+    // The difference is a multiple of the side, plus little.
     const double remainder = std::abs(std::remainder(std::remainder(x, side) - p.x, side));
     CHECK(remainder <= side * 0x1p-50);
     for (const int offset : {-1, 0, 1}) {
@@ -44,7 +44,7 @@ TEST_CASE("every image of a wrapped point is exact, and rounding moves it by a t
   }
 }
 
-TEST_CASE("what is a multiple of a small part of the box stays as it is") {
+TEST_CASE("multiples of a small part of the box are not rounded") {
   const Torus torus({10, 12.5, 7});
   CHECK(torus.box() == Point3{10, 12.5, 7});
   CHECK(torus.wrapped({3.25, 12.5, -1}) == Point3{3.25, 0, 6});
@@ -53,7 +53,7 @@ TEST_CASE("what is a multiple of a small part of the box stays as it is") {
   CHECK(torus.most_radius() > 3.4999999999999);
 }
 
-TEST_CASE("a box without three good sides is refused") {
+TEST_CASE("a box without three valid sides is refused") {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const double bad : {0.0, -1.0, infinity, nan, 0x1p-901, 0x1.8p900}) {
     CAPTURE(bad);

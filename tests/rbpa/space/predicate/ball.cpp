@@ -29,20 +29,20 @@ Vector from(const Point3& a, const Point3& b) {
   return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y), rational(b.z) - rational(a.z)};
 }
 Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-/// The determinant of the three as rows.
+/// Returns the determinant with the three vectors as rows.
 Rational det(const Vector& u, const Vector& v, const Vector& w) {
   return u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) + u.z * (v.x * w.y - v.y * w.x);
 }
 int sign(const Rational& r) { return r.sign(); }
 
-/// The ball as textbooks have it: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals
-/// above.
+/// The ball by the textbook: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals above
+/// it.
 struct RationalBall {
   RationalBall(const Point3& a, const Point3& b, const Point3& c, double radius)
       : u(from(a, b)), v(from(a, c)), n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x} {
     const Rational all = 2 * dot(n, n);
     if (all == 0) return;
-    // By Cramer's rule: right sides in the place of a column.
+    // Cramer's rule: the right sides replace a column.
     const Rational p = dot(u, u), q = dot(v, v);
     centre.x = det({p, u.y, u.z}, {q, v.y, v.z}, {0, n.y, n.z}) / all;
     centre.y = det({u.x, p, u.z}, {v.x, q, v.z}, {n.x, 0, n.z}) / all;
@@ -50,7 +50,7 @@ struct RationalBall {
     height = (rational(radius) * rational(radius) - dot(centre, centre)) / dot(n, n);
     rests = height >= 0;
   }
-  /// 1 inside, −1 outside, 0 where the ball touches d, which is relative to a.
+  /// Returns 1 inside, −1 outside, 0 where the ball touches d, which is relative to a.
   int side(const Vector& d) const {
     // |d|² − 2 center · d − 2 √height (n · d)
     const Rational plain = dot(d, d) - 2 * dot(centre, d), factor = 2 * dot(n, d);
@@ -73,7 +73,7 @@ bool on_integers(SpaceKind kind) {
   return kind == SpaceKind::grid || kind == SpaceKind::cospherical || kind == SpaceKind::plane_grid;
 }
 
-/// Four different ones, and a radius that the first three decide, or that is a tie with the fourth.
+/// Draws four different points, and a radius that the first three decide, or that is a tie with the fourth.
 bool draw(SpaceKind kind, Random& random, Points3& s, double& radius) {
   s = space_set(kind, 4 + random.below(3), random);
   radius = space_radius(s, random);
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("a ball agrees with rational numbers", Real, double, long dou
       if (side != 0)
         CHECK(ball.contains(s[3]) == (side > 0));
       else if (above != 0)
-        CHECK(ball.contains(s[3]) == (above > 0));  // a growing ball contains what is above
+        CHECK(ball.contains(s[3]) == (above > 0));  // a growing ball contains points above
       touching += side == 0 && above != 0;
       level += side == 0 && above == 0;
     }
@@ -120,9 +120,7 @@ TEST_CASE_TEMPLATE("a ball agrees with rational numbers", Real, double, long dou
   CHECK(just > 20);
 }
 
-TEST_CASE(
-    "a ball is the same from whichever corner it is seen, and has the other side of the plane where the corners turn "
-    "back") {
+TEST_CASE("a ball is the same from each of its corners, and on the other side of the plane for reversed corners") {
   Random random(62);
   int balls = 0;
   for (int k = 0; k < space_kinds; ++k)
@@ -142,9 +140,9 @@ TEST_CASE(
   CHECK(balls > trials(1000));
 }
 
-TEST_CASE("no filter decides wrongly: points on the sphere but for their rounding") {
-  // Of triangles as they come; much smaller than the ball; slivers; and as large as the ball allows, but for a few
-  // doubles.
+TEST_CASE("no filter decides wrongly for points that are on the sphere except for rounding") {
+  // Shapes of triangles: arbitrary; much smaller than the ball; slivers; and as large as the ball allows, except for a
+  // few doubles.
   enum { any, small, sliver, just, shapes };
   using Long = rbpa::space::Vector3<long double>;
   Random random(64);
@@ -177,7 +175,7 @@ TEST_CASE("no filter decides wrongly: points on the sphere but for their roundin
       const bool expected = rbpa::space::in_ball_exactly(a, b, c, radius, q);
       if (ball.contains(q) != expected) FAIL_CHECK(shape);
       ++(expected ? inside : outside);
-      // And a fourth point in the plane but for its rounding.
+      // A fourth point that is in the plane except for rounding.
       const double s = random.between(-2, 2), t = random.between(-2, 2);
       const Point3 level = {double(a.x + s * u.x + t * v.x), double(a.y + s * u.y + t * v.y),
                             double(a.z + s * u.z + t * v.z)};
@@ -187,7 +185,7 @@ TEST_CASE("no filter decides wrongly: points on the sphere but for their roundin
   CHECK(outside > trials(4000));
 }
 
-TEST_CASE("on a circle the perturbation is that of the plane, whichever way the plane lies") {
+TEST_CASE("on a circle the perturbation is that of the plane, whatever the direction of the plane") {
   const Points3 circle = {{5, 0, 0},  {4, 3, 0},  {3, 4, 0},  {0, 5, 0}, {-3, 4, 0},
                           {-4, 3, 0}, {-5, 0, 0}, {0, -5, 0}, {3, -4, 0}};
   const auto flat = [](const Point3& p) { return rbpa::Point{p.x, p.y}; };
@@ -218,7 +216,7 @@ TEST_CASE("a ball of exactly the circumradius rests; one a double smaller does n
   CHECK(!Ball<double>({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 1e9).rests());  // on a line
 }
 
-TEST_CASE("points and a radius that a power of two brings into the range of double are decided by it") {
+TEST_CASE("points and a radius that a power of two brings into the range of double are decided in double") {
   using rbpa::space::scale_to_double;
   CHECK(scale_to_double(Points3{}, 1) == 0);
   CHECK(scale_to_double(Points3{{0, 0, 0}, {1, -2, 3}}, 0.1) == 0);
@@ -233,7 +231,7 @@ TEST_CASE("points and a radius that a power of two brings into the range of doub
   CHECK(scale_to_double(Points3{{0x1p-1074, 0, 0}}, 0x1p-1070) == 1074 - 150);
 }
 
-TEST_CASE("a triangle's normal agrees with rational numbers") {
+TEST_CASE("the test of a triangle's normal agrees with rational numbers") {
   Random random(63);
   int none = 0;
   for (int k = 0; k < space_kinds; ++k)

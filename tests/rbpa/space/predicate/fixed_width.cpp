@@ -28,7 +28,7 @@ using Whole = space::Vector3<rbpa::Integer>;
 
 Whole whole(const FixedVector& v) { return {v.x, v.y, v.z}; }
 
-/// Of the size of 2^bits, the largest with both signs, and zero.
+/// Returns an integer of about 2^bits, the largest with either sign, or zero.
 std::int64_t number(int bits, Random& random) {
   const std::int64_t limit = (std::int64_t{1} << bits) - 1;
   switch (random.below(6)) {
@@ -48,7 +48,7 @@ FixedVector vector(int bits, Random& random) {
 
 }  // namespace
 
-TEST_CASE("words of 64 bits have the signs that integers of any length have, up to the largest differences") {
+TEST_CASE("words of 64 bits give the signs of integers of any length, up to the largest differences") {
   Random random(131);
   int zeros = 0;
   for (const int bits : {1, 2, 20, 31, 32, 33, 60, 61})
@@ -84,7 +84,7 @@ TEST_CASE("differences are integers of one unit, whatever the unit, or there are
       continue;
     }
     ++exact;
-    // One factor for all of them.
+    // All of them have the same factor.
     Rational factor = 0;
     for (std::size_t i = 0; i < 2; ++i)
       for (const auto& [whole, from, at] :
@@ -102,7 +102,7 @@ TEST_CASE("differences are integers of one unit, whatever the unit, or there are
   CHECK(inexact > trials(1000));
 }
 
-TEST_CASE("what does not fit is not exact, and is decided in integers of any length") {
+TEST_CASE("differences that do not fit are not exact, and are decided by integers of any length") {
   const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
   const Point3 zero = {0, 0, 0}, one = {1, 0, 0};
   const auto fit = [&](const Point3& p, const Point3& q) { return FixedVectors<2>(p, {&q, &one}).are_exact(); };
@@ -117,7 +117,7 @@ TEST_CASE("what does not fit is not exact, and is decided in integers of any len
   const Point3 far = {0x1p1023, 0, 0}, near = {0x1p1022, 0, 0};
   CHECK(FixedVectors<1>(near, {&far}).are_exact());
   CHECK_FALSE(FixedVectors<1>({-0x1p1023, 0, 0}, {&far}).are_exact());  // the difference is infinite
-  // A cube in a unit that fits, and in one that is too small for its differences to be normal.
+  // A cube in a unit that fits, and in one so small that its differences are not normal.
   for (const double unit : {0.1, 0x1p-1070}) {
     CAPTURE(unit);
     const Point3 a = zero, b = {unit, 0, 0}, c = {0, unit, 0}, d = {0, 0, unit}, tie = {unit, unit, unit};

@@ -10,7 +10,7 @@ using rbpa::space::orientation_along;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("sides of lines and planes are exact, at the ends of double too") {
+TEST_CASE("sides of lines and planes are exact, also at the limits of double") {
   for (const double size : {1.0, 1e-320, 1e-160, 1e307}) {
     CAPTURE(size);
     const Point3 o = {0, 0, 0}, y = {0, size, 0}, z = {0, 0, size}, x = {size, 0, 0};

@@ -32,7 +32,7 @@ Vector cross(const Vector& u, const Vector& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// The circumcenter from a, by Cramer's rule. Requires: a volume.
+/// Returns the circumcenter relative to a, by Cramer's rule. Requires: a positive volume.
 Vector centre(const Vector& u, const Vector& v, const Vector& w) {
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const Rational uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), twice = 2 * dot(uv, w);
@@ -69,7 +69,7 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
       CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == compared);
       const space::Spread spread = space::spread(p);
       if (!spread.is_exact || spread.exponent != 0) continue;
-      // Beside the last rounding to double, some 2^-98 of the product of the greatest lengths.
+      // Except for the last rounding to double, the error is some 2^-98 of the product of the greatest lengths.
       const double value = space::in_sphere_by_double_double(p[0], p[1], p[2], p[3], p[4]);
       const Rational exact = (dot(c, c) - dot(to, to)) * abs(volume);
       Rational size = 0;
@@ -84,7 +84,7 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
   CHECK(decided > trials(500));
 }
 
-TEST_CASE("the perturbation of a tie is one of the points: any four corners and the fifth give one set of tetrahedra") {
+TEST_CASE("ties are perturbed consistently: any four corners and the fifth point give one set of tetrahedra") {
   // Radon: five points in general position have two triangulations of their hull, and the perturbation selects one.
   Random random(112);
   int seen = 0;
@@ -113,13 +113,14 @@ TEST_CASE("the perturbation of a tie is one of the points: any four corners and 
       const Rational six = dot(cross(from(t[0], t[1]), from(t[0], t[2])), from(t[0], t[3]));
       volume += in ? Rational(-six) : six;
     }
-    // Tetrahedra of one triangulation are empty, those of the other hold the fifth point; each fill the hull.
+    // Tetrahedra of the selected triangulation are empty, those of the other contain the fifth point; each set fills
+    // the hull.
     CHECK(volume == 0);
   }
   CHECK(seen > trials(800));
 }
 
-TEST_CASE("the spread of exponents: exact where 300 bits hold all coordinates") {
+TEST_CASE("the spread of exponents is exact where 300 bits hold all coordinates") {
   using space::spread;
   CHECK(spread(Points3{}).is_exact);
   CHECK(spread(Points3{{0, -0.0, 0}}).is_exact);

@@ -1,4 +1,4 @@
-// The in-sphere determinant by its minors, and the bound of its error, against rational numbers.
+// The in-sphere determinant by its minors, and its error bound, compared with rational numbers.
 #include "rbpa/space/predicate/sphere_minors.h"
 
 #include <doctest/doctest.h>
@@ -21,8 +21,8 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Any direction; of a length from 1 to 2^−70, or rounded to a grid. With few bits, so that sums of products are exact
-/// now and then.
+/// Returns a vector of any direction, with a length from 1 to 2^−70, or rounded to a grid. It has few bits, so that
+/// sums of products are exact now and then.
 Point3 vector_of(Random& random) {
   const double length = std::ldexp(1.0, -static_cast<int>(random.below(random.below(2) == 0 ? 3 : 70)));
   const auto coordinate = [&] {
@@ -53,9 +53,7 @@ Rational determinant(const std::array<Entries, 4>& rows) {
 
 }  // namespace
 
-TEST_CASE(
-    "the determinant by minors is off by no more than its bound, whatever the lengths, with a corner at infinity or "
-    "without") {
+TEST_CASE("the determinant by minors is within its error bound for any lengths, also with a corner at infinity") {
   Random random(3196);
   std::size_t inexact = 0;
   for (int trial = 0; trial < trials(20'000); ++trial) {

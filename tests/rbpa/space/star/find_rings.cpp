@@ -24,7 +24,7 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// Of each site, and each of its triangles (v, x, y), the point z of the triangle (v, z, x) to which the ball rolls
+/// For each site and each of its triangles (v, x, y): the point z of the triangle (v, z, x) to which the ball rolls
 /// about x.
 using Turns = std::map<std::array<Site, 3>, Site>;
 
@@ -55,7 +55,7 @@ Found turns_of(const Cells& cells, bool by_regions) {
 
 }  // namespace
 
-TEST_CASE("around a point, the free region gives what rolling about every edge gives") {
+TEST_CASE("the free region around a point gives the result of rolling about every edge") {
   Random random(91);
   Threads threads;
   std::size_t sites = 0, rolled = 0, turns = 0;
@@ -75,10 +75,10 @@ TEST_CASE("around a point, the free region gives what rolling about every edge g
     }
   }
   CHECK(turns > 10'000);
-  CHECK(rolled < sites / 4);  // otherwise nothing has been compared
+  CHECK(rolled < sites / 4);  // otherwise nothing was compared
 }
 
-TEST_CASE("on the lines of a scanner, where whole circles bound the region for long, regions are found as well") {
+TEST_CASE("regions are found on scan lines, where whole circles bound the region for long") {
   Threads threads;
   for (const double radius : {0.55, 0.8, 1.5})
     for (const double noise : {0.0, 1e-3}) {
@@ -99,8 +99,8 @@ TEST_CASE("on the lines of a scanner, where whole circles bound the region for l
     }
 }
 
-TEST_CASE("points that another one sees in one direction, at almost one distance, hide no triangle") {
-  // The least and the greatest depth of one's cap on the other's circle differ by the root of what is rounded.
+TEST_CASE("points that another one sees in one direction, at nearly one distance, hide no triangle") {
+  // The least and the greatest depth of one cap on the other's circle differ by the root of the rounding error.
   const Points3 points = {{0x1.8bdd177148d58p-4, 0x1.23717c3b551a6p-2, 0x1.774e661651e3ap-1},
                           {0x1.7e8a57ef5b78bp-1, 0x1.f3c6ffc0772f7p-1, 0x1.cdc9a87ca6b8p-6},
                           {0x1.8013cb1d75a54p-2, 0x1.38c0a288475fp-1, 0x1.cf98d3a1adf27p-1},
@@ -116,7 +116,7 @@ TEST_CASE("points that another one sees in one direction, at almost one distance
   CHECK(turns_of(cells, true).turns == turns_of(cells, false).turns);
 }
 
-TEST_CASE("a near copy of a point, farther away by less than what is rounded, hides nothing") {
+TEST_CASE("a near copy of a point, farther away by less than the rounding error, hides nothing") {
   Random random(93);
   Threads threads;
   for (int trial = 0; trial < trials(300); ++trial) {
@@ -132,7 +132,7 @@ TEST_CASE("a near copy of a point, farther away by less than what is rounded, hi
   }
 }
 
-TEST_CASE("where points are not many at one place, one region of a hundred is lost at most") {
+TEST_CASE("at most one region in a hundred is lost where few points are at one place") {
   Random random(92);
   Threads threads;
   for (const SpaceKind kind : {SpaceKind::near_sphere, SpaceKind::noisy_sphere, SpaceKind::cube}) {
@@ -145,7 +145,7 @@ TEST_CASE("where points are not many at one place, one region of a hundred is lo
   }
 }
 
-TEST_CASE("in a volume one region of a thousand is lost at most: a cap that spares the middle of an arc cuts it") {
+TEST_CASE("at most one region in a thousand is lost in a volume, where caps cut out the middle of arcs") {
   Random random(94);
   Threads threads;
   std::size_t sites = 0, rolled = 0;

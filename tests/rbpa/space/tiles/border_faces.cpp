@@ -1,4 +1,4 @@
-// Faces of tetrahedra, and which are the same, against every pair of them.
+// Faces of tetrahedra, and pairs of equal faces, compared with all pairs.
 #include "rbpa/space/tiles/border_faces.h"
 
 #include <doctest/doctest.h>
@@ -24,8 +24,8 @@ constexpr std::uint32_t none = 0xffffffff;
 
 }  // namespace
 
-TEST_CASE("a face has its corners ascending, and neighbors see it from opposite sides") {
-  // (0, 1, 2, 3) positively oriented, and across from 3 a point on the other side of (0, 1, 2).
+TEST_CASE("a face has ascending corners, and neighbors see it from opposite sides") {
+  // (0, 1, 2, 3) is positively oriented; across from 3 is a point on the other side of (0, 1, 2).
   const Row t = {10, 20, 30, 40}, turned = {20, 10, 30, 50};
   CHECK(border_face(t, 7, 3).corners == std::array<std::uint32_t, 3>{10, 20, 30});
   CHECK(border_face(t, 7, 3).face == 31);
@@ -35,12 +35,12 @@ TEST_CASE("a face has its corners ascending, and neighbors see it from opposite 
   const Row even = {20, 30, 10, 40};
   CHECK(rbpa::space::is_ascending_outside(t, 3) == rbpa::space::is_ascending_outside(even, 3));
   CHECK(rbpa::space::is_ascending_outside(t, 0) == rbpa::space::is_ascending_outside(even, 2));
-  // Counter-clockwise seen from outside: of (0, 1, 2, 3) across from 0 that is (1, 2, 3).
+  // Counter-clockwise seen from outside: the face of (0, 1, 2, 3) across from 0 is (1, 2, 3).
   CHECK(rbpa::space::is_ascending_outside(t, 0));
   CHECK(!rbpa::space::is_ascending_outside(t, 1));
 }
 
-TEST_CASE("faces that come twice become neighbors, others remain as they are") {
+TEST_CASE("faces that occur twice become neighbors, and others do not change") {
   Random random(3191);
   std::size_t linked = 0;
   for (int trial = 0; trial < 100; ++trial) {

@@ -1,4 +1,4 @@
-// Tetrahedra found tile by tile, of any size of leaf, against those that insertion finds.
+// Tetrahedra found tile by tile, for any size of leaf, compared with those found by insertion.
 #include "rbpa/space/tiles/find_by_tiles.h"
 
 #include <doctest/doctest.h>
@@ -28,14 +28,14 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-/// As a solid, but for the isolated points. Nothing where coordinates spread too far for tiles.
+/// Returns the tetrahedra as a solid without the isolated points; nothing where coordinates spread too far for tiles.
 std::optional<Solid> by_tiles(const Points3& points, double alpha, std::size_t points_in_leaf, unsigned threads) {
   const rbpa::space::Spread spread = rbpa::space::spread(points);
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
   if (!spread.is_exact || (!std::isinf(alpha) && !std::isnormal(scaled_alpha))) return std::nullopt;
   std::vector<Point3> copy;
   rbpa::Threads several(threads);
-  TileLimits limits;  // that are never reached
+  TileLimits limits;  // never reached
   limits.points_in_leaf = points_in_leaf;
   limits.most_crowded = limits.most_unsettled = limits.most_unsettled_at_first = limits.most_exact = INFINITY;
   TiledSolid tiled;
@@ -64,7 +64,7 @@ std::size_t compare(const Points3& points, double alpha, std::size_t points_in_l
 
 }  // namespace
 
-TEST_CASE("of any kind of points, any alpha and any size of leaf, the same as by insertion") {
+TEST_CASE("tiles find the tetrahedra of insertion for any kind of points, any alpha and any size of leaf") {
   Random random(3161);
   std::size_t compared = 0, sets = 0;
   for (int trial = 0; trial < trials(700); ++trial) {
@@ -85,7 +85,7 @@ TEST_CASE("of any kind of points, any alpha and any size of leaf, the same as by
   CHECK(compared > 40'000);
 }
 
-TEST_CASE("lattices, some of whose points are moved by so little that their hull has edges of 1 and of 1e-18") {
+TEST_CASE("tiles handle lattices with slightly moved points, whose hull has edges of 1 and of 1e-18") {
   Random random(3164);
   std::size_t compared = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
@@ -96,7 +96,7 @@ TEST_CASE("lattices, some of whose points are moved by so little that their hull
   CHECK(compared > 20'000);
 }
 
-TEST_CASE("shapes of a thousand points in leaves of a hundred") {
+TEST_CASE("tiles handle shapes of a thousand points in leaves of a hundred") {
   std::size_t sets = 0;
   for (const SolidSet& set : solid_sets(1000)) {
     CAPTURE(set.name);
@@ -107,7 +107,7 @@ TEST_CASE("shapes of a thousand points in leaves of a hundred") {
 
 TEST_CASE("solid() uses tiles for many points that fill a volume, and the result does not depend on the order") {
   Points3 points = uniform_cube(24'000, 3162);
-  // Beside them those that no tile of theirs settles.
+  // Points far away, which no tile settles.
   for (const double far : {-400.0, 500.0}) points.push_back({far, far / 3, -far / 7});
   const Solid solid = rbpa::solid(points, INFINITY);
   std::size_t tiles = 0;
@@ -115,7 +115,7 @@ TEST_CASE("solid() uses tiles for many points that fill a volume, and the result
   options.threads = 1;
   options.progress = [&](const rbpa::Progress&) { return ++tiles > 0; };
   CHECK(rbpa::solid(points, INFINITY, options).simplices == solid.simplices);
-  CHECK(tiles < 20);  // not once for each few points, as insertion does
+  CHECK(tiles < 20);  // insertion would call it once for every few points
 
   options.threads = 2;
   options.progress = {};
@@ -147,7 +147,7 @@ TEST_CASE("solid() uses tiles for many points that fill a volume, and the result
   CHECK_THROWS_AS(rbpa::solid(points, INFINITY, options), rbpa::Cancelled);
 }
 
-TEST_CASE("it gives up where points are crowded, at the hull, or cospherical") {
+TEST_CASE("find_by_tiles() gives up where points are crowded, at the hull, or cospherical") {
   rbpa::Threads one;
   const auto gives_up = [&](const Points3& points) {
     TiledSolid tiled;

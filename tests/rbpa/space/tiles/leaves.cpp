@@ -1,4 +1,4 @@
-// Leaves of points, against what is said of them.
+// Leaves of points, compared with their specification.
 #include "rbpa/space/tiles/leaves.h"
 
 #include <doctest/doctest.h>
@@ -89,7 +89,7 @@ TEST_CASE("a few far points do not make the cells of the others larger") {
   CHECK(leaves.crowding() < 3.5);
 }
 
-TEST_CASE("points that are spread evenly are not crowded") {
+TEST_CASE("evenly spread points are not crowded") {
   Random random(3172);
   rbpa::Threads one;
   const Leaves even(space_set(SpaceKind::cube, 20'000, random), 4096, one);

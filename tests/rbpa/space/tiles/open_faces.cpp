@@ -1,4 +1,4 @@
-// Faces that wait at corners, against a map of them, on the vector unit that all programs have.
+// Faces that wait at corners, compared with a map of them, on the vector unit that all programs have.
 #include <doctest/doctest.h>
 #include <hwy/highway.h>
 
@@ -17,14 +17,14 @@ using rbpa::space::HWY_NAMESPACE::OpenFaces;
 
 TEST_SUITE_BEGIN("space");
 
-TEST_CASE("a face waits until the same comes from the other side, however many wait at a corner") {
+TEST_CASE("a face waits until the same face comes from the other side, however many wait at a corner") {
   Random random(3197);
   constexpr std::uint32_t nobody = 0, corners = 3;
   OpenFaces faces;
   std::size_t closed = 0, popped = 0, most = 0;
   for (int round = 0; round < 30; ++round) {
     faces.clear(corners);
-    // Of each corner, by the others, ascending: the face as it came.
+    // For each corner, by the other two, ascending: the face as it was added.
     std::vector<std::map<std::pair<std::uint32_t, std::uint32_t>, OpenFace>> waiting(corners);
     const std::uint32_t others = 3 + static_cast<std::uint32_t>(random.below(9));
     for (int step = 0; step < 2000; ++step) {
@@ -76,10 +76,10 @@ TEST_CASE("a face waits until the same comes from the other side, however many w
   }
   CHECK(closed > 1000);
   CHECK(popped > 1000);
-  CHECK(most > 20);  // more than a line has places for
+  CHECK(most > 20);  // more than fit into a line
 }
 
-TEST_CASE("those for which there was no place come to the line when others are closed") {
+TEST_CASE("faces for which there was no room move to the line when others are closed") {
   OpenFaces faces;
   faces.clear(1);
   constexpr std::uint32_t count = 18, in_line = 15, nobody = 0;

@@ -1,4 +1,4 @@
-// The points of a leaf and around it, against all points.
+// The points of a leaf and around it, compared with all points.
 #include "rbpa/space/tiles/tile.h"
 
 #include <doctest/doctest.h>
@@ -95,7 +95,7 @@ TEST_CASE("a tile has the points of its cells and no others") {
   CHECK(unknown > 20);
 }
 
-TEST_CASE("a tile whose cells are as small as rounding, or that has too many points, is none") {
+TEST_CASE("a tile with cells as small as rounding, or with too many points, is refused") {
   rbpa::Threads one;
   Tile tile;
   Points3 points;

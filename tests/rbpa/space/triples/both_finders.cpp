@@ -1,4 +1,4 @@
-// Tetrahedra from triples against those of the triangulation of all points, which are inserted.
+// Tetrahedra from triples, compared with those of the triangulation of all points by insertion.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using namespace rbpa_test;
 
 namespace {
 
-/// What is left of the triangulation within alpha.
+/// Returns the tetrahedra of the triangulation within alpha.
 Solid within(const Solid& all, const Points3& points, double alpha) {
   Solid kept;
   std::vector<std::uint32_t> number(all.simplices.size(), Solid::none);
@@ -49,7 +49,7 @@ double spacing(const Points3& points) {
 
 }  // namespace
 
-TEST_CASE("at any alpha, the same rows, neighbors, duplicates and isolated points as from all tetrahedra") {
+TEST_CASE("triples give the rows, neighbors, duplicates and isolated points of the whole triangulation, at any alpha") {
   Random random(3121);
   std::size_t compared = 0;
   for (int trial = 0; trial < trials(60); ++trial) {
@@ -87,7 +87,7 @@ TEST_CASE("at any alpha, the same rows, neighbors, duplicates and isolated point
   CHECK(compared > 10'000);
 }
 
-TEST_CASE("a large set, whatever its threads") {
+TEST_CASE("triples give the same on a large set, with any number of threads") {
   Random random(3122);
   const Points3 points = space_set(SpaceKind::cube, 20'000, random);
   const double alpha = 0.8 * spacing(points);

@@ -1,4 +1,4 @@
-// Tetrahedra from the triples around each point, against the definition: every four points, and every fifth.
+// Tetrahedra from the triples around each point, compared with the definition: every four points, and every fifth.
 #include "rbpa/space/triples/find_by_triples.h"
 
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ namespace {
 
 using Corners = std::array<Site, 4>;
 
-/// Ascending, but for the last two where the permutation is odd.
+/// Returns the corners ascending, except the last two, which are exchanged where the permutation is odd.
 Corners canonical(const Corners& t) {
   Corners sorted = t;
   std::sort(sorted.begin(), sorted.end());
@@ -46,7 +46,7 @@ std::vector<Corners> canonical(std::vector<Corners> all) {
   return all;
 }
 
-/// Every four points whose sphere is within alpha and holds no fifth.
+/// Returns every four points whose sphere has a radius of at most alpha and contains no fifth.
 std::vector<Corners> by_definition(std::span<const Point3> sites, double alpha) {
   std::vector<Corners> all;
   const auto count = static_cast<Site>(sites.size());
@@ -78,7 +78,7 @@ struct Found {
   std::size_t exact;
 };
 
-/// Of so many parts of the cells.
+/// Finds the tetrahedra in `parts` parts of the cells.
 Found found_in_parts(const Cells& cells, double alpha, std::size_t parts) {
   Found all{{}, 0};
   for (std::size_t part = 0; part < parts; ++part) {
@@ -93,7 +93,7 @@ Found found_in_parts(const Cells& cells, double alpha, std::size_t parts) {
 
 }  // namespace
 
-TEST_CASE("the tetrahedra are those of the definition, whatever is degenerate") {
+TEST_CASE("the tetrahedra follow the definition, whatever is degenerate") {
   Random random(3101);
   std::size_t compared = 0, exact = 0;
   for (int trial = 0; trial < trials(1500); ++trial) {
@@ -121,7 +121,7 @@ TEST_CASE("points in general position need no exact arithmetic") {
   Random random(3102);
   const Points3 points = space_set(SpaceKind::cube, 3000, random);
   for (const double spacings : {0.6, 0.8, 1.0}) {
-    const double alpha = spacings * 2 / std::cbrt(3000.0);  // the cube has sides of 2
+    const double alpha = spacings * 2 / std::cbrt(3000.0);  // the cube has sides of length 2
     Threads threads(1);
     const Cells cells(points, 2 * alpha, threads);
     const Found found = found_in_parts(cells, alpha, 1);
@@ -132,7 +132,7 @@ TEST_CASE("points in general position need no exact arithmetic") {
   }
 }
 
-TEST_CASE("it gives up where too much would be decided exactly, or too many points are around one") {
+TEST_CASE("find_by_triples() gives up where too much needs exact decisions, or too many points are around one") {
   Points3 grid;
   for (int x = 0; x < 6; ++x)
     for (int y = 0; y < 6; ++y)
@@ -151,7 +151,7 @@ TEST_CASE("it gives up where too much would be decided exactly, or too many poin
   CHECK_FALSE(find_by_triples(one, 50, 0, one.size(), SIZE_MAX, found));
 }
 
-TEST_CASE("the cost of triples is that of the points that are near, in a volume and on a surface") {
+TEST_CASE("the cost of triples depends on the number of near points, in a volume and on a surface") {
   Random random(6200);
   for (const bool is_flat : {false, true}) {
     CAPTURE(is_flat);

@@ -1,4 +1,4 @@
-// The neighbors of rows of four numbers, against every pair of rows.
+// The neighbors of rows of four numbers, compared with every pair of rows.
 #include "rbpa/space/triples/link_faces.h"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ TEST_CASE("rows are neighbors across each common face, and across no other") {
   std::size_t linked = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const std::size_t bound = 5 + random.below(trial % 10 == 0 ? 40'000 : 20);
-    // Any rows, but for those with a face that two have.
+    // Random rows, without rows that have a face of two others.
     std::vector<Row> rows;
     std::vector<std::set<std::uint32_t>> faces;
     for (int tries = 0; tries < 60; ++tries) {
