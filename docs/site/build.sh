@@ -63,7 +63,7 @@ navigation() {  # CAPTION PAGE...
   navigation Explanation docs/explanation/{architecture,exact_decisions,plane,space,surfaces,filtration_and_persistence,paper}
   navigation Contributing CONTRIBUTING docs/contributing/{testing,style} CHANGELOG docs/README
 } >> "$pages/index.md"
-sed -i '0,/^```sh/s//<a href="try.html">Try it in the browser<\/a> · [Python reference](python_reference.md) · <a href="cpp\/index.html">C++ reference<\/a>\n\n```sh/' "$pages/index.md"
+sed -i 's/^## What it does/<a href="try.html">Try it in the browser<\/a> · [Python reference](python_reference.md) · <a href="cpp\/index.html">C++ reference<\/a>\n\n&/' "$pages/index.md"
 cp docs/site/conf.py "$pages"
 PYTHONPATH=build/release/python /usr/bin/python3 -m sphinx -q -W --keep-going -j auto -b html "$pages" build/site
 echo "build/site/index.html"
