@@ -10,7 +10,7 @@
 #include "meshops/topology/count.h"
 #include "rbpa/base/error.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape/polygons.h"  // the path up to version 0.1
+#include "rbpa/shape.h"
 #include "rbpa/topology.h"
 
 namespace {
