@@ -1,5 +1,5 @@
-// Handles that name nothing, and effects that no operator returned, given to every function that has such arguments: a contract
-// violation that names the function, and not a bit of the mesh is changed.
+// Gives handles that name nothing, and effects that no operator returned, to every function with such arguments: each
+// throws a contract violation that names the function, and changes no bit of the mesh.
 #include "meshops/core/contract.h"
 
 #include <doctest/doctest.h>
@@ -59,7 +59,7 @@ namespace {
 template <typename Handle>
 using Calls = std::vector<std::pair<const char*, std::function<void(TestMesh&, Handle)>>>;
 
-/// An annulus in which an element of each kind is marked deleted.
+/// Annulus in which an element of each kind is marked deleted.
 struct Annulus {
   TestMesh mesh;
   Vertex dead_vertex;
@@ -130,7 +130,7 @@ std::vector<LoopKind> kinds_of(const TestMesh& mesh, const Loop& loop) {
 }  // namespace
 
 TEST_SUITE("contracts") {
-  TEST_CASE_FIXTURE(Annulus, "no function follows a halfedge that is not there") {
+  TEST_CASE_FIXTURE(Annulus, "no function follows a halfedge that does not exist") {
     const Halfedge good = boundary;
     check<Halfedge>(no_halfedges(),
                     {{"glue:", [&](TestMesh& m, Halfedge h) { glue(m, h, good); }},
@@ -189,7 +189,7 @@ TEST_SUITE("contracts") {
                      {"attach:", [](TestMesh& m, Halfedge h) { Front(m).attach(h, 0); }},
                      {"glue:", [&](TestMesh& m, Halfedge h) { TopologyTracker(m).glue(h, good); }},
                      {"zip_curves:", [&](TestMesh& m, Halfedge h) { TopologyTracker(m).zip_curves(good, h); }}});
-    // Of a view, an edge that was deleted still has ends.
+    // In a view, a deleted edge still has ends.
     const auto out_of_range = std::vector<Halfedge>{Halfedge(), Halfedge(-5), Halfedge(1 << 30)};
     check<Halfedge>(out_of_range, {{"graph view:", [](TestMesh& m, Halfedge h) { source(h, PrimalGraph(m)); }},
                                    {"graph view:", [](TestMesh& m, Halfedge h) { target(h, DualGraph(m)); }},
@@ -199,7 +199,7 @@ TEST_SUITE("contracts") {
                                    {"Front:", [](TestMesh& m, Halfedge h) { Front(m).to_site(h); }}});
   }
 
-  TEST_CASE_FIXTURE(Annulus, "no function follows a vertex, an edge or a face that is not there") {
+  TEST_CASE_FIXTURE(Annulus, "no function follows a vertex, an edge or a face that does not exist") {
     check<Vertex>(
         no_vertices(),
         {{"weld_face:", [](TestMesh& m, Vertex v) { weld_face(m, v); }},
@@ -248,7 +248,7 @@ TEST_SUITE("contracts") {
                  {"graph view:", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
   }
 
-  TEST_CASE_FIXTURE(Annulus, "no function of a front follows a site that is not there") {
+  TEST_CASE_FIXTURE(Annulus, "no function of a front follows a site that does not exist") {
     const auto before = snapshot(mesh);
     const Front front(mesh);
     for (const Site s : {static_cast<Site>(front.sites()), Site{1} << 30, static_cast<Site>(-1)}) {
@@ -352,7 +352,7 @@ TEST_SUITE("contracts") {
         {"remove_diagonal", message([&] { remove_diagonal(mesh, b[0]); })}};
     for (const auto& found : all)
       CHECK_MESSAGE(found.second.starts_with(found.first + ": the mesh needs "), found.second);
-    // Their blockers say it as well.
+    // Their blockers return the reason as well.
     const std::pair<std::string, std::optional<std::string>> blockers[] = {
         {"collapse", collapse_blocker(mesh, b[0])},
         {"weld_edge", weld_edge_blocker(mesh, b[0])},
@@ -379,7 +379,7 @@ TEST_SUITE("contracts") {
     CHECK(front.faces() == 1);
   }
 
-  TEST_CASE("a tracker that is notified of what did not happen refuses it and counts nothing") {
+  TEST_CASE("a tracker refuses an effect that did not happen, and counts nothing") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     TopologyTracker tracker(mesh);
@@ -398,7 +398,7 @@ TEST_SUITE("contracts") {
     CHECK(tracker.counts() == counts);
   }
 
-  TEST_CASE("an effect of glue() that was made up is refused where it would revive one vertex twice") {
+  TEST_CASE("a made-up effect of glue() is refused if it would revive one vertex twice") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 3);
     GlueEffect effect = glue(mesh, b[0], b[3]);

@@ -13,7 +13,7 @@ using namespace meshops::test;
 static_assert(std::forward_iterator<LiveRange<Face>::Iterator>);
 
 TEST_SUITE("live ranges") {
-  TEST_CASE("a range has what for_each_…() visits, in its order") {
+  TEST_CASE("a range has the elements that for_each_…() visits, in the same order") {
     for (const Specimen& specimen : corpus()) {
       INFO(specimen.name);
       TestMesh mesh;
@@ -34,7 +34,7 @@ TEST_SUITE("live ranges") {
     }
   }
 
-  TEST_CASE("a loop may delete and add elements: nothing deleted is visited, nor what was added") {
+  TEST_CASE("a loop that deletes and adds elements visits neither deleted nor added ones") {
     TestMesh mesh;
     corpus()[6].build(mesh);
     const std::size_t vertices = mesh.n_vertices();

@@ -37,7 +37,7 @@ TEST_SUITE("validate") {
     CHECK(validate(mesh).empty());
   }
 
-  TEST_CASE_FIXTURE(Pair, "a handle out of range is found and nothing else is followed") {
+  TEST_CASE_FIXTURE(Pair, "a handle out of range is found, and no other handle is followed") {
     mesh.set_vertex_handle(boundary(), Vertex(1000));
     REQUIRE(validate(mesh).size() == 1);
     CHECK(has(DefectKind::handle_out_of_range));
@@ -61,7 +61,7 @@ TEST_SUITE("validate") {
     CHECK(has(DefectKind::face_changes_along_loop));
   }
 
-  TEST_CASE_FIXTURE(Pair, "a face whose halfedge is of another is found") {
+  TEST_CASE_FIXTURE(Pair, "a face whose halfedge belongs to another face is found") {
     mesh.set_halfedge_handle(Face(0), mesh.halfedge_handle(Face(1)));
     CHECK(has(DefectKind::face_halfedge_elsewhere));
   }

@@ -1,4 +1,4 @@
-// validate() against the definition of a sound mesh: on meshes of random soups, and on records changed at random.
+// Compares validate() with the definition of a sound mesh: on meshes of random soups, and on records changed at random.
 #include <doctest/doctest.h>
 
 #include <OpenMesh/Core/System/omstream.hh>
@@ -21,7 +21,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// The vertices for which validate() reports several fans. It may report nothing else.
+/// Returns the vertices for which validate() reports several fans. It may report nothing else.
 std::set<int> vertices_of_several_fans(const Connectivity& mesh) {
   std::set<int> vertices;
   for (const Defect& defect : validate(mesh)) {
@@ -31,7 +31,7 @@ std::set<int> vertices_of_several_fans(const Connectivity& mesh) {
   return vertices;
 }
 
-/// What OpenMesh makes of the faces: those that it accepts.
+/// Adds the faces that OpenMesh accepts.
 void add_faces(TestMesh& mesh, const PolygonSoup& soup) {
   for (std::size_t p = 0; p < soup.points; ++p) mesh.new_vertex();
   omerr().disable();  // it prints what it refuses
@@ -46,7 +46,7 @@ void add_faces(TestMesh& mesh, const PolygonSoup& soup) {
   omerr().enable();
 }
 
-/// Any handle: of an element, deleted or not, just beyond the last, far out, or none.
+/// Returns any handle: of an element, deleted or not, just past the last, far out of range, or invalid.
 template <typename Handle>
 Handle any(std::size_t count, std::mt19937& random) {
   switch (random() % 12) {
@@ -61,7 +61,7 @@ Handle any(std::size_t count, std::mt19937& random) {
   }
 }
 
-/// Changes one record.
+/// Changes one record at random.
 void spoil(TestMesh& mesh, std::mt19937& random) {
   const auto pick = [&](std::size_t count) { return static_cast<int>(random() % count); };
   const Halfedge h(pick(mesh.n_halfedges()));
@@ -85,7 +85,7 @@ void spoil(TestMesh& mesh, std::mt19937& random) {
     case 6:
       mesh.status(mesh.edge_handle(h)).set_deleted(random() % 2);
       return;
-    case 7: {  // next and prev at once: two loops become one or one two
+    case 7: {  // next and prev together: two loops become one, or one becomes two
       const Halfedge g(pick(mesh.n_halfedges())), next = mesh.next_halfedge_handle(h);
       mesh.set_next_halfedge_handle(h, mesh.next_halfedge_handle(g));
       return mesh.set_next_halfedge_handle(g, next);
@@ -109,7 +109,7 @@ void spoil(TestMesh& mesh, std::mt19937& random) {
 }  // namespace
 
 TEST_SUITE("validate") {
-  TEST_CASE("on random soups: empty exactly if the definition holds; else the pinches, one by one") {
+  TEST_CASE("validate() of random soups is empty exactly if the definition holds, and otherwise lists the pinches") {
     std::mt19937 random(14);
     int sound = 0, bowties = 0, by_openmesh = 0;
     for (int round = 0; round < rbpa_test::trials(100000); ++round) {
@@ -120,7 +120,7 @@ TEST_SUITE("validate") {
       build_mesh(mesh, repaired.soup);
       REQUIRE(validate(mesh).empty());
       REQUIRE(is_sound_by_definition(mesh));
-      // A fan of each point for itself is sound. All of them on one vertex are not.
+      // With a vertex for each fan the mesh is sound; with all fans of a point on one vertex it is not.
       tie_points(mesh, repaired.stands_on);
       std::set<int> tied;
       for (std::size_t p = given.points; p < repaired.stands_on.size(); ++p)
@@ -140,7 +140,7 @@ TEST_SUITE("validate") {
     CHECK(by_openmesh > rbpa_test::trials(10000));
   }
 
-  TEST_CASE("on records changed at random it reports no defect exactly if the definition has none") {
+  TEST_CASE("validate() of records changed at random is empty exactly if the definition holds") {
     std::mt19937 random(15);
     int sound = 0, bad = 0;
     std::set<DefectKind> seen;

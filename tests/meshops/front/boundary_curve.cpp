@@ -39,7 +39,7 @@ TEST_SUITE("boundary_curve") {
     CHECK(on_curves == boundary);
   }
 
-  TEST_CASE("runs backwards as well, with the mesh on the left then") {
+  TEST_CASE("a curve runs backwards as well, with the mesh on the left") {
     TestMesh mesh;
     strip(mesh, 4);
     const BoundaryCurve curve = boundary_curves(mesh)[0];
@@ -70,7 +70,7 @@ TEST_SUITE("boundary_curve") {
     CHECK_FALSE(boundary_curves(mesh)[0].contains(other[1]));
   }
 
-  TEST_CASE("is a bidirectional range for the standard algorithms") {
+  TEST_CASE("a curve is a bidirectional range for the standard algorithms") {
     static_assert(std::bidirectional_iterator<BoundaryCurve::Iterator>);
     TestMesh mesh;
     strip(mesh, 2);

@@ -1,5 +1,5 @@
-// Changing a front during a call by the engine is refused; and what was true of a front when a Fit was made is
-// checked when it is inserted.
+// Changes of a front during a call by the engine are refused. The state of a front when a Fit was made is checked when
+// it is inserted.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ namespace {
 enum class When { seed, propose, key, glues, seeded, attached, frozen, curve, never };
 using Change = std::function<void(Front&)>;
 
-/// Changes the front at one question or event.
+/// Changes the front at one call or event.
 struct Meddling : CurveVisitor {
   Front* front = nullptr;
   When when = When::never;
@@ -96,7 +96,7 @@ TEST_SUITE("changed while the policy proposes") {
     }
   }
 
-  TEST_CASE("glues() that changes the front outside of a run is noticed, and does not hang") {
+  TEST_CASE("glues() that changes the front outside of a run is detected, and does not hang") {
     TestMesh mesh;
     Front front(mesh, 9);
     front.create(0, 1, 2);

@@ -1,4 +1,4 @@
-// Edges that are deferred: their turn comes when the front has changed, and not before; and never so that a run does not end.
+// Deferred edges: their turn comes when the front has changed, and not before; and a run always ends.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -21,7 +21,8 @@ using Sides = std::vector<std::pair<Site, Site>>;
 
 std::pair<Site, Site> side(const Front& front, Halfedge h) { return {front.from_site(h), front.to_site(h)}; }
 
-/// Two triangles with a gap of two between them, and one seed after the other. Edges are deferred until `faces` are there.
+/// Two triangles with a gap of two between them, and one seed after the other. Edges are deferred until there are
+/// `faces` faces.
 struct Waiting {
   std::size_t faces = 0;
   std::vector<Seed> seeds = {{3, 4, 5}, {0, 1, 2}};
@@ -59,8 +60,7 @@ Sides operator+(Sides a, const Sides& b) {
 }  // namespace
 
 TEST_SUITE("defer") {
-  TEST_CASE(
-      "what is deferred for ever is asked about once for each change, then frozen, in the order in which it came") {
+  TEST_CASE("edges deferred forever are proposed for once after each change, and then frozen in their order") {
     Waiting policy;
     policy.faces = 100;
     Events events;
@@ -73,7 +73,7 @@ TEST_SUITE("defer") {
     CHECK(events.frozen_at == of_second + of_first);
     CHECK(front.faces() == 2);
     check_sound(mesh);
-    // Proposed for again on the next level.
+    // They are proposed for again on the next level.
     CHECK(front.next_level().reactivated == 6);
     policy.faces = 0;
     advance(front, policy, events);
@@ -95,7 +95,7 @@ TEST_SUITE("defer") {
   }
 
   TEST_CASE("an edge to which a neighbor's triangle is attached is not proposed for again") {
-    // The edge 0→2 waits; 2→1 gets the site 0... by way of a new triangle around it.
+    // The edge 0→2 waits; 2→1 gets the site 0 by way of a new triangle around it.
     struct Around {
       std::map<std::pair<Site, Site>, Site> apex = {{{1, 0}, 3}, {{3, 0}, 2}};
       Sides proposed_for;
@@ -122,7 +122,7 @@ TEST_SUITE("defer") {
     struct Meddling : FrontVisitor {
       std::size_t wakes = 2;
       void deferred(const Front& front, Halfedge h) {
-        auto& changeable = const_cast<Front&>(front);  // as its owner has it
+        auto& changeable = const_cast<Front&>(front);  // as the owner of the front has it
         if (side(front, h) == std::pair<Site, Site>{2, 1} && wakes > 0) {
           --wakes;
           changeable.activate(h);
@@ -145,7 +145,7 @@ TEST_SUITE("defer") {
       bool done = false;
       void deferred(const Front& front, Halfedge h) {
         if (std::exchange(done, true)) return;
-        auto& changeable = const_cast<Front&>(front);  // as its owner has it
+        auto& changeable = const_cast<Front&>(front);  // as the owner of the front has it
         changeable.activate(h);
         changeable.freeze(h);
         changeable.activate(h);
@@ -180,7 +180,7 @@ TEST_SUITE("defer") {
       for (const Halfedge h : curve) CHECK(front.is_frozen(h));
   }
 
-  TEST_CASE("a throw leaves deferred edges as they are: popped last, or proposed for when they would have been") {
+  TEST_CASE("a throw leaves deferred edges as they are: popped last, or proposed for at the same time") {
     const auto thrown_at = [](std::size_t question, auto then) {
       struct Throwing : Waiting {
         std::size_t left = 0;
@@ -220,7 +220,7 @@ TEST_SUITE("defer") {
     });
   }
 
-  TEST_CASE("with keys: when those that wait are woken the least key is first again") {
+  TEST_CASE("the least key comes first again when deferred edges are woken") {
     struct Keyed : Waiting {
       int key(const Front& front, Halfedge h) const { return -static_cast<int>(front.from_site(h)); }
     } policy;
@@ -232,7 +232,7 @@ TEST_SUITE("defer") {
     CHECK(policy.proposed_for == first + second + first);
   }
 
-  TEST_CASE("a polygon is cut into ears, from any edge: one that is no ear yet waits until it is") {
+  TEST_CASE("a polygon is cut into ears from any edge: an edge that is no ear yet waits until it is") {
     // A comb of unit squares on integer sites: most corners are no ears at first.
     std::vector<std::array<int, 2>> at;
     const int teeth = 12;

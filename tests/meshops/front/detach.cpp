@@ -24,7 +24,7 @@ std::size_t fans_at(const Front& front, Site s) {
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("what was attached last goes again, and the mesh is as before, up to handles") {
+  TEST_CASE("detaching the last triangle restores the mesh, up to handles") {
     // Each triangle of a closed ring around site 0: new vertex, neighbor on the curve, and the last that closes it.
     TestMesh mesh;
     Front front(mesh, 6);
@@ -43,7 +43,7 @@ TEST_SUITE("front") {
     CHECK_FALSE(front.is_on_boundary(0));
   }
 
-  TEST_CASE("what was detached names vertices that finish() removes") {
+  TEST_CASE("finish() removes the vertices that only detached triangles had") {
     TestMesh mesh;
     Front front(mesh, 8);  // 0 and 7 are on no triangle
     front.create(1, 2, 3);
@@ -81,7 +81,7 @@ TEST_SUITE("front") {
     check_sound(mesh);
   }
 
-  TEST_CASE("a fan falls in two where the triangle was what held it together") {
+  TEST_CASE("a fan becomes two when a triangle in its middle is detached") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);
@@ -118,7 +118,7 @@ TEST_SUITE("front") {
     CHECK(mesh.point(Vertex(5)) == mesh.point(Vertex(2)));
   }
 
-  TEST_CASE("a site that was left behind goes on when it is on the boundary again, or free") {
+  TEST_CASE("a site that was left behind is carried again when it is on the boundary again, or free") {
     TestMesh mesh;
     Front front(mesh, 4);
     const Face first = front.create(0, 1, 2).face;

@@ -16,7 +16,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// A policy without geometry: reproduces a given triangulation, from given seeds.
+/// Policy without geometry that reproduces a given triangulation, from given seeds.
 class Replay {
  public:
   using Triangle = std::array<Site, 3>;
@@ -41,7 +41,7 @@ class Replay {
 };
 static_assert(FrontPolicy<Replay>);
 
-/// Checks the whole mesh after every event.
+/// Visitor that checks the whole mesh after every event.
 struct Validating : FrontVisitor {
   int seeds = 0, attachments = 0, freezes = 0;
   void seeded(const Front& front, const InsertedTriangle&) {
@@ -59,7 +59,7 @@ struct Validating : FrontVisitor {
   }
 };
 
-/// Gives the seeds that are not in the mesh yet: all at once, before any front advances.
+/// Policy that returns all seeds that are not in the mesh yet, before any front advances.
 class EagerSeeds : public Replay {
  public:
   EagerSeeds(const std::vector<Triangle>& triangles, std::deque<Triangle> seeds)
@@ -86,7 +86,7 @@ class EagerSeeds : public Replay {
   std::deque<Triangle> seeds_;
 };
 
-/// Keeps count of the curves by the events alone.
+/// Visitor that counts curves by the events alone.
 struct CurveCounter : CurveVisitor {
   int curves = 0, joins = 0, splits = 0, closings = 0;
   void curve_begun(const Front& front, Halfedge h) {
@@ -106,11 +106,11 @@ struct CurveCounter : CurveVisitor {
     --curves;
     ++closings;
   }
-  // Called before the events of the next triangle, and so after all of the one before.
+  // This is called before the events of the next triangle, and so after all events of the one before.
   void frozen(const Front& front, Halfedge) { CHECK(curves == static_cast<int>(front.curves().size())); }
 };
 
-/// Attaches a new point to everything until there are forty.
+/// Policy that attaches a new point to every edge until there are forty.
 struct Placing {
   std::optional<std::array<Site, 3>> seed(const Front& front) const {
     if (front.faces() > 0) return std::nullopt;
@@ -122,7 +122,7 @@ struct Placing {
   }
 };
 
-/// Squares of a grid of `side`² sites, each cut in two; squares in `holes` are left out.
+/// Returns the squares of a grid of `side`² sites, each cut in two, without the squares in `holes`.
 std::vector<Replay::Triangle> cut_squares(Site side, const std::vector<Site>& holes) {
   std::vector<Replay::Triangle> triangles;
   for (Site y = 0; y + 1 < side; ++y)
@@ -138,7 +138,7 @@ std::vector<Replay::Triangle> cut_squares(Site side, const std::vector<Site>& ho
 }  // namespace
 
 TEST_SUITE("engine") {
-  TEST_CASE("builds the policy's triangulation, and is sound after every event") {
+  TEST_CASE("the engine builds the policy's triangulation, and the mesh is sound after every event") {
     const auto triangles = cut_squares(8, {24});
     for (std::size_t seed = 0; seed < triangles.size(); seed += 5) {
       TestMesh mesh;
@@ -182,7 +182,7 @@ TEST_SUITE("engine") {
     check_sound(mesh);
   }
 
-  TEST_CASE("the events of curves count them at each moment") {
+  TEST_CASE("the events of curves add up to their number at each moment") {
     std::mt19937 random(5);
     int joins = 0, splits = 0, closings = 0;
     for (int round = 0; round < 60; ++round) {
@@ -191,7 +191,7 @@ TEST_SUITE("engine") {
         if (random() % 4 == 0) holes.push_back(square);
       const auto triangles = cut_squares(8, holes);
       std::deque<Replay::Triangle> seeds;
-      // Several seeds of one component grow towards each other.
+      // Several seeds of one component grow toward each other.
       for (const auto& t : triangles)
         if (random() % 5 == 0) seeds.push_back(t);
       TestMesh mesh;
@@ -212,7 +212,7 @@ TEST_SUITE("engine") {
     CHECK(closings > 5);
   }
 
-  TEST_CASE("level after level gives the mesh of one run, and carries just what is not inner") {
+  TEST_CASE("a run level by level gives the mesh of one run, and carries exactly the sites that are not inner") {
     std::mt19937 random(9);
     for (int round = 0; round < 30; ++round) {
       std::vector<Site> holes;

@@ -1,4 +1,4 @@
-// A front that begins on a mesh of the user's.
+// A front that begins on a mesh of the user.
 #include <doctest/doctest.h>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
@@ -17,7 +17,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Fills a hole: the apex of every edge is the vertex after the next.
+/// Policy that fills a hole: the apex of every edge is the vertex after the next.
 struct Ears {
   std::optional<std::array<Site, 3>> seed(const Front&) { return std::nullopt; }
   std::optional<Site> propose(const Front& front, Halfedge h) {
@@ -29,7 +29,7 @@ struct Ears {
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("begins with the boundary curves of the mesh, all active, and with every handle as it was") {
+  TEST_CASE("a front begins with the boundary curves of the mesh, all active, and keeps every handle") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh mesh;
@@ -53,7 +53,7 @@ TEST_SUITE("front") {
     }
   }
 
-  TEST_CASE("fills a hole in a mesh, whose faces, points and handles stay") {
+  TEST_CASE("a front fills a hole in a mesh, whose faces, points and handles stay") {
     OpenMesh::TriMesh_ArrayKernelT<> mesh;
     mesh.request_vertex_status();
     mesh.request_edge_status();
@@ -85,7 +85,7 @@ TEST_SUITE("front") {
     CHECK_FALSE(mesh.status(Face(0)).deleted());
   }
 
-  TEST_CASE("a complex with pinches goes on by its map of sites, and fans grow together") {
+  TEST_CASE("a front continues a complex with pinches by its map of sites, and fans merge") {
     TestMesh mesh;
     std::vector<Site> site_of;
     {
@@ -106,7 +106,7 @@ TEST_SUITE("front") {
     check_sound(mesh);
     CHECK(front.finish().size() == 6);
     CHECK(count_topology(mesh).components == 1);
-    // Without the map the same point is two sites.
+    // Without the map, the same point is two sites.
     TestMesh apart;
     {
       Front other(apart, 7);
@@ -130,7 +130,7 @@ TEST_SUITE("front") {
     CHECK(front.next_level().carried == std::vector<Site>{0, 1, 2, 3, 5});
     front.finish();
     CHECK(mesh.n_vertices() == 6);
-    // By a map, too.
+    // It also holds with a map.
     TestMesh other;
     for (int i = 0; i < 4; ++i) other.new_vertex();
     Front mapped(other, std::vector<Site>{7, 3, 5, 7});
@@ -139,7 +139,7 @@ TEST_SUITE("front") {
     CHECK(other.n_vertices() == 4);
     CHECK(other.is_isolated(Vertex(3)));
     check_sound(other);
-    // A deleted one is no vertex of its site.
+    // A deleted vertex is no vertex of its site.
     TestMesh dead;
     for (int i = 0; i < 3; ++i) dead.new_vertex();
     dead.status(Vertex(1)).set_deleted(true);
@@ -171,7 +171,7 @@ TEST_SUITE("front") {
                          ContractViolation);
   }
 
-  TEST_CASE("finish, report and the map of a front have one type") {
+  TEST_CASE("the results of finish() fit report() and the map of a front") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);

@@ -16,7 +16,7 @@ Halfedge boundary(const Front& front, Site from, Site to) { return front.boundar
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("begins with one isolated vertex per site") {
+  TEST_CASE("a front begins with one isolated vertex per site") {
     TestMesh mesh;
     Front front(mesh, 4);
     CHECK(mesh.n_vertices() == 4);
@@ -44,19 +44,19 @@ TEST_SUITE("front") {
     check_sound(mesh);
   }
 
-  TEST_CASE("fans grow together when an edge between them is glued, and their vertices become one") {
+  TEST_CASE("fans merge when an edge between them is glued, and their vertices become one") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);
     front.create(0, 3, 4);
-    // The triangle 0 2 3 has its sides 0→2 and 3→0 on the boundary of different curves.
+    // The triangle 0 2 3 has its sides 0→2 and 3→0 on different boundary curves.
     const Halfedge h = boundary(front, 0, 2);
     REQUIRE(h.is_valid());
     const InsertedTriangle t = front.attach(h, 3);
     CHECK(t.merged == 1);
     CHECK(t.left_over[0] == Vertex(5));
     check_sound(mesh);
-    // The vertex left over serves the next pinch.
+    // The left-over vertex serves the next pinch.
     int fans = 0;
     front.for_each_fan(0, [&](Vertex) { ++fans; });
     CHECK(fans == 1);
@@ -137,7 +137,7 @@ TEST_SUITE("front") {
     check_sound(mesh);
   }
 
-  TEST_CASE("the queue gives active halfedges that are still on the boundary, oldest first") {
+  TEST_CASE("the queue returns active halfedges that are still on the boundary, oldest first") {
     TestMesh mesh;
     Front front(mesh, 4);
     front.create(0, 1, 2);
@@ -149,7 +149,7 @@ TEST_SUITE("front") {
     CHECK(front.from_site(front.pop()) == 0);  // the third side of the seed
   }
 
-  TEST_CASE("sites can be added while it runs; they have a vertex when they are used") {
+  TEST_CASE("sites can be added during a run, and have a vertex once they are used") {
     TestMesh mesh;
     Front front(mesh, 3);
     front.create(0, 1, 2);
@@ -168,7 +168,7 @@ TEST_SUITE("front") {
     CHECK(front.finish() == std::vector<Site>{0, 1, 2, 4});
   }
 
-  TEST_CASE("fans on an added site grow together, whichever of their vertices survives") {
+  TEST_CASE("fans on an added site merge, whichever of their vertices survives") {
     TestMesh mesh;
     Front front(mesh, 5);
     front.create(0, 1, 2);
@@ -185,7 +185,8 @@ TEST_SUITE("front") {
     REQUIRE(fans == 2);
     REQUIRE(front.site(Vertex(5)) == added);
     check_sound(mesh);
-    const InsertedTriangle t = front.attach(boundary(front, 2, added), 3);  // between the fans: vertex 6 loses
+    const InsertedTriangle t =
+        front.attach(boundary(front, 2, added), 3);  // between the fans: vertex 6 is merged into the other
     CHECK(t.merged == 1);
     CHECK(t.left_over[0] == Vertex(6));
     fans = 0;
@@ -197,7 +198,7 @@ TEST_SUITE("front") {
     check_sound(mesh);
   }
 
-  TEST_CASE("its curves are the boundary curves, whatever elements it has in supply") {
+  TEST_CASE("the curves of a front are the boundary curves, whatever elements it has in supply") {
     for (const std::size_t supply : {std::size_t{1}, std::size_t{64}}) {
       TestMesh mesh;
       Front front(mesh, 7, supply);
@@ -212,7 +213,7 @@ TEST_SUITE("front") {
     }
   }
 
-  TEST_CASE("the curves at a site are those of its fans; an inner or free one has none") {
+  TEST_CASE("the curves at a site are those of its fans, and an inner or free site has none") {
     TestMesh mesh;
     Front front(mesh, 8);
     front.create(0, 1, 2);
@@ -223,14 +224,14 @@ TEST_SUITE("front") {
     CHECK_FALSE(curves[0].contains(curves[1].front()));
     CHECK(front.curves_at(1).size() == 1);
     CHECK(front.curves_at(7).empty());
-    // Site 0 turns inner.
+    // Site 0 becomes inner.
     front.attach(boundary(front, 0, 2), 3);
     front.attach(boundary(front, 0, 4), 1);
     CHECK(front.curves_at(0).empty());
     CHECK_FALSE(front.is_on_boundary(0));
   }
 
-  TEST_CASE("the next level carries free sites and those on the boundary, and wakes what was frozen") {
+  TEST_CASE("the next level carries free and boundary sites, and activates frozen halfedges") {
     TestMesh mesh;
     Front front(mesh, 8);
     front.create(0, 1, 2);
@@ -254,7 +255,7 @@ TEST_SUITE("front") {
     CHECK(second.left_behind == 1);
     CHECK(second.reactivated == 4);
     check_sound(mesh);
-    // Each face has the level at which it came, however many transfers follow.
+    // Each face keeps the level at which it was inserted, however many transfers follow.
     front.next_level();
     const Face last = front.create(5, 6, 7).face;
     CHECK(front.level() == 3);
@@ -264,15 +265,15 @@ TEST_SUITE("front") {
     CHECK(front.level(last) == 3);
   }
 
-  TEST_CASE("a site with several fans goes on as long as one of them is on the boundary") {
+  TEST_CASE("a site with several fans is carried as long as one of them is on the boundary") {
     TestMesh mesh;
     Front front(mesh, 6);
-    // Around site 0 a closed ring of three, and site 5 apart.
+    // A closed ring of three triangles around site 0, and site 5 apart.
     front.create(0, 1, 2);
     front.attach(boundary(front, 0, 2), 3);
     front.attach(boundary(front, 0, 3), 1);
     CHECK(front.next_level().carried == std::vector<Site>{1, 2, 3, 4, 5});
-    // A triangle that touches the ring in site 1 only.
+    // A triangle that touches the ring only in site 1.
     front.create(1, 4, 5);
     CHECK(front.is_on_boundary(1));
     const Site added = front.add_site();

@@ -1,4 +1,4 @@
-// A policy that decides which sides are glued: its decisions hold, and not those that sites alone would give.
+// A policy that decides which sides are glued: its decisions hold, not those that sites alone would give.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -20,13 +20,13 @@ namespace {
 
 using Corners = std::array<Site, 3>;
 
-/// Triangles that are given, with what lies across from each of their corners, −1 for nothing.
+/// Given triangles, with the triangle across from each of their corners, −1 for none.
 struct Given {
   std::vector<Corners> triangles;
   std::vector<std::array<int, 3>> across;
   std::size_t next = 0;
 
-  /// All of them, in order; the front refuses those that are there.
+  /// Returns all triangles as seeds, in order; the front refuses those that exist.
   std::optional<Corners> seed(const Front& front) {
     for (; next < triangles.size(); ++next) {
       const auto& [a, b, c] = triangles[next];
@@ -43,7 +43,7 @@ struct Given {
   }
   bool glues(const Front& front, Halfedge h, Site apex) const { return propose(front, h) == apex; }
 
-  /// The triangle across the boundary halfedge.
+  /// Returns the triangle across the boundary halfedge.
   int beyond(const Front& front, Halfedge h) const {
     const Halfedge behind = front.mesh().opposite_halfedge_handle(h);
     const Site c = front.to_site(front.mesh().next_halfedge_handle(behind));
@@ -69,7 +69,7 @@ TopologyCounts advanced(Given policy, std::size_t sites, std::size_t expected_fa
 }  // namespace
 
 TEST_SUITE("gluing") {
-  TEST_CASE("a slit stays open: two edges between the same vertices, which sites alone would glue") {
+  TEST_CASE("a slit of two edges between the same vertices stays open, although sites alone would glue it") {
     // A strip around 0 and 1, whose two triangles at the edge 0–1 are not linked to each other.
     const Given slit{{{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {0, 4, 3}, {1, 3, 5}, {1, 5, 2}},
                      {{5, 2, -1}, {3, 4, -1}, {-1, 3, 0}, {-1, 1, 2}, {-1, 5, 1}, {-1, 0, 4}}};
@@ -84,7 +84,7 @@ TEST_SUITE("gluing") {
     closed.across[1][2] = 0;
     CHECK(advanced(closed, 6, 6).boundary_curves == 1);
 
-    // By sites, whatever `across` has: a policy without glues() closes it.
+    // A policy without glues() glues by sites, whatever `across` holds, and closes the slit.
     struct BySites {
       Given given;
       std::optional<Corners> seed(const Front& front) { return given.seed(front); }
@@ -96,7 +96,7 @@ TEST_SUITE("gluing") {
     CHECK(count_topology(mesh).boundary_curves == 1);
   }
 
-  TEST_CASE("four triangles at one edge, in two pairs") {
+  TEST_CASE("four triangles at one edge are glued in two pairs") {
     const Given book{{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}},
                      {{-1, -1, 1}, {-1, -1, 0}, {-1, -1, 3}, {-1, -1, 2}}};
     const TopologyCounts counts = advanced(book, 6, 4);
@@ -124,7 +124,7 @@ TEST_SUITE("gluing") {
     CHECK(front.edges_between(2, 3).empty());
   }
 
-  TEST_CASE("a site around which all faces close has a further fan") {
+  TEST_CASE("a site around which all faces close can have a further fan") {
     const Given cone{{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}, {{-1, 1, 2}, {-1, 2, 0}, {-1, 0, 1}, {-1, -1, -1}}};
     const TopologyCounts counts = advanced(cone, 6, 4);
     CHECK(counts.components == 2);
@@ -132,7 +132,7 @@ TEST_SUITE("gluing") {
     CHECK(counts.boundary_curves == 2);
   }
 
-  TEST_CASE("an existing triangle is refused, and whatever a policy returns it ends on a given number of sites") {
+  TEST_CASE("an existing triangle is refused, and a run on a fixed number of sites ends whatever the policy returns") {
     TestMesh mesh;
     Front front(mesh, 3);
     const auto never = [](Halfedge, Site) { return false; };
@@ -166,7 +166,7 @@ TEST_SUITE("gluing") {
   }
 
   TEST_CASE("seeds are glued as the policy decides, too") {
-    // Two triangles with a common side, of which the second is a seed as nothing is proposed.
+    // Two triangles with a common side. The second is a seed, because nothing is proposed.
     struct Seeds {
       bool glued;
       std::size_t next = 0;

@@ -1,5 +1,5 @@
-// The life of a front: it is one, on a mesh that nobody else changes, until it is finished. Whoever does otherwise is
-// refused with the cause, and no memory is read that is not there.
+// The life of a front: a mesh has one front, and no other code changes the mesh until the front is finished. Violations
+// are refused with the cause, and no memory outside the mesh is read.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -25,7 +25,7 @@ static_assert(!std::is_copy_constructible_v<SiteVertices> && std::is_nothrow_mov
 static_assert(!std::is_copy_constructible_v<AssembledPatches> && std::is_move_constructible_v<AssembledPatches>);
 static_assert(!std::is_copy_constructible_v<PatchAssembler>);
 
-/// Everything that reads the mesh or changes it.
+/// Returns every member that reads or changes the mesh.
 const std::vector<std::pair<const char*, std::function<void(Front&)>>>& entries() {
   static const std::vector<std::pair<const char*, std::function<void(Front&)>>> all = {
       {"add_site", [](Front& f) { f.add_site(); }},
@@ -63,7 +63,7 @@ const std::vector<std::pair<const char*, std::function<void(Front&)>>>& entries(
   return all;
 }
 
-/// Two triangles, and sites that are free.
+/// Inserts two triangles and leaves some sites free.
 void begin(Front& front) {
   front.create(0, 1, 2);
   front.create(2, 1, 5);
@@ -72,7 +72,7 @@ void begin(Front& front) {
 }  // namespace
 
 TEST_SUITE("life of a front") {
-  TEST_CASE("every entry of a finished front reports that it is finished, and leaves the mesh alone") {
+  TEST_CASE("every member of a finished front reports that it is finished, and leaves the mesh alone") {
     for (const auto& named : entries()) {
       CAPTURE(named.first);
       TestMesh mesh;
@@ -82,7 +82,7 @@ TEST_SUITE("life of a front") {
       CHECK(refusal([&] { named.second(front); }) == "Front: the front is finished");
       check_sound(mesh);
       CHECK(mesh.n_faces() == 2);
-      // These read no mesh.
+      // These members read no mesh.
       CHECK(&front.mesh() == static_cast<Connectivity*>(&mesh));
       CHECK(front.faces() == 2);
       CHECK(front.edges() == 5);
@@ -93,7 +93,7 @@ TEST_SUITE("life of a front") {
     }
   }
 
-  TEST_CASE("every entry of a front whose mesh others changed reports what was found and what was expected") {
+  TEST_CASE("every member reports the found and the expected counts if other code changed the mesh") {
     for (const auto& named : entries()) {
       CAPTURE(named.first);
       TestMesh mesh;
@@ -109,7 +109,7 @@ TEST_SUITE("life of a front") {
     }
   }
 
-  TEST_CASE("a vertex, an edge or a face more is noticed, one by one") {
+  TEST_CASE("an additional vertex, edge or face is detected") {
     for (const int what : {0, 1, 2}) {
       TestMesh mesh;
       Front front(mesh, 30);
@@ -121,7 +121,7 @@ TEST_SUITE("life of a front") {
     }
   }
 
-  TEST_CASE("the front's own changes are none of others: supply, further vertices, triangles that go") {
+  TEST_CASE("the front's own changes are accepted: supply, further vertices, detached triangles") {
     for (const std::size_t supply : {std::size_t{1}, std::size_t{5}}) {
       TestMesh mesh;
       Front front(mesh, 9, supply);
@@ -130,7 +130,7 @@ TEST_SUITE("life of a front") {
       front.create(0, 5, 6);
       front.attach(front.boundary_between(1, 0), static_cast<Site>(front.sites()));
       front.detach(Face(1));
-      front.detach(Face(0));  // a fan falls in two, or goes
+      front.detach(Face(0));  // a fan becomes two, or disappears
       front.create(0, 3, 4);
       front.next_level();
       CHECK_NOTHROW(front.finish());
@@ -141,7 +141,7 @@ TEST_SUITE("life of a front") {
   TEST_CASE("a mesh collected while fans are visited, or by a policy or a visitor, ends the run with the cause") {
     struct Growing {
       TestMesh& mesh;
-      int at;  // which of the questions changes the mesh
+      int at;  // number of the call that changes the mesh
       int calls = 0;
       void change(int what) {
         if (what == at && ++calls == 3) mesh.garbage_collection();
@@ -207,7 +207,7 @@ TEST_SUITE("life of a front") {
           }).starts_with("Front: the mesh was changed by others: it has "));
   }
 
-  TEST_CASE("what others only mark deleted is noticed where the front comes across it") {
+  TEST_CASE("elements marked deleted by other code are detected where the front meets them") {
     TestMesh mesh;
     Front front(mesh, 9);
     front.create(0, 1, 2);
@@ -236,7 +236,7 @@ TEST_SUITE("life of a front") {
           }) == "Front: the mesh was changed by others: a vertex that waits is marked deleted");
   }
 
-  TEST_CASE("patches that were assembled are finished once, or go on as one front") {
+  TEST_CASE("assembled patches are finished once, or continued by one front") {
     const auto assembled = [](TestMesh& mesh) {
       PatchAssembler assembler(mesh, 4);
       Patch patch;

@@ -1,5 +1,5 @@
-// Members with the name of an optional one and another form are found when compiling; what has the form, or no such name, is
-// not.
+// Members that have the name of an optional member but another form are found at compile time; members of the right
+// form, or with other names, are accepted.
 #include "meshops/front/near_miss.h"
 
 #include <doctest/doctest.h>
@@ -133,7 +133,7 @@ static_assert(misses_events<Freezed>() && misses_events<CurvesClosed>() && misse
 static_assert(!misses_events<FrontVisitor>() && !misses_events<CurveVisitor>() && !misses_events<Follows>());
 static_assert(!misses_events<BothAtOnce>() && !misses_events<HasHelper>() && !misses_events<Frozen>());
 
-/// A policy whose proposals have this type.
+/// Policy whose proposals have this type.
 template <typename Answer>
 struct Proposing {
   std::optional<std::array<Site, 3>> seed(const Front&) { return std::nullopt; }

@@ -14,7 +14,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Attaches new sites until there are forty, and records the key of each edge it is called for.
+/// Policy that attaches new sites until there are forty, and records the key of each edge for which it is called.
 struct Noting {
   std::vector<Site> processed_from;
   std::optional<std::array<Site, 3>> seed(const Front& front) {
@@ -47,17 +47,17 @@ Policy run() {
 }  // namespace
 
 TEST_SUITE("order") {
-  TEST_CASE("the least key comes first, of those there are at the time") {
+  TEST_CASE("the least key among those that wait comes first") {
     const auto processed = run<LastFirst>().processed_from;
-    // While there are new sites the edge from the newest is next: 3, 4, 5, and so on.
+    // While there are new sites, the edge from the newest is next: 3, 4, 5, and so on.
     for (std::size_t i = 1; i + 3 < 38; ++i) CHECK(processed[i] == i + 2);
-    // Then all that is left, from the greatest site down.
+    // Then the remaining edges follow, from the greatest site down.
     CHECK(std::is_sorted(processed.begin() + 40, processed.end(), std::greater<>()));
   }
 
-  TEST_CASE("seeds that are there before the run grow side by side, by a ring in turn") {
+  TEST_CASE("seeds inserted before the run grow side by side, by a ring each in turn") {
     struct Component : Noting {
-      std::vector<bool> second = {false, false, false, true, true, true};  // of each site
+      std::vector<bool> second = {false, false, false, true, true, true};  // for each site
       std::vector<bool> processed;
       std::optional<Site> propose(const Front& front, Halfedge h) {
         const bool is_of_second = second[front.from_site(h)];
@@ -76,11 +76,11 @@ TEST_SUITE("order") {
     for (std::size_t i = 0; i < 34; ++i) CHECK(policy.processed[i] == (i < 6 ? i > 2 : i < 18 ? i > 11 : i > 29));
   }
 
-  TEST_CASE("of equal keys the oldest comes first: as without an order") {
+  TEST_CASE("the oldest of equal keys comes first, as without an order") {
     CHECK(run<AllEqual>().processed_from == run<Noting>().processed_from);
   }
 
-  TEST_CASE("shortest edge first: each edge is the shortest of those that wait") {
+  TEST_CASE("with lengths as keys each edge is the shortest of those that wait") {
     struct ShortestFirst {
       std::multimap<unsigned, Halfedge> waiting;
       unsigned length(const Front& front, Halfedge h) const {
@@ -113,7 +113,7 @@ TEST_SUITE("order") {
     CHECK(policy.waiting.empty());
   }
 
-  TEST_CASE("one frozen edge is woken, and comes again") {
+  TEST_CASE("a frozen edge that is activated comes again") {
     TestMesh mesh;
     Front front(mesh, 3);
     Noting policy;
@@ -129,7 +129,7 @@ TEST_SUITE("order") {
     advance(front, policy);
     CHECK(policy.processed_from == std::vector<Site>{front.from_site(woken)});
     CHECK(front.is_frozen(woken));
-    // It is set aside once, however often it was.
+    // It is frozen once, however often that was requested.
     std::size_t boundary = 0;
     for (const BoundaryCurve& curve : front.curves()) boundary += curve.length();
     CHECK(front.next_level().reactivated == boundary);

@@ -1,4 +1,4 @@
-// Every call of a front, at random.
+// Random calls of all members of a front.
 #include <doctest/doctest.h>
 
 #include "walk/front_policies.h"
@@ -51,8 +51,8 @@ TEST_SUITE("front walk") {
   }
 }
 
-// Too long for every run: the nightly tests run it.
+// Too long for every run: only the nightly tests run it.
 TEST_SUITE("long walk" * doctest::skip()) {
-  TEST_CASE("1,000,000 steps on fronts") { walk(3, 1'000'000); }
-  TEST_CASE("1,000,000 proposals to advancing fronts") { advance(4, 1'000'000); }
+  TEST_CASE("1,000,000 random calls of fronts agree with the model") { walk(3, 1'000'000); }
+  TEST_CASE("1,000,000 random proposals leave advancing fronts sound") { advance(4, 1'000'000); }
 }

@@ -1,4 +1,4 @@
-// What a front refuses, in words and with the mesh untouched.
+// Calls that a front refuses, with the reason in words and the mesh untouched.
 #include "meshops/front/refusal.h"
 
 #include <doctest/doctest.h>
@@ -44,7 +44,7 @@ void check_create(Closed& on, const std::array<Site, 3>& c, const Refusal& expec
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("an apex that is no site is refused; the next new one is a site") {
+  TEST_CASE("an apex that is no site is refused, and the next new number is a site") {
     Closed on;
     const Halfedge h = on.at(2, 1);
     check_attach(on, h, 77, {RefusalKind::no_such_site, 77});
@@ -56,7 +56,7 @@ TEST_SUITE("front") {
     check_sound(on.mesh);
   }
 
-  TEST_CASE("a seed of sites that are not there is refused; new ones must follow the last, in any order") {
+  TEST_CASE("a seed of sites that do not exist is refused, unless new ones follow the last, in any order") {
     Closed on;
     check_create(on, {4, 5, 9}, {RefusalKind::no_such_site, 9});
     check_create(on, {4, 5, minus_one}, {RefusalKind::no_such_site, minus_one});
@@ -79,7 +79,7 @@ TEST_SUITE("front") {
     check_create(on, {6, 6, 6}, {RefusalKind::corner_repeated, 6});
   }
 
-  TEST_CASE("attaching to an inner halfedge, to one of no mesh or to one that was attached to is refused") {
+  TEST_CASE("attaching to an inner halfedge, an invalid one or one that has a triangle is refused") {
     Closed on;
     const Halfedge h = on.at(2, 1), inner = on.mesh.opposite_halfedge_handle(h);
     check_attach(on, inner, 4, {RefusalKind::no_boundary_halfedge, 0, 0, inner.idx()});
@@ -146,7 +146,7 @@ TEST_SUITE("front") {
     CHECK_THROWS_AS((void)front.edge_between(0, 50), ContractViolation);
   }
 
-  TEST_CASE("every refusal has a name of its own and words") {
+  TEST_CASE("every refusal has a name and a text of its own") {
     std::set<std::string> names, words;
     for (int kind = 0; kind < 8; ++kind) {
       names.insert(std::string(name(RefusalKind(kind))));

@@ -1,5 +1,5 @@
-// Does not compile: a policy or a visitor with a near miss is refused with a message that gives the expected form. A test
-// compares the messages.
+// This file does not compile: a policy or a visitor with a near miss is refused with a message that gives the expected
+// form. A test compares the messages.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 #include <optional>

@@ -16,7 +16,8 @@ namespace {
 
 unsigned mixed(unsigned a, unsigned b) { return (a * 7919U + b * 104'729U + 17U) % 1009U; }
 
-/// As wild as a function of an edge and its neighbors can be: attaches, places, closes, detaches, defers.
+/// Policy that is as irregular as a function of an edge and its neighbors can be: attaches, places, closes, detaches,
+/// defers.
 struct Wild {
   unsigned salt = 0;
   std::size_t asked = 0, detached = 0, deferred = 0;
@@ -51,7 +52,7 @@ unsigned angle(const Front& front, Halfedge h) {
          101U;
 }
 
-/// Checks by brute force that each edge proposed for has the least key of all that wait.
+/// Policy that checks by brute force that each edge proposed for has the least key of all that wait.
 struct ByAngle : Wild {
   static constexpr bool rekeys_neighbours = true;
   std::set<Halfedge> waiting_for_change;
@@ -73,7 +74,7 @@ struct ByAngle : Wild {
   }
 };
 
-/// Deferred halfedges wait no longer when their key is computed again.
+/// Policy whose deferred halfedges no longer wait when their key is computed again.
 struct Forgetting : ByAngle {
   unsigned key(const Front& front, Halfedge h) {
     waiting_for_change.erase(h);
@@ -82,7 +83,7 @@ struct Forgetting : ByAngle {
 };
 
 struct OfTheEdge : Wild {
-  OfTheEdge() { detached = 60; }  // none is detached any more
+  OfTheEdge() { detached = 60; }  // from now on none is detached
   unsigned key(const Front& front, Halfedge h) { return mixed(front.from_site(h), front.to_site(h)) % 7; }
   Proposal propose(const Front& front, Halfedge h) { return answer(front, h); }
 };
@@ -135,7 +136,7 @@ std::vector<int> run(unsigned salt) {
 static_assert(RekeyingFrontPolicy<ByAngle> && !RekeyingFrontPolicy<OfTheEdge> && !RekeyingFrontPolicy<OfTheEdgeOnce>);
 
 TEST_SUITE("rekey") {
-  TEST_CASE("each edge has the least key of those that wait, as keys are now: by brute force") {
+  TEST_CASE("each edge has the least present key of those that wait, by brute force") {
     std::size_t compared = 0, detached = 0, deferred = 0;
     for (unsigned salt = 0; salt < 120; ++salt) {
       CAPTURE(salt);
@@ -154,7 +155,7 @@ TEST_SUITE("rekey") {
     CHECK(deferred > 100);
   }
 
-  TEST_CASE("without it, keys of neighbors are of yesterday") {
+  TEST_CASE("without rekeying, keys of neighbors are out of date") {
     std::size_t late = 0;
     for (unsigned salt = 0; salt < 40; ++salt) {
       TestMesh mesh;
@@ -167,7 +168,7 @@ TEST_SUITE("rekey") {
     CHECK(late > 100);
   }
 
-  TEST_CASE("keys that stay the same make the same run") {
+  TEST_CASE("keys that do not change lead to the same run") {
     for (unsigned salt = 0; salt < 60; ++salt) {
       CAPTURE(salt);
       const auto once = run<OfTheEdge>(salt);

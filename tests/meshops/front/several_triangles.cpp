@@ -1,4 +1,4 @@
-// One proposal of several triangles.
+// A proposal of several triangles.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = Proposal::Triangle;
 
-/// One list, for the first edge proposed for, 1→0.
+/// Policy that proposes one list, for the first edge, 1→0.
 struct Listing {
   std::vector<Triangle> list;
   std::size_t asked = 0;
@@ -69,7 +69,7 @@ Outcome propose(const std::vector<Triangle>& list) {
 }  // namespace
 
 TEST_SUITE("several triangles") {
-  TEST_CASE("all of a list are inserted, in order, before any edge is proposed for") {
+  TEST_CASE("all triangles of a list are inserted, in order, before any edge is proposed for") {
     const Outcome outcome = propose({{1, 0, 3}, {3, 0, 4}, {1, 3, 5}});
     CHECK(outcome.events.attachments == 3);
     CHECK(outcome.events.refusals.empty());
@@ -78,20 +78,19 @@ TEST_SUITE("several triangles") {
     CHECK(outcome.frozen == 6);
   }
 
-  TEST_CASE("numbers that follow the last site are new ones, one triangle after the other") {
+  TEST_CASE("numbers that follow the last site are new sites, one triangle after the other") {
     const Outcome outcome = propose({{1, 0, 8}, {8, 0, 9}, {9, 10, 11}});
     CHECK(outcome.events.refusals.empty());
     CHECK(outcome.sites == 12);
     CHECK(outcome.faces == 4);
-    // Not all at once.
+    // They cannot be new for all triangles at once.
     const Outcome refused = propose({{1, 0, 9}, {1, 0, 8}});
     CHECK(refused.events.refusals == std::vector{RefusalKind::no_such_site});
     CHECK(refused.sites == 8);
     CHECK(refused.faces == 1);
   }
 
-  TEST_CASE(
-      "the first that is refused ends the list: those before it stay, and the edge is frozen if it is still there") {
+  TEST_CASE("the first refused triangle ends a list, those before it stay, and the edge is frozen if it still exists") {
     const Outcome glued = propose({{1, 0, 3}, {1, 0, 4}, {3, 0, 5}});
     CHECK(glued.events.attachments == 1);
     CHECK(glued.events.refusals == std::vector{RefusalKind::side_taken});
@@ -105,13 +104,13 @@ TEST_SUITE("several triangles") {
     CHECK(apart.frozen == 6);
   }
 
-  TEST_CASE("a list that leaves the edge alone freezes it; so does an empty one") {
+  TEST_CASE("a list that leaves the edge alone freezes it, and so does an empty list") {
     CHECK(propose({{3, 4, 5}}).frozen == 6);
     CHECK(propose({}).frozen == 3);
     CHECK(propose({}).faces == 1);
   }
 
-  TEST_CASE("an edge that a visitor wakes meanwhile is proposed for again") {
+  TEST_CASE("an edge that a visitor activates meanwhile is proposed for again") {
     struct Waking : FrontVisitor {
       void attached(const Front& front, Halfedge h, const InsertedTriangle&) {
         if (front.is_boundary(h)) const_cast<Front&>(front).activate(h);

@@ -1,5 +1,5 @@
-// Whatever throws out of a policy or a visitor, no edge of the front is lost: another advance() processes each of them, and
-// makes the mesh of a run without throws.
+// Whatever is thrown out of a policy or a visitor, no edge of the front is lost: another advance() processes each of
+// them, and makes the same mesh as a run without throws.
 #include <doctest/doctest.h>
 
 #include <stdexcept>
@@ -16,7 +16,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Throws at one of the questions, which are counted.
+/// Throws at one of the calls, which it counts.
 struct Fuse {
   long left = -1;
   long asked = 0;
@@ -25,9 +25,9 @@ struct Fuse {
     if (left >= 0 && left-- == 0) throw std::runtime_error("blown");
   }
 };
-Fuse fuse;  // keys are compared and moved without a word to anybody
+Fuse fuse;  // global, because comparisons and moves of keys have no access to a policy
 
-/// Whose order and moves throw, too.
+/// Key whose comparisons and moves throw, too.
 struct Fragile {
   unsigned value = 0;
   explicit Fragile(unsigned v) : value(v) {}
@@ -57,7 +57,7 @@ struct Fragile {
 constexpr Site sites = 24;
 unsigned mixed(Site a, Site b, unsigned salt) { return (a * 7919U + b * 104'729U + salt * 31U) % 1009U; }
 
-/// A function of the edge.
+/// Policy whose answer is a function of the edge.
 struct OfTheEdge {
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     fuse.burn();
@@ -89,7 +89,7 @@ struct Gluing : ByKey {
   }
 };
 
-/// Some edges wait until the front has so many triangles. Keys are of the neighbors.
+/// Some edges wait until the front has enough triangles. Keys depend on the neighbors.
 struct Waiting : OfTheEdge {
   Proposal propose(const Front& front, Halfedge h) {
     const unsigned m = mixed(front.from_site(h), front.to_site(h), 3);
@@ -108,7 +108,7 @@ struct WaitingByAngle : Waiting {
 struct WaitingByFragileAngle : WaitingByAngle {
   Fragile key(const Front& front, Halfedge h) { return Fragile(WaitingByAngle::key(front, h)); }
 };
-/// Others insert several at once.
+/// Other edges insert several triangles at once.
 struct Listing : WaitingByAngle {
   Proposal propose(const Front& front, Halfedge h) {
     const Site a = front.from_site(h), b = front.to_site(h);
@@ -119,7 +119,7 @@ struct Listing : WaitingByAngle {
   }
 };
 
-/// Some triangles at the front are detached again, a number of them.
+/// Some triangles at the front are detached again, a limited number of them.
 struct Detaching : OfTheEdge {
   int left = 12;
   Proposal propose(const Front& front, Halfedge h) {
@@ -131,7 +131,7 @@ struct Detaching : OfTheEdge {
   }
 };
 
-/// Counts the curves by their events, and then may throw.
+/// Visitor that counts the curves by their events, and then may throw.
 struct Burning : CurveVisitor {
   int curves = 0;
   void seeded(const Front&, const InsertedTriangle&) { fuse.burn(); }
@@ -152,14 +152,15 @@ struct Burning : CurveVisitor {
   }
 };
 
-/// Throws at the question `at`, then every `every` questions if that is not 0, goes on after each, and returns the mesh.
+/// Throws at the call `at`, then at every `every`-th call if that is not 0, advances again after each throw, and
+/// returns the mesh.
 template <typename Policy>
 std::vector<int> run(long at, long every, std::size_t& throws) {
   TestMesh mesh;
   Front front(mesh, sites);
   Policy policy;
   Burning visitor;
-  // Whatever threw: the events of a triangle come together.
+  // Whatever threw, the events of a triangle are complete.
   const auto has_all_events = [&] { return visitor.curves == static_cast<int>(front.curves().size()); };
   fuse = {at, 0};
   for (;;) {
@@ -184,7 +185,7 @@ std::vector<int> run(long at, long every, std::size_t& throws) {
   return snapshot(mesh);
 }
 
-/// Of a policy with lists the rest of a list is lost, and the mesh is another.
+/// Checks a policy with lists: the rest of a list is lost, so that the mesh differs.
 template <typename Policy>
 void check_every_throw(bool is_resumed = true) {
   std::size_t throws = 0;
@@ -199,7 +200,7 @@ void check_every_throw(bool is_resumed = true) {
     if (is_resumed) REQUIRE(resumed == expected);
     REQUIRE(throws == 1);
   }
-  // Again and again: rarely enough that a run gets somewhere between two throws.
+  // Throw repeatedly, but rarely enough that a run makes progress between two throws.
   throws = 0;
   const std::vector<int> resumed = run<Policy>(7, 2000, throws);
   if (is_resumed) CHECK(resumed == expected);
@@ -209,35 +210,35 @@ void check_every_throw(bool is_resumed = true) {
 }  // namespace
 
 TEST_SUITE("throws") {
-  TEST_CASE("first in, first out: whichever question or event throws, the mesh is that of a run without") {
+  TEST_CASE("first in first out, the mesh is that of a run without throws, whichever call or event throws") {
     check_every_throw<OfTheEdge>();
   }
-  TEST_CASE("least key first: whichever question or event throws, the mesh is that of a run without") {
+  TEST_CASE("least key first, the mesh is that of a run without throws, whichever call or event throws") {
     check_every_throw<ByKey>();
   }
-  TEST_CASE("whichever comparison or move of a key throws, within the heap too, the mesh is that of a run without") {
+  TEST_CASE("the mesh is that of a run without throws, whichever comparison or move of a key throws") {
     check_every_throw<ByFragileKey>();
   }
-  TEST_CASE("whichever question of what is glued throws, the mesh is that of a run without") {
+  TEST_CASE("the mesh is that of a run without throws, whichever call of glues() throws") {
     check_every_throw<Gluing>();
   }
 
-  TEST_CASE("edges that wait: whichever question or event throws, the mesh is that of a run without") {
+  TEST_CASE("with deferred edges, the mesh is that of a run without throws, whichever call or event throws") {
     check_every_throw<Waiting>();
   }
   TEST_CASE(
-      "keys asked again: whichever question, event, comparison or move throws, the mesh is that of a run without") {
+      "with rekeying, the mesh is that of a run without throws, whichever call, event, comparison or move throws") {
     check_every_throw<WaitingByAngle>();
     check_every_throw<WaitingByFragileAngle>();
   }
-  TEST_CASE("triangles that are detached: whichever question or event throws, no edge is lost") {
+  TEST_CASE("with detached triangles no edge is lost, whichever call or event throws") {
     check_every_throw<Detaching>(false);
   }
-  TEST_CASE("lists of triangles: whichever question or event throws, no edge is lost") {
+  TEST_CASE("with lists of triangles no edge is lost, whichever call or event throws") {
     check_every_throw<Listing>(false);
   }
 
-  TEST_CASE("keys that throw lose no edge: each is proposed for in the end") {
+  TEST_CASE("keys that throw lose no edge, and each edge is proposed for in the end") {
     struct Strip {
       std::size_t thrown = 0, proposals = 0;
       unsigned calls = 0;
@@ -258,7 +259,7 @@ TEST_SUITE("throws") {
     } policy;
     TestMesh mesh;
     Front front(mesh, 3);
-    // The keys of all that waits are computed again after a throw, so the number of throws is limited.
+    // The keys of all waiting edges are computed again after a throw, so that the number of throws is limited.
     for (bool done = false; !done;) try {
         advance(front, policy);
         done = true;

@@ -18,7 +18,7 @@ namespace {
 using Seed = std::array<Site, 3>;
 constexpr auto minus_one = static_cast<Site>(-1);
 
-/// Returns what it was constructed with: one seed, and for every edge the same kind of proposal.
+/// Policy that returns the answers given at construction: one seed, and the same kind of proposal for every edge.
 struct Saying {
   std::optional<Seed> first;
   std::function<Proposal(const Front&, Halfedge)> answer;
@@ -26,7 +26,7 @@ struct Saying {
   Proposal propose(const Front& front, Halfedge h) const { return answer(front, h); }
 };
 
-/// The events received.
+/// Visitor that records the events.
 struct Received : FrontVisitor {
   std::vector<RefusalKind> refused_for;
   std::vector<RefusalKind> seeds_refused_for;
@@ -82,12 +82,12 @@ TEST_SUITE("wrong policies") {
     check_answer([](const Front& front, Halfedge h) { return front.to_site(h); }, RefusalKind::corner_repeated);
   }
 
-  TEST_CASE("the triangle behind the edge cannot go when it is none, or not at the front") {
+  TEST_CASE("the triangle behind the edge cannot be detached if it does not exist or is not at the front") {
     check_answer([](const Front&, Halfedge) { return Proposal::detach(Face(-1)); }, RefusalKind::no_such_face);
     check_answer([](const Front&, Halfedge) { return Proposal::detach(Face(1)); }, RefusalKind::no_such_face);
   }
 
-  TEST_CASE("a seed of sites that are not there, or of the same twice, is refused, and the run ends") {
+  TEST_CASE("a seed of sites that do not exist, or with one site twice, is refused, and the run ends") {
     check_seed({0, 1, 9}, RefusalKind::no_such_site);
     check_seed({0, 1, minus_one}, RefusalKind::no_such_site);
     check_seed({0, 1, 1}, RefusalKind::corner_repeated);
@@ -165,7 +165,7 @@ TEST_SUITE("wrong policies") {
     const TopologyCounts counts = count_topology(mesh);
     CHECK(counts.components == 3);
     CHECK(counts.isolated == 0);
-    // A pinch is where a seed touched what was there: its site has a vertex for each fan.
+    // A seed that touched existing triangles made a pinch: its site has a vertex for each fan.
     CHECK(counts.vertices == 32);
   }
 
@@ -183,7 +183,7 @@ TEST_SUITE("wrong policies") {
     CHECK(visitor.refusals == 3);
   }
 
-  TEST_CASE("when the policy throws, what was active still is, and the run can go on") {
+  TEST_CASE("when the policy throws, active edges stay active, and the run can be continued") {
     for (const bool ordered : {false, true}) {
       CAPTURE(ordered);
       struct Tired {
@@ -224,7 +224,7 @@ TEST_SUITE("wrong policies") {
   }
 
   TEST_CASE("a triangle is detached when the policy returns that, and the edge is proposed for once more") {
-    // Lo's backtracking: the edge 1→0 gets the apex 3, then detaches its own triangle, and gets 4.
+    // Backtracking as in Lo's method: the edge 1→0 gets the apex 3, then detaches its own triangle, and gets 4.
     struct Backtracking {
       std::optional<Face> to_go;
       bool gone = false;

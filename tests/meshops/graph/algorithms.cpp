@@ -1,4 +1,5 @@
-// Boost's algorithms on the views, with the storage that they allocate by default, against answers found without them.
+// Runs Boost's algorithms on the views, with the storage that they allocate by default, and compares with answers found
+// without them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ std::size_t component_count(const Graph& g) {
                                      boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, g)));
 }
 
-/// A small whole number on every edge, different from edge to edge.
+/// Returns a small integer for every edge, different from edge to edge.
 auto some_numbers(unsigned seed, std::size_t edges) {
   std::mt19937 random(seed);
   std::vector<int> number(edges);
@@ -44,7 +45,7 @@ auto some_numbers(unsigned seed, std::size_t edges) {
 
 constexpr int unreached = std::numeric_limits<int>::max();
 
-/// Distances by relaxing all edges until nothing changes (Bellman, Ford).
+/// Returns distances by relaxing all edges until nothing changes (Bellman, Ford).
 template <typename Graph, typename Weight>
 std::vector<int> relaxed_distances(const Graph& g, typename Graph::vertex_descriptor start, Weight weight) {
   std::vector<int> distance(num_vertices(g), unreached);
@@ -85,7 +86,7 @@ void check_distances(const Graph& g, std::size_t mesh_edges) {
   }
 }
 
-/// Kruskal by the book: the weight of a lightest forest, and its number of edges.
+/// Runs Kruskal's algorithm as published: returns the weight of a lightest forest, and its number of edges.
 template <typename Graph, typename Weight>
 std::pair<long, std::size_t> lightest_forest(const Graph& g, Weight weight) {
   std::vector<std::size_t> label(num_vertices(g));
@@ -114,7 +115,8 @@ void check_spanning_forest(const Graph& g, std::size_t mesh_edges) {
   CHECK(std::pair(total, forest.size()) == lightest_forest(g, weight));
 }
 
-/// The least capacity of a set of edges between the nodes of the start and the others, over all sets of nodes.
+/// Returns the least capacity of a set of edges between the nodes on the start's side and the others, over all sets of
+/// nodes.
 template <typename Graph, typename Capacity>
 int least_cut(const Graph& g, typename Graph::vertex_descriptor from, typename Graph::vertex_descriptor to,
               Capacity capacity) {
@@ -146,7 +148,7 @@ void check_flow(const Graph& undirected, unsigned seed, std::size_t mesh_edges) 
                                           get(boost::vertex_index, g), from, to) == cut);
   CHECK(boost::edmonds_karp_max_flow(g, from, to, boost::capacity_map(capacity).residual_capacity_map(residual_map)) ==
         cut);
-  std::vector<int> out(num_vertices(g));  // of each vertex, what flows out less what flows in
+  std::vector<int> out(num_vertices(g));  // for each vertex, outflow minus inflow
   for (const Halfedge h : edges_of(g)) {
     CHECK(get(residual_map, h) >= 0);
     CHECK(get(residual_map, h) + get(residual_map, get(boost::edge_reverse, g, h)) == 2 * get(capacity, h));
@@ -169,7 +171,7 @@ struct BackEdges : boost::default_dfs_visitor {
   std::size_t* number;
 };
 
-/// Every edge is in the forest of the search or goes back, once.
+/// Checks that every edge is in the forest of the search or goes back, once.
 template <typename Graph>
 void check_depth_first(const Graph& g) {
   if (nodes_of(g).empty()) return;
@@ -214,7 +216,7 @@ TEST_SUITE("algorithms on graph views") {
     });
   }
 
-  TEST_CASE("Kruskal's forest spans every component and is as light as can be") {
+  TEST_CASE("Kruskal's forest spans every component and has the least weight") {
     for_each_specimen([](const Specimen& specimen, const TestMesh& mesh, bool) {
       CAPTURE(specimen.name);
       check_spanning_forest(PrimalGraph(mesh), mesh.n_edges());
@@ -268,7 +270,7 @@ TEST_SUITE("algorithms on graph views") {
     CHECK(not_planar > 0);
   }
 
-  TEST_CASE("a filtered view is a graph as well: without boundary edges, boundary vertices of one face are alone") {
+  TEST_CASE("in a filtered view without boundary edges, boundary vertices of one face are isolated") {
     TestMesh mesh;
     add_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}});
     const PrimalGraph g(mesh);

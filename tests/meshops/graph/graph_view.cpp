@@ -32,7 +32,7 @@ static_assert(!std::is_constructible_v<PrimalGraph, TestMesh>, "a view of a temp
 
 namespace {
 
-/// Incidences counted from the list of edges alone, against those that the nodes list.
+/// Compares incidences counted from the list of edges alone with those that the nodes list.
 template <typename Graph>
 void check_incidence(const Graph& g) {
   const bool both_ways = boost::is_directed(g);
@@ -64,7 +64,7 @@ void check_incidence(const Graph& g) {
   }
 }
 
-/// Index-keyed storage of num_…() places holds every index, and the last place is used.
+/// Checks that storage of num_…() entries has a place for every index, and that the last place is used.
 template <typename Graph>
 void check_indices(const Graph& g) {
   std::size_t vertex_bound = 0, edge_bound = 0;
@@ -167,7 +167,7 @@ TEST_SUITE("graph view") {
     CHECK(get(length, mesh.find_halfedge(Vertex(2), Vertex(0))) == 5);
   }
 
-  TEST_CASE("of nothing the views are empty") {
+  TEST_CASE("the views of an empty mesh are empty") {
     TestMesh mesh;
     CHECK(num_vertices(PrimalGraph(mesh)) == 0);
     CHECK(num_edges(PrimalGraph(mesh)) == 0);

@@ -1,4 +1,4 @@
-// What the tests of the graph views share.
+// Shared parts of the tests of graph views.
 #pragma once
 
 #include <boost/graph/graph_concepts.hpp>
@@ -12,8 +12,8 @@
 
 namespace meshops::test {
 
-/// Every specimen as it is, and once more with a fifth of its faces marked deleted (and what only they had with them),
-/// so that indices have gaps. Calls visit(specimen, mesh, has_gaps).
+/// Calls visit(specimen, mesh, has_gaps) for every specimen as it is, and again with a fifth of its faces marked
+/// deleted (together with elements that only they had), so that indices have gaps.
 template <typename Visit>
 void for_each_specimen(Visit visit) {
   for (const Specimen& specimen : corpus())
@@ -21,7 +21,7 @@ void for_each_specimen(Visit visit) {
       TestMesh mesh;
       specimen.build(mesh);
       if (with_gaps) {
-        // Two fans at one vertex are no sound mesh: a face goes only if that does not happen.
+        // Two fans at one vertex are no sound mesh: a face is deleted only if that does not happen.
         std::mt19937 random(5);
         for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
           if (random() % 5 != 0 || mesh.status(Face(i)).deleted()) continue;
@@ -36,7 +36,7 @@ void for_each_specimen(Visit visit) {
     }
 }
 
-/// All that Boost requires of a graph with these models.
+/// Checks all requirements of Boost for a graph with these models.
 template <typename Graph>
 struct ViewConcepts {
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;

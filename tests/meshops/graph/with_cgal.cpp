@@ -1,4 +1,4 @@
-// CGAL makes OpenMesh's meshes graphs of Boost, and so do the views: one program may use both.
+// CGAL makes OpenMesh's meshes graphs of Boost, and so do the views: one program can use both.
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <doctest/doctest.h>
@@ -28,7 +28,7 @@ using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
 namespace {
 
-/// Squares in rows, and one square apart.
+/// Returns squares in rows, and one square apart.
 Mesh squares(int columns, int rows) {
   Mesh mesh;
   for (int y = 0; y <= rows; ++y)
@@ -78,7 +78,7 @@ TEST_SUITE("graph views beside CGAL") {
     CHECK(forest.size() == 22);
   }
 
-  TEST_CASE("what the operators leave is a valid halfedge graph to CGAL") {
+  TEST_CASE("a mesh after operators is a valid halfedge graph for CGAL") {
     Mesh mesh;
     mesh.request_vertex_status();
     mesh.request_edge_status();

@@ -1,4 +1,5 @@
-// Handle operators where fans touch at a vertex, and at faces that touch themselves: refused, with nothing changed.
+// Handle operators at vertices where fans touch, and at faces that touch themselves: all are refused, with nothing
+// changed.
 #include <doctest/doctest.h>
 
 #include "meshops/handle/close_curve.h"
@@ -19,7 +20,7 @@ namespace {
 
 const char* const several_fans = "a vertex has several fans";
 
-/// As OpenMesh makes it: 0 1 2 and 0 3 4.
+/// Bowtie as OpenMesh makes it, of the triangles 0 1 2 and 0 3 4.
 struct Bowtie {
   TestMesh mesh;
   Bowtie() {
@@ -30,7 +31,7 @@ struct Bowtie {
   Halfedge between(int from, int to) const { return mesh.find_halfedge(Vertex(from), Vertex(to)); }
 };
 
-/// A sphere of one face: two edges in a row, and the face on both sides of each.
+/// Makes a sphere of one face: two edges in a row, with the face on both sides of each.
 void fold(TestMesh& mesh) {
   const auto b = separate_triangles(mesh, 2);
   glue(mesh, b[0], b[3]);
@@ -99,7 +100,7 @@ TEST_SUITE("bowties") {
     check_refused(mesh, several_fans, [&] { close_curve(mesh, h); });
     const auto b = separate_triangles(mesh, 2);
     glue(mesh, b[0], b[3]);
-    const Halfedge curve = b[1];  // four edges; the bowtie has a curve of six
+    const Halfedge curve = b[1];  // a curve of four edges; the bowtie has one of six
     CHECK(zip_curves_blocker(mesh, h, curve)->starts_with("the curves have 6 and 4 edges"));
     const auto c = separate_triangles(mesh, 3);
     tie(mesh, mesh.from_vertex_handle(c[0]), mesh.from_vertex_handle(c[3]));
@@ -110,7 +111,7 @@ TEST_SUITE("bowties") {
     check_refused(mesh, several_fans, [&] { zip_curves(mesh, c[0], d[1]); });
   }
 
-  TEST_CASE("a face on both sides of an edge is not removed: the edge would have no face") {
+  TEST_CASE("a face on both sides of an edge is not removed, because the edge would have no face") {
     TestMesh mesh;
     fold(mesh);
     check_sound(mesh);
@@ -120,8 +121,8 @@ TEST_SUITE("bowties") {
     check_refused(mesh, "the face lies on both sides of an edge", [&] { open_curve(mesh, face); });
   }
 
-  TEST_CASE("a face that passes an inner vertex twice is not removed: two fans would be left there") {
-    // A wheel of six triangles around 0. Of these, 0 1 2 and 0 4 5 become one polygon, with what lies between them.
+  TEST_CASE("a face that passes an inner vertex twice is not removed, because two fans would be left there") {
+    // A wheel of six triangles around 0. The triangles 0 1 2 and 0 4 5 and the region between them become one polygon.
     TestMesh mesh;
     for (int i = 0; i < 9; ++i) mesh.new_vertex();
     const auto v = [](int i) { return Vertex(i); };

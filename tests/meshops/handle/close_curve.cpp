@@ -11,7 +11,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("close_curve") {
-  TEST_CASE("fills any boundary curve with a face, and opening restores every record") {
+  TEST_CASE("close_curve fills any boundary curve with a face, and opening restores every record") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh mesh;
@@ -39,7 +39,7 @@ TEST_SUITE("close_curve") {
     }
   }
 
-  TEST_CASE("removes any inner face, and closing restores the mesh; else the reason is named") {
+  TEST_CASE("open_curve removes any inner face, and closing restores the mesh; otherwise the reason is named") {
     int opened = 0, refused = 0;
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -75,7 +75,7 @@ TEST_SUITE("close_curve") {
     CHECK(*open_curve_blocker(mesh, Face(7)) == "no such face");
     CHECK(*close_curve_blocker(mesh, mesh.opposite_halfedge_handle(b[0])) == "the halfedge is not on the boundary");
     CHECK(*close_curve_blocker(mesh, Halfedge(99)) == "no such halfedge");
-    // A triangle around which others are glued, that meet the boundary in its corners.
+    // A triangle with others glued around it, which touches the boundary in its corners.
     TestMesh star;
     add_triangles(star, 6, {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}});
     CHECK(*open_curve_blocker(star, Face(0)) == "a corner of the face is on the boundary");

@@ -10,7 +10,7 @@
 using namespace meshops;
 using namespace meshops::test;
 
-TEST_CASE("create adds one triangle, by the table") {
+TEST_CASE("create adds one triangle, and changes the counts by the table") {
   TestMesh mesh;
   strip(mesh, 2);
   const TopologyCounts before = count_topology(mesh);

@@ -47,7 +47,7 @@ TEST_SUITE("destroy") {
 }
 
 TEST_SUITE("remove_triangle") {
-  TEST_CASE("removes any triangle from any specimen, and reports the change of the counts") {
+  TEST_CASE("remove_triangle removes any triangle from any specimen, and returns the change of the counts") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh whole;
@@ -62,7 +62,7 @@ TEST_SUITE("remove_triangle") {
     }
   }
 
-  TEST_CASE("undoes insert_triangle in every attach case") {
+  TEST_CASE("remove_triangle undoes insert_triangle in every attach case") {
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
       TestMesh mesh;

@@ -13,7 +13,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("extract_triangle") {
-  TEST_CASE("extract_triangle leaves the mesh that remove_triangle leaves, of every triangle of every mesh") {
+  TEST_CASE("extract_triangle leaves the same mesh as remove_triangle, for every triangle of every mesh") {
     std::size_t passages = 0;
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -31,7 +31,7 @@ TEST_SUITE("extract_triangle") {
             ++passages;
           }
         extract_triangle(extracted, rim, second);
-        // remove_triangle() marks the corners without faces as deleted.
+        // remove_triangle() also marks the corners without faces as deleted.
         for (const Vertex v : rim.corner)
           if (extracted.is_isolated(v)) extracted.status(v).set_deleted(true);
         check_sound(extracted);

@@ -15,7 +15,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Glues and checks the row of the table.
+/// Glues and checks the change of the counts by the table.
 GlueCase checked_glue(TestMesh& mesh, Halfedge first, Halfedge second) {
   const TopologyCounts before = count_topology(mesh);
   REQUIRE_FALSE(glue_blocker(mesh, first, second));
@@ -76,7 +76,7 @@ TEST_SUITE("glue") {
     CHECK(sphere.euler() == 2);
   }
 
-  TEST_CASE("of two merged vertices the lower handle stays") {
+  TEST_CASE("the lower handle of two merged vertices stays") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     const Vertex a0 = mesh.from_vertex_handle(b[0]), a1 = mesh.to_vertex_handle(b[3]);
@@ -94,7 +94,7 @@ TEST_SUITE("glue") {
     CHECK(*glue_blocker(mesh, inner, b[3]) == "a halfedge is not on the boundary");
     CHECK(*glue_blocker(mesh, Halfedge(), b[3]) == "no such halfedge");
     CHECK(*glue_blocker(mesh, Halfedge(99), b[3]) == "no such halfedge");
-    // Sides 0 and 1 of one triangle: their far ends are joined by side 2.
+    // The far ends of sides 0 and 1 of one triangle are joined by side 2.
     CHECK(*glue_blocker(mesh, b[0], b[1]) == "an edge joins two vertices that would become one");
     const auto label = std::vector<int>{0, 1, 2, 3, 4, 5};
     const auto before = canonical_faces(mesh, label);
@@ -102,7 +102,7 @@ TEST_SUITE("glue") {
     CHECK(canonical_faces(mesh, label) == before);
   }
 
-  TEST_CASE("without status to mark deletions it throws") {
+  TEST_CASE("gluing without status to mark deletions throws") {
     OpenMesh::PolyMesh_ArrayKernelT<> mesh;
     const auto b = separate_triangles(mesh, 2);
     CHECK_THROWS_AS(glue(mesh, b[0], b[3]), ContractViolation);
@@ -119,7 +119,7 @@ TEST_SUITE("glue") {
         for (const auto& curve : boundary_curves(mesh)) open.insert(open.end(), curve.begin(), curve.end());
         if (open.size() < 2) break;
         const Halfedge first = open[random() % open.size()];
-        // Neighbors are rare among random pairs: choose them half of the time.
+        // Neighbors are rare among random pairs, so that half of the pairs are neighbors by choice.
         const Halfedge second = random() % 2 ? mesh.next_halfedge_handle(first) : open[random() % open.size()];
         if (glue_blocker(mesh, first, second)) continue;
         ++seen[static_cast<int>(checked_glue(mesh, first, second))];

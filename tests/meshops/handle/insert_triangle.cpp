@@ -19,11 +19,11 @@ namespace {
 
 const std::array<Halfedge, 3> no_sides;
 
-/// A mesh built in two ways at once: by insert_triangle(), and literally by create and glue. Vertices carry labels, so
-/// that the meshes can be compared; halfedges of the one are found in the other.
+/// Mesh built in two ways in parallel: by insert_triangle(), and literally by create and glue. Vertices carry labels,
+/// so that the meshes can be compared; a table maps halfedges of one to those of the other.
 struct Twins {
   TestMesh fast, literal;
-  std::map<int, int> twin;  // boundary halfedge of `fast` → the same one of `literal`
+  std::map<int, int> twin;  // boundary halfedge of `fast` → its twin in `literal`
   std::vector<int> fast_label, literal_label;
   int next_label = 0;
 
@@ -58,7 +58,7 @@ struct Twins {
     }
   }
 
-  /// Whether create and glue would go through, tried on a copy.
+  /// Returns whether create and glue would be accepted, tried on a copy.
   bool literal_accepts(const std::array<Halfedge, 3>& side) const {
     TestMesh copy = literal;
     Halfedge h = create_triangle(copy);
@@ -83,13 +83,13 @@ struct Twins {
 }  // namespace
 
 TEST_SUITE("insert_triangle") {
-  TEST_CASE("with no given side it is create") {
+  TEST_CASE("insert_triangle without given sides equals create_triangle") {
     Twins t;
     t.insert(no_sides);
     t.check_equal();
   }
 
-  TEST_CASE("one given side: a new vertex") {
+  TEST_CASE("insert_triangle on one given side adds a vertex") {
     Twins t;
     t.insert(no_sides);
     for (unsigned i = 0; i < 3; ++i) {
@@ -100,10 +100,10 @@ TEST_SUITE("insert_triangle") {
     }
   }
 
-  TEST_CASE("adjacent sides: a corner of the front is filled, and three of them close a curve") {
+  TEST_CASE("insert_triangle on adjacent sides fills a corner of the front, and on three sides closes a curve") {
     Twins t;
     t.insert(no_sides);
-    // A fan around vertex `center`, until the corner at it is the only thing open.
+    // A fan around vertex `center`, until only the corner at it is open.
     const Halfedge start = boundary_curves(t.fast)[0].front();
     const Vertex centre = t.fast.to_vertex_handle(start);
     for (int i = 0; i < 3; ++i) {
@@ -117,7 +117,7 @@ TEST_SUITE("insert_triangle") {
     CHECK_FALSE(t.fast.is_boundary(centre));
   }
 
-  TEST_CASE("the last three edges of a curve") {
+  TEST_CASE("insert_triangle closes a curve of three edges") {
     Twins t;
     t.insert(no_sides);
     const Halfedge h = boundary_curves(t.fast)[0].front();
@@ -127,7 +127,7 @@ TEST_SUITE("insert_triangle") {
     CHECK(boundary_curves(t.fast).empty());
   }
 
-  TEST_CASE("any sides on any curves: the same mesh as create and glue") {
+  TEST_CASE("insert_triangle on any sides of any curves leaves the same mesh as create and glue") {
     std::mt19937 random(11);
     int merges = 0;
     for (int round = 0; round < rbpa_test::trials(200); ++round) {
@@ -145,7 +145,8 @@ TEST_SUITE("insert_triangle") {
         if (pick == 2) side[1] = open[random() % open.size()];
         if (pick == 3) side[2] = open[random() % open.size()];
         if (side[0] == side[1] || side[0] == side[2]) continue;
-        // The corners must be different vertices, and vertices to be merged no neighbours: that is what glue() refuses.
+        // The corners must be different vertices, and vertices to be merged must not be neighbors: glue() refuses
+        // these.
         if (!t.literal_accepts(side)) continue;
         const auto vertices_before = t.fast.n_vertices();
         t.insert(side);

@@ -29,7 +29,8 @@ TEST_SUITE("separate_fans") {
     }
   }
 
-  TEST_CASE("what was tied comes apart: as many vertices as fans, the same faces, each copy beside its old vertex") {
+  TEST_CASE(
+      "tied fans are separated: a vertex for each fan, the same faces, each copy on the point of its old vertex") {
     std::mt19937 random(3);
     int copies = 0;
     for (int round = 0; round < rbpa_test::trials(3000); ++round) {

@@ -15,13 +15,13 @@ using namespace meshops::test;
 
 namespace {
 
-/// Which halfedges of a specimen to try: all of a small one, some of a large one.
+/// Returns the stride over the halfedges of a specimen to try: all of a small one, some of a large one.
 int stride(const TestMesh& mesh) { return mesh.n_faces() > 300 ? 13 : 1; }
 
 }  // namespace
 
 TEST_SUITE("unglue") {
-  TEST_CASE("parts every inner edge of every specimen by the table, and gluing restores every record") {
+  TEST_CASE("unglue splits every inner edge of every specimen by the table, and gluing restores every record") {
     int seen[5] = {};
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -46,7 +46,7 @@ TEST_SUITE("unglue") {
         const GlueEffect glued = glue(mesh, effect.first, effect.second);
         CHECK(glued.what == effect.what);
         CHECK(live_snapshot(mesh, Named::any) == before);
-        // And undoing the glue revives what it marked deleted.
+        // Undoing the glue revives the elements that it marked deleted.
         const UnglueEffect again = unglue(mesh, glued);
         CHECK(again.second == effect.second);
         CHECK(again.new_start == effect.new_start);
@@ -59,7 +59,7 @@ TEST_SUITE("unglue") {
     for (const int times : seen) CHECK(times > 0);
   }
 
-  TEST_CASE("undoes a gluing of any case: every live record is as before") {
+  TEST_CASE("unglue undoes a glue of any case, and every live record is as before") {
     int seen[5] = {};
     std::mt19937 random(11);
     for (int round = 0; round < 40; ++round) {
@@ -108,7 +108,7 @@ TEST_SUITE("unglue") {
     CHECK(mesh.property(crease, mesh.edge_handle(effect.second)) == 7);
   }
 
-  TEST_CASE("a gluing cannot be undone twice, nor after its elements were changed") {
+  TEST_CASE("a glue cannot be undone twice, nor after its elements were changed") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     const GlueEffect glued = glue(mesh, b[0], b[3]);

@@ -23,7 +23,7 @@ Halfedge along(const TestMesh& mesh, Halfedge h, std::size_t steps) {
 }  // namespace
 
 TEST_SUITE("zip_curves") {
-  TEST_CASE("sews any two curves of equal length at any shift, by the table, and parts again") {
+  TEST_CASE("zip_curves sews any two curves of equal length at any shift, by the table, and the seam opens again") {
     int joins = 0, handles = 0;
     for (const Specimen& specimen : corpus()) {
       CAPTURE(specimen.name);
@@ -63,7 +63,7 @@ TEST_SUITE("zip_curves") {
     CHECK(handles > 0);
   }
 
-  TEST_CASE("two triangles sewn along their boundaries are a sphere; two annuli are a torus") {
+  TEST_CASE("two triangles sewn along their boundaries are a sphere, and two annuli are a torus") {
     TestMesh sphere;
     const auto b = separate_triangles(sphere, 2);
     const ZipCurvesEffect effect = zip_curves(sphere, b[0], b[3]);
@@ -100,7 +100,7 @@ TEST_SUITE("zip_curves") {
     add_triangles(ring, 6, {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}});
     const auto curves = boundary_curves(ring);
     REQUIRE(curves.size() == 2);
-    // Each vertex of a rim has an edge to two of the other: only one shift merges none of these pairs.
+    // Each vertex of a rim has edges to two vertices of the other: only one shift merges none of these pairs.
     int refused = 0;
     for (std::size_t shift = 0; shift < 3; ++shift) {
       const auto blocker = zip_curves_blocker(ring, curves[0].front(), along(ring, curves[1].front(), shift));

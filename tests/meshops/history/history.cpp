@@ -18,14 +18,14 @@ using namespace meshops::test;
 
 namespace {
 
-/// One operator on random handles, where it is not refused. Returns its number.
+/// Performs one operator on random handles, if it is not refused. Returns: its number.
 int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
   const auto any = [&](std::size_t count) { return static_cast<int>(random() % std::max<std::size_t>(count, 1)); };
   const Halfedge h(any(mesh.n_halfedges())), g(any(mesh.n_halfedges()));
   const Face f(any(mesh.n_faces()));
   const Vertex v(any(mesh.n_vertices()));
   const Keep keep = random() % 2 ? Keep::manifold : Keep::simplicial;
-  // Near: behind h on its face or curve.
+  // Near means after h on its face or curve.
   const auto near = [&] {
     Halfedge at = h;
     for (unsigned steps = 1 + static_cast<unsigned>(random() % 4); steps > 0 && is_live(mesh, h); --steps)
@@ -91,7 +91,7 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
 }  // namespace
 
 TEST_SUITE("history") {
-  TEST_CASE("a random walk undone is the identity on all records at each step, and done again the same walk") {
+  TEST_CASE("undoing a random walk restores all records step by step, and redoing it repeats the walk") {
     std::array<int, 16> done{};
     for (const Specimen& specimen : corpus()) {
       INFO(specimen.name);
@@ -110,7 +110,7 @@ TEST_SUITE("history") {
           REQUIRE(history.steps() == steps);
           REQUIRE(snapshot(mesh) == records.back());
         }
-        // Back and forth on the way: what follows builds on steps that were done again.
+        // Undo and redo on the way: later steps build on steps that were redone.
         if (i % 50 == 49)
           for (unsigned back = 0; back < 2; ++back) {
             const std::size_t to = history.steps() - std::min<std::size_t>(history.steps(), 20);
@@ -139,7 +139,7 @@ TEST_SUITE("history") {
     }
   }
 
-  TEST_CASE("another step after undo() leaves nothing to do again") {
+  TEST_CASE("another step after undo() leaves nothing to redo") {
     TestMesh mesh;
     History history(mesh);
     history.create_triangle();
@@ -155,7 +155,7 @@ TEST_SUITE("history") {
     CHECK_THROWS_AS(history.undo_to(1), ContractViolation);
   }
 
-  TEST_CASE("a mesh that others changed is refused, and left as they left it") {
+  TEST_CASE("a mesh that other code changed is refused, and stays as it is") {
     TestMesh mesh;
     History history(mesh);
     history.create_triangle();
@@ -168,7 +168,7 @@ TEST_SUITE("history") {
     CHECK_THROWS_AS(History{without_status}, ContractViolation);
   }
 
-  TEST_CASE("a split with a hook is placed again when it is done again") {
+  TEST_CASE("redo() of a split with a hook calls the hook again") {
     TestMesh mesh;
     History history(mesh);
     history.create_triangle();
@@ -183,7 +183,7 @@ TEST_SUITE("history") {
     CHECK(place[0] == 0.5F);
   }
 
-  TEST_CASE("a split that is done again needs nothing of where it was called: arguments and hook are kept as copies") {
+  TEST_CASE("redo() of a split uses copies of the arguments and the hook, and nothing else of the caller") {
     TestMesh mesh;
     corpus()[0].build(mesh);
     for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 1, 2});

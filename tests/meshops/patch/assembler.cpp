@@ -1,4 +1,4 @@
-// Triangles laid in patches are the mesh that they are one by one.
+// Triangles laid in patches make the same mesh as one by one.
 #include "meshops/patch/assembler.h"
 
 #include <doctest/doctest.h>
@@ -38,8 +38,8 @@ struct Complex {
   Arrow side(std::size_t s) const { return {triangles[s / 3][s % 3], triangles[s / 3][(s + 1) % 3]}; }
 };
 
-/// Some of the triangles of a grid, a band or a torus, in any order, on some of the sites in any order: the fewer are
-/// kept, the more holes, pinches and components there are.
+/// Returns some of the triangles of a grid, a band or a torus, in any order, on some of the sites in any order. The
+/// fewer are kept, the more holes, pinches and components there are.
 Complex random_complex(std::mt19937& random) {
   const auto columns = static_cast<std::uint32_t>(4 + below(random, 4)),
              rows = static_cast<std::uint32_t>(4 + below(random, 4));
@@ -59,17 +59,17 @@ Complex random_complex(std::mt19937& random) {
   return complex;
 }
 
-/// The least first.
+/// Returns the cycle with the least site first.
 Cycle canonical(Cycle cycle) {
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
   return cycle;
 }
 
-/// A mesh as its sites see it: equal for fronts on which the same triangles are joined in the same way.
+/// Shape of a mesh in terms of sites: equal for fronts on which the same triangles are joined in the same way.
 struct Shape {
   std::vector<Cycle> triangles;
   std::size_t vertices, edges;
-  std::vector<std::pair<Site, Cycle>> fans;  ///< of each fan the sites around it
+  std::vector<std::pair<Site, Cycle>> fans;  ///< for each fan, the sites around it
   std::vector<Cycle> curves;
   std::vector<Arrow> boundary;
 
@@ -128,7 +128,7 @@ Shape shape(const Front& front) {
   return shape;
 }
 
-/// The complex built triangle by triangle.
+/// Returns the shape of the complex built triangle by triangle.
 Shape built_singly(const Complex& complex) {
   TestMesh mesh;
   Front front(mesh, complex.sites);
@@ -137,7 +137,7 @@ Shape built_singly(const Complex& complex) {
   return shape(front);
 }
 
-/// Which halfedges are active, which are frozen. Empties the queue.
+/// Returns for each active or frozen halfedge whether it is frozen. Empties the queue.
 std::map<Arrow, bool> frozen_by_side(Front& front) {
   std::map<Arrow, bool> found;
   const auto note = [&](Halfedge h, bool frozen) {
@@ -149,12 +149,12 @@ std::map<Arrow, bool> frozen_by_side(Front& front) {
   return found;
 }
 
-/// Sides that patches are to mark as nothing, where that is so.
+/// Sides that patches mark as `nothing`, where that is true.
 using Holes = std::set<Arrow>;
 
-/// The triangles whose patch_of is not negative, in as many patches.
+/// Returns the triangles whose patch_of is not negative, in `count` patches.
 std::vector<Patch> patches(const Complex& complex, const std::vector<int>& patch_of, int count, const Holes& holes) {
-  std::map<Arrow, std::pair<int, int>> side_at;  // of each side, its patch and its number there
+  std::map<Arrow, std::pair<int, int>> side_at;  // for each side, its patch and its number there
   std::vector<Patch> made(static_cast<std::size_t>(count));
   for (std::size_t t = 0; t < complex.triangles.size(); ++t) {
     if (patch_of[t] < 0) continue;
@@ -187,7 +187,7 @@ Holes some_sides(const Complex& complex, std::mt19937& random) {
   return holes;
 }
 
-/// Proposes the triangles of a complex.
+/// Policy that proposes the triangles of a complex.
 struct Known {
   explicit Known(const Complex& complex) : triangles(complex.triangles) {
     for (const Corners& t : triangles)
@@ -209,7 +209,7 @@ struct Known {
   std::map<Arrow, Site> apex;
 };
 
-/// Checks the mesh at every step.
+/// Visitor that checks the mesh at every step.
 struct Watch : FrontVisitor {
   void seeded(const Front& front, const InsertedTriangle&) { check_sound(front.mesh()); }
   void attached(const Front& front, Halfedge, const InsertedTriangle&) { check_sound(front.mesh()); }
@@ -218,7 +218,7 @@ struct Watch : FrontVisitor {
 }  // namespace
 
 TEST_SUITE("patch") {
-  TEST_CASE("patches laid and joined are the mesh of their triangles one by one, however it is cut into patches") {
+  TEST_CASE("patches laid and joined make the same mesh as their triangles one by one, however they are divided") {
     std::mt19937 random(1);
     for (int round = 0; round < rbpa_test::trials(300); ++round) {
       CAPTURE(round);
@@ -241,7 +241,7 @@ TEST_SUITE("patch") {
         CHECK(mesh.n_faces() == size);
         CHECK(mesh.n_edges() == front.edges());
         REQUIRE(shape(front) == expected);
-        // What the patch beyond calls its side, or would, is of no account: nothing lies there.
+        // It does not matter how the patch beyond would mark its side: nothing lies there.
         std::map<Arrow, bool> sides;
         for (const auto& [from, to] : expected.boundary) sides[{from, to}] = holes.contains({to, from});
         CHECK(frozen_by_side(front) == sides);
@@ -249,7 +249,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("a side beyond which there is nothing is frozen, and others on its sites are glued as ever") {
+  TEST_CASE("a side beyond which nothing lies is frozen, and others on its sites are glued as usual") {
     TestMesh mesh;
     PatchAssembler assembler(mesh, 4);
     assembler.lay({{{0, 1, 2}}, {{Patch::open, Patch::nothing, Patch::nothing}}});
@@ -261,7 +261,7 @@ TEST_SUITE("patch") {
           std::map<Arrow, bool>{{{2, 1}, true}, {{0, 2}, true}, {{1, 3}, true}, {{3, 0}, true}});
   }
 
-  TEST_CASE("the mesh is that of lay() when patches are filled later, in any order") {
+  TEST_CASE("patches filled later, in any order, make the same mesh as lay()") {
     std::mt19937 random(4);
     for (int round = 0; round < 100; ++round) {
       CAPTURE(round);
@@ -287,7 +287,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("a front goes on from what was laid as if it had been built singly") {
+  TEST_CASE("a front continues laid patches as if they had been built triangle by triangle") {
     std::mt19937 random(2);
     for (int round = 0; round < 60; ++round) {
       CAPTURE(round);
@@ -326,7 +326,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("finish() leaves the mesh and returns the sites that a front would") {
+  TEST_CASE("finish() leaves the same mesh and returns the same sites as a front") {
     std::mt19937 random(6);
     for (int round = 0; round < 100; ++round) {
       CAPTURE(round);
@@ -366,7 +366,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("patches are laid in an empty mesh, and must have what is across of every triangle") {
+  TEST_CASE("patches are laid in an empty mesh, and need an entry of across for every triangle") {
     const Patch without{{{0, 1, 2}}, {}};
     const Patch beyond{{}, {{Patch::open, Patch::open, Patch::open}}};
     TestMesh mesh;
@@ -378,7 +378,7 @@ TEST_SUITE("patch") {
     CHECK_THROWS_AS(PatchAssembler(mesh, 6), ContractViolation);
   }
 
-  TEST_CASE("a patch is not placed by the outline of another one") {
+  TEST_CASE("the outline of another patch is refused") {
     const Patch patch{{{0, 1, 2}}, {{Patch::open, Patch::open, Patch::open}}};
     TestMesh mesh;
     PatchAssembler assembler(mesh, 3);
@@ -395,7 +395,7 @@ TEST_SUITE("patch") {
     check_sound(mesh);
   }
 
-  TEST_CASE("on a front, insert with the sides that are there is create") {
+  TEST_CASE("insert() with the existing sides equals create() on a front") {
     std::mt19937 random(3);
     for (int round = 0; round < 60; ++round) {
       CAPTURE(round);

@@ -1,4 +1,4 @@
-// survey(): what of a patch has to do with the mesh around it.
+// survey(): the parts of a patch that connect it to the mesh around it.
 #include "meshops/patch/outline.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Some of the triangles of a grid, a band or a torus, in any order.
+/// Returns some of the triangles of a grid, a band or a torus, in any order.
 Patch random_patch(std::mt19937& random) {
   const auto columns = static_cast<std::uint32_t>(4 + random() % 4),
              rows = static_cast<std::uint32_t>(4 + random() % 4);
@@ -46,7 +46,8 @@ Patch random_patch(std::mt19937& random) {
   return patch;
 }
 
-/// The side at which nothing of the patch lies that ends at a site, of the triangles there that hang together with one.
+/// Returns the open side that ends at a site, among the triangles there that are connected to the given one around the
+/// site.
 int end_of_fan(const Patch& patch, std::size_t triangle, Site site) {
   std::set<std::size_t> fan = {triangle};
   for (std::size_t before = 0; before != fan.size();) {
@@ -65,7 +66,7 @@ int end_of_fan(const Patch& patch, std::size_t triangle, Site site) {
 }  // namespace
 
 TEST_SUITE("patch") {
-  TEST_CASE("a wheel of any size is looked through once, whichever way its triangles are numbered") {
+  TEST_CASE("a wheel of any size is surveyed in linear time, whichever way its triangles are numbered") {
     constexpr int spokes = 300000;          // a walk around from each spoke would take minutes
     for (const int step : {1, spokes - 1})  // from one triangle to the next around the hub
       for (const bool closed : {true, false}) {
@@ -83,7 +84,7 @@ TEST_SUITE("patch") {
       }
   }
 
-  TEST_CASE("an outline has the sides at the rim, the holes, and of each site inside the last side that comes first") {
+  TEST_CASE("an outline has the rim, the holes, and for each inner site the last side that comes first in its pair") {
     std::mt19937 random(5);
     Outline outline;
     for (int round = 0; round < rbpa_test::trials(300); ++round) {
@@ -121,7 +122,7 @@ TEST_SUITE("patch") {
     }
   }
 
-  TEST_CASE("a patch is not surveyed whose sides do not lie across of each other in pairs") {
+  TEST_CASE("a patch whose table across is not symmetric is refused") {
     Outline outline;
     const auto refused = [&](const Patch& patch) { CHECK_THROWS_AS(survey(patch, outline), ContractViolation); };
     const std::vector<std::array<Site, 3>> two = {{0, 1, 2}, {2, 1, 3}};

@@ -18,7 +18,7 @@ Halfedge ccw(const Connectivity& mesh, Halfedge h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
 
-/// Flips all edges at the start of h that can go: those beside h on its left first, then those on its right.
+/// Flips all edges at the start of h that can be flipped: those beside h on its left first, then those on its right.
 void flip_around(TestMesh& mesh, Halfedge h) {
   const Vertex v = mesh.from_vertex_handle(h);
   const unsigned stop = mesh.is_boundary(v) ? 2 : 3;
@@ -36,7 +36,7 @@ void flip_around(TestMesh& mesh, Halfedge h) {
     }
 }
 
-/// For each vertex, how many its component has.
+/// Returns for each vertex the number of vertices of its component.
 std::vector<int> component_vertices(const TestMesh& mesh) {
   std::vector<int> count(mesh.n_vertices(), 0);
   for_each_vertex(mesh, [&](Vertex first) {
@@ -57,7 +57,7 @@ std::vector<int> component_vertices(const TestMesh& mesh) {
 }  // namespace
 
 TEST_SUITE("collapse") {
-  TEST_CASE("on every halfedge: refused with nothing changed, or by the table and undone by a split") {
+  TEST_CASE("every collapse is refused with nothing changed, or follows the table and is undone by a split") {
     int collapsed = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       const std::string shape = isomorphism_class(mesh);
@@ -88,7 +88,7 @@ TEST_SUITE("collapse") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("it is flips at the vertex and a weld: of a face, on the boundary of an edge or away with the triangle") {
+  TEST_CASE("a collapse equals flips at the vertex and a weld, of a face or at the boundary") {
     int by_face = 0, by_edge = 0, by_triangle = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       if (keep == Keep::simplicial) return;
@@ -106,7 +106,7 @@ TEST_SUITE("collapse") {
           weld_face(literal, v, Keep::manifold);
           ++by_face;
         } else if (h.idx() % 2) {
-          // The last flip is left out: a vertex of degree three on the boundary is one of an edge.
+          // The last flip is left out: a boundary vertex of degree three lies on an edge.
           while (literal.valence(v) > 3) {
             const Halfedge o = literal.opposite_halfedge_handle(h);
             const Halfedge beside = literal.is_boundary(h) ? literal.next_halfedge_handle(o) : ccw(literal, h);
@@ -130,7 +130,7 @@ TEST_SUITE("collapse") {
     CHECK(by_triangle > 100);
   }
 
-  TEST_CASE("manifold refusals are exactly loops, pinches and components of three vertices") {
+  TEST_CASE("the refusals of Keep::manifold are exactly loops, pinches and components of three vertices") {
     int refused = 0;
     for (unsigned number = 0; number < 2000; ++number) {
       CAPTURE(number);
@@ -150,7 +150,7 @@ TEST_SUITE("collapse") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("the faces of the vertex may have any number of sides, but not those beside the edge") {
+  TEST_CASE("the faces of the vertex may have any number of sides, except those beside the edge") {
     // A square and two triangles around vertex 0; they are 0 1 2, 0 2 3 and 0 3 4 1.
     TestMesh mesh;
     for (int i = 0; i < 5; ++i) mesh.new_vertex();
@@ -172,7 +172,7 @@ TEST_SUITE("collapse") {
     CHECK(snapshot(mesh) == records);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against a collapse is reported") {
     TestMesh wheel;
     corpus()[2].build(wheel);
     CHECK(*collapse_blocker(wheel, Halfedge()) == "no such halfedge");
@@ -205,7 +205,7 @@ TEST_SUITE("collapse") {
     for (int i = 0; i < 6; ++i)
       CHECK(*collapse_blocker(sphere, Halfedge(i), Keep::manifold) ==
             "nothing but an edge would be left of the component");
-    // A face in a face: its corners are joined by edges that bound no common face.
+    // A face inside a face: its corners are joined by edges that bound no common face.
     TestMesh nested;
     add_triangles(nested, 3, {{0, 1, 2}});
     const Vertex centre = split_face(nested, Face(0)).added.vertex;

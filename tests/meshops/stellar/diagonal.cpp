@@ -11,7 +11,8 @@ using namespace meshops::test;
 
 namespace {
 
-/// The meshes of laws.h with their curves closed, and edges removed: polygons, some of which touch themselves.
+/// Visits the meshes of laws.h with their curves closed and some edges removed: polygons, some of which touch
+/// themselves.
 void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
   std::mt19937 random(31);
   on_every_mesh([&](TestMesh& mesh, Keep keep) {
@@ -31,7 +32,7 @@ void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
 }  // namespace
 
 TEST_SUITE("diagonal") {
-  TEST_CASE("between any two corners of any face: refused with nothing changed, or by the table and removed again") {
+  TEST_CASE("every insert_diagonal is refused with nothing changed, or follows the table and can be removed") {
     int drawn = 0, refused = 0;
     on_polygons([&](TestMesh& mesh, Keep keep) {
       for_each_halfedge(mesh, [&](Halfedge from) {
@@ -62,7 +63,7 @@ TEST_SUITE("diagonal") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("any halfedge: refused with nothing changed, or two faces are one and can be cut again") {
+  TEST_CASE("every remove_diagonal is refused with nothing changed, or merges two faces that can be cut again") {
     int removed = 0, refused = 0;
     on_polygons([&](TestMesh& whole, Keep) {
       const std::string shape = isomorphism_class(whole);
@@ -88,7 +89,7 @@ TEST_SUITE("diagonal") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against a diagonal is reported") {
     TestMesh mesh;
     for (int i = 0; i < 5; ++i) mesh.new_vertex();
     mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
@@ -107,7 +108,7 @@ TEST_SUITE("diagonal") {
     CHECK(*remove_diagonal_blocker(mesh, side(0, 1)) == "the edge is on the boundary");
     CHECK(*remove_diagonal_blocker(mesh, Halfedge(99)) == "no such halfedge");
 
-    // Around a square the other way is another face; its diagonal would join what is joined.
+    // The other side of a square is another face; its diagonal would join vertices that are joined already.
     TestMesh pillow;
     for (int i = 0; i < 4; ++i) pillow.new_vertex();
     pillow.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
@@ -117,7 +118,7 @@ TEST_SUITE("diagonal") {
     CHECK(*insert_diagonal_blocker(pillow, from, to) == "two edges would join the same vertices");
     CHECK_FALSE(insert_diagonal_blocker(pillow, from, to, Keep::manifold));
 
-    // With one edge of a pillow removed, the others are a path, and the face that is left on both sides of each.
+    // With one edge of a pillow removed, the others are a path, and the remaining face is on both sides of each.
     TestMesh path;
     for (int i = 0; i < 4; ++i) path.new_vertex();
     path.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});

@@ -6,7 +6,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("flip") {
-  TEST_CASE("on every edge: refused with nothing changed, or the same counts and flipped back") {
+  TEST_CASE("every flip is refused with nothing changed, or keeps the counts and can be flipped back") {
     int flipped = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       const std::string shape = isomorphism_class(mesh);
@@ -49,7 +49,7 @@ TEST_SUITE("flip") {
     check_sound(mesh);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against a flip is reported") {
     TestMesh mesh;
     CHECK(*flip_blocker(mesh, Edge(0)) == "no such edge");
     add_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}});

@@ -27,7 +27,7 @@ using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 /// The triangle (0, 0), (2, 0), (0, 2), with a value of each kind at its corners and a label on its face.
 struct Triangle : Mesh {
   Triangle() {
-    using meshops::Face, meshops::Vertex;  // and not those of the mesh
+    using meshops::Face, meshops::Vertex;  // not those of the mesh
     for (const auto& [x, y] : {std::pair(0, 0), {2, 0}, {0, 2}}) add_vertex({double(x), double(y), 0});
     add_property(weight, "w");
     add_property(number, "n");
@@ -85,7 +85,7 @@ TEST_SUITE("interpolate") {
     for (const Face f : split.added.faces()) CHECK(mesh.property(mesh.label, f) == 7);
   }
 
-  TEST_CASE("a vertex split has what the old vertex has, also what has no mean") {
+  TEST_CASE("a vertex split copies the values of the old vertex, also those without a mean") {
     Triangle mesh;
     const SplitVertexEffect split =
         split_vertex(mesh, mesh.halfedge_handle(Vertex(2)), std::nullopt, mesh.hook(), Keep::manifold);
@@ -118,7 +118,7 @@ TEST_SUITE("interpolate") {
     CHECK(mesh.color(w) == Mesh::Color(50, 255, 1));
   }
 
-  TEST_CASE("a property that the mesh does not have is a contract violation, and the split leaves no trace") {
+  TEST_CASE("a property that the mesh does not have is a contract violation, and the mesh is unchanged") {
     Triangle mesh;
     OpenMesh::VPropHandleT<double> elsewhere(mesh.text.idx());  // there is one of this number, of another type
     for (const OpenMesh::VPropHandleT<double> wrong :
@@ -131,7 +131,7 @@ TEST_SUITE("interpolate") {
     }
   }
 
-  TEST_CASE("the mean is no overflow where there is none, and of equal values is the value") {
+  TEST_CASE("the mean of finite values does not overflow, and the mean of equal values is the value") {
     Triangle mesh;
     const double most = std::numeric_limits<double>::max();
     for (int i = 0; i < 3; ++i) {

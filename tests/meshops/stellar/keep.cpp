@@ -18,7 +18,8 @@ struct Tally {
   int kept = 0, lost = 0;
 };
 
-/// Where the manifold mode operates on a simplicial mesh, the simplicial mode refuses exactly if the result is none.
+/// Checks that, where the manifold mode operates on a simplicial mesh, the simplicial mode refuses exactly if the
+/// result is not simplicial.
 template <typename Blocker, typename Operate>
 void compare(const TestMesh& mesh, Tally& tally, Blocker blocker, Operate operate) {
   if (blocker(Keep::manifold)) {
@@ -50,7 +51,7 @@ void on_simplicial_meshes(const std::function<void(const TestMesh&)>& visit) {
 }  // namespace
 
 TEST_SUITE("keep") {
-  TEST_CASE("simplicial refusals are exactly those of what would not be simplicial") {
+  TEST_CASE("Keep::simplicial refuses exactly the changes after which the mesh would not be simplicial") {
     Tally collapses, flips, edge_splits, edge_welds, face_welds, vertex_splits;
     on_simplicial_meshes([&](const TestMesh& mesh) {
       for_each_halfedge(mesh, [&](Halfedge h) {
@@ -84,6 +85,6 @@ TEST_SUITE("keep") {
       CHECK(tally.lost > 0);
     }
     CHECK(edge_splits.kept > 0);
-    CHECK(edge_splits.lost == 0);  // both triangles of an edge of a simplicial mesh have apexes of their own
+    CHECK(edge_splits.lost == 0);  // the two triangles of an edge of a simplicial mesh have different apexes
   }
 }

@@ -18,28 +18,29 @@
 
 namespace meshops::test {
 
-/// The six counts of a mesh.
+/// Returns the six counts of a mesh.
 Delta counts(const Connectivity& mesh);
 
-/// No two edges join the same vertices, and no two triangles have the same corners.
+/// Returns whether no two edges join the same vertices, and no two triangles have the same corners.
 bool is_simplicial(const Connectivity& mesh);
 
-/// Visits the corpus and 300 random gluings of a few triangles, by day fewer, where everything that can coincide does; once
-/// with each Keep. The mesh may be changed and must be restored.
+/// Visits the corpus and 300 random gluings of a few triangles (fewer outside nightly runs), in which everything that
+/// can coincide does; once with each Keep. The mesh may be changed and must be restored.
 void on_every_mesh(const std::function<void(TestMesh&, Keep)>& visit);
 
-/// The least sphere: two triangles with three common edges.
+/// Makes the least sphere: two triangles with three common edges.
 void two_triangle_sphere(TestMesh& mesh);
 
-/// Small meshes with degenerate places, closed or with a boundary; the same for the same number.
+/// Makes a small mesh with degenerate places, closed or with a boundary; the same mesh for the same number.
 void random_tiny_mesh(TestMesh& mesh, unsigned number);
 
 inline bool is_large(const Connectivity& mesh) { return mesh.n_faces() > 300; }
 
-/// Of a large mesh every seventh element is tried, by day fewer.
+/// Returns the stride over elements: every seventh element of a large mesh is tried, fewer outside nightly runs.
 inline int stride(const Connectivity& mesh) { return !is_large(mesh) ? 1 : rbpa_test::all_trials() ? 7 : 61; }
 
-/// The blocker returns a reason and the operator throws the same, with nothing changed; or nothing.
+/// Checks that the blocker returns a reason and the operator throws the same, with nothing changed; or that both
+/// accept.
 template <typename Operate>
 bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate operate) {
   if (!blocker) return false;
@@ -55,7 +56,7 @@ bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate 
   return true;
 }
 
-/// A split keeps its word, and `inverse` of its effect restores every live record.
+/// Checks that a split does what it promises, and that `inverse` of its effect restores every live record.
 template <typename Split, typename Inverse>
 void check_split(TestMesh& mesh, Keep keep, Split split, Inverse inverse) {
   const auto live = live_snapshot(mesh);
@@ -72,7 +73,8 @@ void check_split(TestMesh& mesh, Keep keep, Split split, Inverse inverse) {
   CHECK(live_snapshot(mesh) == live);
 }
 
-/// A weld keeps its word; `inverse` of its effect restores the mesh up to handles, and `take_back` every bit.
+/// Checks that a weld does what it promises, that `inverse` of its effect restores the mesh up to handles, and
+/// `take_back` every bit.
 template <typename Weld, typename Inverse, typename TakeBack>
 void check_weld(TestMesh& mesh, Keep keep, const std::string& shape, Weld weld, Inverse inverse, TakeBack take_back) {
   const auto records = snapshot(mesh);

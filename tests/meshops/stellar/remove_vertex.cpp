@@ -10,7 +10,8 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("remove_vertex") {
-  TEST_CASE("on every vertex: refused exactly when no halfedge collapses, else the first that does") {
+  TEST_CASE(
+      "remove_vertex is refused exactly when no halfedge collapses, and otherwise collapses the first that does") {
     int removed = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       const std::string shape = isomorphism_class(mesh);
@@ -38,7 +39,7 @@ TEST_SUITE("remove_vertex") {
     CHECK(refused > 100);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against removing a vertex is reported") {
     TestMesh mesh;
     mesh.new_vertex();
     CHECK(*remove_vertex_blocker(mesh, Vertex(-1)) == "no such vertex");

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kinds = 8;
 
-/// Tries one operator at a random place and returns what it did to the counts.
+/// Tries one operator at a random place. Returns: the change of the counts.
 std::optional<Delta> step(TestMesh& mesh, std::mt19937& random, Keep keep, int kind) {
   const auto pick = [&](std::size_t count) { return static_cast<int>(random() % count); };
   const Halfedge h(pick(mesh.n_halfedges()));
@@ -63,7 +63,7 @@ void run_sequence(const Specimen& specimen, Keep keep, int steps, unsigned seed)
   Delta expected = counts(mesh);
   std::array<int, kinds> done = {};
   for (int i = 0; i < steps; ++i) {
-    // Removals follow when it has grown, and splits when it has shrunk.
+    // Removals follow when the mesh has grown, and splits when it has shrunk.
     const bool large = mesh.n_faces() > 2 * faces + 40;
     int kind = static_cast<int>(random() % kinds);
     if (large && (kind == 0 || kind == 2 || kind == 7)) kind = 5;
@@ -85,7 +85,7 @@ void run_sequence(const Specimen& specimen, Keep keep, int steps, unsigned seed)
 }  // namespace
 
 TEST_SUITE("stellar sequences") {
-  TEST_CASE("ten thousand random operators keep the mesh sound, its topology, and simplicial on request") {
+  TEST_CASE("ten thousand random operators keep the mesh sound, keep its topology, and keep it simplicial on request") {
     for (const Keep keep : {Keep::simplicial, Keep::manifold})
       for (const Specimen& specimen : corpus()) run_sequence(specimen, keep, 10000, 20101);
   }

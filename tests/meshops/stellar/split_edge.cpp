@@ -7,7 +7,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("split_edge") {
-  TEST_CASE("on every halfedge: refused with nothing changed, or by the table and undone by a weld") {
+  TEST_CASE("every split_edge is refused with nothing changed, or follows the table and is undone by a weld") {
     int split = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       for_each_halfedge(mesh, [&](Halfedge h) {
@@ -66,7 +66,7 @@ TEST_SUITE("split_edge") {
     CHECK(mesh.n_faces() == 6);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against splitting an edge is reported") {
     TestMesh mesh;
     CHECK(*split_edge_blocker(mesh, Edge(0)) == "no such edge");
     CHECK(*split_edge_blocker(mesh, Halfedge(0)) == "no such edge");

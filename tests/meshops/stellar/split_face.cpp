@@ -7,7 +7,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("split_face") {
-  TEST_CASE("on every face: by the table and undone by a weld") {
+  TEST_CASE("every split_face follows the table and is undone by a weld") {
     int split = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       for_each_face(mesh, [&](Face f) {
@@ -34,7 +34,7 @@ TEST_SUITE("split_face") {
     CHECK(split > 1000);
   }
 
-  TEST_CASE("a triangle alone becomes three, and its boundary stays") {
+  TEST_CASE("a single triangle becomes three, and its boundary stays") {
     TestMesh mesh;
     add_triangles(mesh, 3, {{0, 1, 2}});
     const SplitEffect effect = split_face(mesh, Face(0));
@@ -44,7 +44,7 @@ TEST_SUITE("split_face") {
     CHECK(counts(mesh).curves == 1);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against splitting a face is reported") {
     TestMesh mesh;
     for (int i = 0; i < 4; ++i) mesh.new_vertex();
     CHECK(*split_face_blocker(mesh, Face(0)) == "no such face");

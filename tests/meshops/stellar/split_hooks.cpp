@@ -18,7 +18,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Points and links, and nothing else: OpenMesh's meshes require three coordinates for their normals.
+/// Mesh with points and links only: OpenMesh's meshes require three coordinates for their normals.
 template <typename Vector>
 struct PointTraits : OpenMesh::DefaultTraits {
   using Point = Vector;
@@ -54,7 +54,7 @@ std::pair<double, double> place(const Mesh& mesh, Vertex v) {
   return {static_cast<double>(mesh.point(v)[0]), static_cast<double>(mesh.point(v)[1])};
 }
 
-/// Every bit of the links, and how many elements there are; points and the values of a property at each element.
+/// Every bit of the links, and the numbers of elements; points and the values of a property at each element.
 struct Content {
   explicit Content(const TestMesh& mesh) : records(snapshot(mesh)) {
     for (int v = 0; v < static_cast<int>(mesh.n_vertices()); ++v) points.push_back(mesh.point(Vertex(v)));
@@ -92,7 +92,7 @@ TEST_SUITE("split hooks") {
     CHECK(place(mesh, twin) == Place(0, 6));
   }
 
-  TEST_CASE("the middle is no overflow where there is none") {
+  TEST_CASE("the middle of finite points does not overflow") {
     DoublePolygons mesh;
     triangle(mesh);
     const double most = std::numeric_limits<double>::max();
@@ -103,20 +103,20 @@ TEST_SUITE("split hooks") {
     }
   }
 
-  TEST_CASE("seen as connectivity, a mesh is split without a look at its points") {
+  TEST_CASE("a split of a mesh as Connectivity does not read its points") {
     TestMesh mesh;
     triangle(mesh);
     mesh.set_point(Vertex(0), {1, 1, 1});
     mesh.set_point(Vertex(1), {1, 1, 1});
     mesh.reserve(10, 20, 20);
-    mesh.set_point(mesh.new_vertex(), {7, 7, 7});  // what the memory of the next vertex holds
+    mesh.set_point(mesh.new_vertex(), {7, 7, 7});  // content of the memory of the next vertex
     mesh.resize(3, 3, 1);
     Connectivity& links = mesh;
     const Vertex v = split_edge(links, Halfedge(0)).added.vertex;
     CHECK(mesh.point(v) != TestMesh::Point(1, 1, 1));
   }
 
-  TEST_CASE("any callable is a hook, and receives what was done") {
+  TEST_CASE("any callable is a hook, and receives the effect") {
     TestMesh mesh;
     triangle(mesh);
     Vertex added;
@@ -140,7 +140,7 @@ TEST_SUITE("split hooks") {
     CHECK(calls == 1);
   }
 
-  TEST_CASE("CarryOver: the new half, the new faces and the new vertex have what was there before") {
+  TEST_CASE("CarryOver gives the new half, the new faces and the new vertex the old properties") {
     TestMesh mesh;
     triangle(mesh);
     mesh.request_face_colors();
@@ -184,7 +184,7 @@ TEST_SUITE("split hooks") {
           mesh.property(name, mesh.face_handle(mesh.opposite_halfedge_handle(inner.line))));
     CHECK(mesh.property(name, inner.added.face[0]) != mesh.property(name, inner.added.face[1]));
 
-    // A vertex that opens: both of it, and both of each edge that opens with it.
+    // When a vertex opens, both vertices, and both parts of each edge that opens with it, have the old properties.
     const Vertex w = inner.added.vertex;
     mesh.property(weight, w) = 5;
     mesh.set_point(w, {4, 5, 6});
@@ -240,7 +240,7 @@ TEST_SUITE("split hooks") {
     CHECK(thrown > 10000);
   }
 
-  TEST_CASE("also on a mesh that cannot mark what is deleted") {
+  TEST_CASE("a hook that throws leaves a mesh without status as it was") {
     FloatTriangles mesh;
     triangle(mesh);
     const auto before = snapshot(mesh);
@@ -261,7 +261,7 @@ TEST_SUITE("split hooks") {
                                }),
                     Stop);
     check_sound(mesh);
-    CHECK(mesh.status(Vertex(3)).deleted());  // the split is gone, the vertex of the hook is there
+    CHECK(mesh.status(Vertex(3)).deleted());  // the split is undone, the vertex of the hook exists
     CHECK_FALSE(mesh.status(Vertex(4)).deleted());
     CHECK(counts(mesh).faces == 1);
     mesh.status(Vertex(4)).set_deleted(true);

@@ -10,7 +10,8 @@ using namespace meshops::test;
 
 namespace {
 
-/// Every way to split a vertex that one of the first outgoing halfedges leaves: with each other, and with none.
+/// Visits every way to split a vertex that one of the first outgoing halfedges leaves: with each other halfedge, and
+/// with none.
 template <typename Visit>
 void for_each_run(const TestMesh& mesh, Vertex w, Visit visit) {
   std::vector<std::optional<Halfedge>> out = {std::nullopt};
@@ -22,7 +23,7 @@ void for_each_run(const TestMesh& mesh, Vertex w, Visit visit) {
 }  // namespace
 
 TEST_SUITE("split_vertex") {
-  TEST_CASE("between every two halfedges: refused with nothing changed, or by the table and undone by a collapse") {
+  TEST_CASE("every split_vertex is refused with nothing changed, or follows the table and is undone by a collapse") {
     int split = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       for_each_vertex(mesh, [&](Vertex w) {
@@ -75,7 +76,7 @@ TEST_SUITE("split_vertex") {
     CHECK(snapshot(mesh) == snapshot(other));
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against splitting a vertex is reported") {
     TestMesh wheel;
     corpus()[2].build(wheel);
     const Halfedge a = wheel.find_halfedge(Vertex(0), Vertex(1)), b = wheel.find_halfedge(Vertex(0), Vertex(2));

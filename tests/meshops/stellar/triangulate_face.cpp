@@ -23,7 +23,8 @@ namespace {
 using Triangle = std::array<int, 3>;  // corners of the polygon, ascending
 using Triangulation = std::vector<Triangle>;
 
-/// All triangulations of the part between two corners, Catalan many; at the side between them the first apex first.
+/// Returns all triangulations of the part between two corners, a Catalan number; at the side between them, the first
+/// apex comes first.
 std::vector<Triangulation> all_triangulations(int first, int last) {
   if (last - first < 2) return {{}};
   std::vector<Triangulation> all;
@@ -48,7 +49,8 @@ std::vector<Vertex> corners_of(const TestMesh& mesh, Face f) {
   return corners;
 }
 
-/// A triangulation may be drawn: no edge is a loop; for a simplicial mesh none joins what is joined.
+/// Returns whether a triangulation is allowed: no edge is a loop; for a simplicial mesh, no edge joins vertices that
+/// are joined already.
 bool is_allowed(const TestMesh& mesh, const std::vector<Vertex>& corners, const Triangulation& t, Keep keep) {
   const int k = static_cast<int>(corners.size());
   for (const Triangle& triangle : t)
@@ -61,7 +63,7 @@ bool is_allowed(const TestMesh& mesh, const std::vector<Vertex>& corners, const 
   return true;
 }
 
-/// The triangles of the faces that a polygon has become, by the numbers of its corners.
+/// Returns the triangles that a polygon has become, by the numbers of its corners.
 std::set<Triangle> triangles_of(const TestMesh& mesh, const std::vector<Vertex>& corners, Face face,
                                 const TriangulateFaceEffect& effect) {
   std::set<Triangle> all;
@@ -79,7 +81,7 @@ std::set<Triangle> triangles_of(const TestMesh& mesh, const std::vector<Vertex>&
   return all;
 }
 
-/// A torus of seven vertices, each joined to each, in which a hexagon replaces the faces of one.
+/// Makes a torus of seven vertices, each joined to every other, in which a hexagon replaces the faces of one vertex.
 Face hexagon_in_torus(TestMesh& mesh) {
   PolygonSoup torus;
   torus.points = 7;
@@ -105,8 +107,8 @@ Face hexagon_in_torus(TestMesh& mesh) {
   return face;
 }
 
-/// A polygon of k sides whose other side is nothing, or a face that is cut by some diagonals; or a hexagon all of whose
-/// corners are joined, but for some edges that are removed.
+/// Makes a polygon of k sides whose other side is open, or a face that is cut by some diagonals; or a hexagon whose
+/// corners are all joined, except by some removed edges.
 Face polygon(TestMesh& mesh, int k, std::mt19937& random) {
   if (k == 6) {
     const Face face = hexagon_in_torus(mesh);
@@ -132,7 +134,7 @@ Face polygon(TestMesh& mesh, int k, std::mt19937& random) {
   return f;
 }
 
-/// Makes the worst triangle as good as can be.
+/// Weight that makes the worst triangle as good as possible.
 struct Worst {
   int value;
   friend Worst operator+(Worst a, Worst b) { return {std::max(a.value, b.value)}; }
@@ -142,7 +144,7 @@ struct Worst {
 }  // namespace
 
 TEST_SUITE("triangulate_face") {
-  TEST_CASE("of all triangulations the least is chosen, of equal ones the first; forbidden diagonals are not drawn") {
+  TEST_CASE("the first of the triangulations of least weight is chosen, and forbidden diagonals are not drawn") {
     std::mt19937 random(1980);
     int done = 0, blocked = 0, forbidden = 0;
     for (int round = 0; round < rbpa_test::trials(4000); ++round) {
@@ -152,7 +154,7 @@ TEST_SUITE("triangulate_face") {
       check_sound(mesh);
       const std::vector<Vertex> corners = corners_of(mesh, f);
       const Keep keep = random() % 2 ? Keep::simplicial : Keep::manifold;
-      const int range = random() % 2 ? 3 : 1000;  // few weights are often equal
+      const int range = random() % 2 ? 3 : 1000;  // in a small range weights are often equal
       std::vector<int> weights(512);
       for (int& w : weights) w = static_cast<int>(random()) % range;
       const auto number = [&](Vertex v) {
@@ -162,7 +164,7 @@ TEST_SUITE("triangulate_face") {
         CHECK((number(a) < number(b) && number(b) < number(c)));
         return weights[static_cast<std::size_t>(64 * number(a) + 8 * number(b) + number(c))];
       };
-      // The first of the least.
+      // The first triangulation of least weight.
       std::optional<int> least;
       std::set<Triangle> expected;
       for (const Triangulation& t : all_triangulations(0, k - 1)) {
@@ -204,7 +206,7 @@ TEST_SUITE("triangulate_face") {
     CHECK(forbidden > 1000);
   }
 
-  TEST_CASE("with a sum that is a maximum the worst triangle is as good as can be") {
+  TEST_CASE("with a maximum as sum the worst triangle is as good as possible") {
     std::mt19937 random(7);
     for (int round = 0; round < rbpa_test::trials(300); ++round) {
       const int k = 4 + static_cast<int>(random() % 5);
@@ -234,7 +236,7 @@ TEST_SUITE("triangulate_face") {
     }
   }
 
-  TEST_CASE("by area a polygon in the plane is filled without overlaps, whatever its shape") {
+  TEST_CASE("by area any polygon in the plane is filled without overlaps") {
     using Mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
     std::mt19937 random(2);
     for (int round = 0; round < rbpa_test::trials(200); ++round) {
@@ -269,7 +271,7 @@ TEST_SUITE("triangulate_face") {
     }
   }
 
-  TEST_CASE("closes every hole of the corpus with triangles; a hole that it cannot close is reported, and stays") {
+  TEST_CASE("every hole of the corpus is closed with triangles, or is reported and stays") {
     int closed = 0;
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;
@@ -289,7 +291,7 @@ TEST_SUITE("triangulate_face") {
     CHECK(closed > 30);
   }
 
-  TEST_CASE("a triangle stays, a weight that throws changes nothing, and every reason") {
+  TEST_CASE("a triangle stays, a weight that throws changes nothing, and every reason is reported") {
     TestMesh mesh;
     Connectivity& links = mesh;
     std::vector<Vertex> corners;
@@ -319,7 +321,7 @@ TEST_SUITE("triangulate_face") {
     check_sound(torus);
   }
 
-  TEST_CASE("a face that passes a vertex twice is for Keep::manifold alone, and no triangle has a vertex twice") {
+  TEST_CASE("a face that passes a vertex twice requires Keep::manifold, and no triangle has a vertex twice") {
     std::mt19937 random(5);
     int drawn = 0;
     for (unsigned number = 0; number < 400; ++number) {

@@ -36,7 +36,7 @@ TEST_SUITE("undo") {
       }
   }
 
-  TEST_CASE("a removal writes nothing to the records of what it removes") {
+  TEST_CASE("a removal writes nothing to the records of the removed elements") {
     for (unsigned number = 0; number < 500; ++number) {
       CAPTURE(number);
       TestMesh mesh;
@@ -59,7 +59,7 @@ TEST_SUITE("undo") {
     }
   }
 
-  TEST_CASE("properties come back with the handles") {
+  TEST_CASE("undo restores properties with the handles") {
     TestMesh mesh;
     corpus()[6].build(mesh);
     mesh.set_point(Vertex(0), {1, 2, 3});
@@ -67,7 +67,7 @@ TEST_SUITE("undo") {
     CHECK(mesh.point(Vertex(0)) == TestMesh::Point(1, 2, 3));
   }
 
-  TEST_CASE("what is not marked, or collected, cannot be brought back") {
+  TEST_CASE("elements that are not marked, or were collected, cannot be restored") {
     TestMesh mesh;
     corpus()[6].build(mesh);
     const WeldEffect effect = collapse(mesh, Halfedge(0));
@@ -119,7 +119,7 @@ TEST_SUITE("undo") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("a flip is undone where there is an edge to flip, and the mesh stays sound") {
+  TEST_CASE("a flip is undone if there is an edge to flip, and the mesh stays sound") {
     int refused = 0, flipped = 0;
     std::mt19937 random(13);
     for (unsigned number = 0; number < 500; ++number) {

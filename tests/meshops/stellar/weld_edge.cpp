@@ -8,7 +8,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("weld_edge") {
-  TEST_CASE("on every halfedge: refused with nothing changed, or by the table and undone by a split") {
+  TEST_CASE("every weld_edge is refused with nothing changed, or follows the table and is undone by a split") {
     int welded = 0, refused = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       const std::string shape = isomorphism_class(mesh);
@@ -49,7 +49,7 @@ TEST_SUITE("weld_edge") {
     CHECK(counts(mesh) == Delta{4, 5, 2, 1, 1, 0});
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against welding an edge is reported") {
     TestMesh wheel;
     corpus()[2].build(wheel);
     CHECK(*weld_edge_blocker(wheel, Halfedge()) == "no such halfedge");
@@ -77,7 +77,7 @@ TEST_SUITE("weld_edge") {
     CHECK(*weld_edge_blocker(cone, cone.find_halfedge(Vertex(1), Vertex(2))) ==
           "two edges would join the same vertices");
     CHECK_FALSE(weld_edge_blocker(cone, cone.find_halfedge(Vertex(1), Vertex(2)), Keep::manifold));
-    // Then the curve has two edges, and the next would be a loop.
+    // Now the curve has two edges, and the next would be a loop.
     weld_edge(cone, cone.find_halfedge(Vertex(1), Vertex(2)), Keep::manifold);
     const Vertex rim(2);
     REQUIRE(cone.valence(rim) == 3);
@@ -86,7 +86,7 @@ TEST_SUITE("weld_edge") {
           "another edge joins the two vertices: it would become a loop");
   }
 
-  TEST_CASE("without status to mark deletions it throws") {
+  TEST_CASE("a weld without status to mark deletions throws") {
     OpenMesh::PolyMesh_ArrayKernelT<> mesh;
     const Halfedge h = separate_triangles(mesh, 1)[0];
     const Halfedge half = split_edge(mesh, h).halfedge;

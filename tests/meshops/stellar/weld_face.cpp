@@ -8,7 +8,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("weld_face") {
-  TEST_CASE("on every vertex: refused with nothing changed, or by the table and undone by a split") {
+  TEST_CASE("every weld_face is refused with nothing changed, or follows the table and is undone by a split") {
     int welded = 0;
     on_every_mesh([&](TestMesh& mesh, Keep keep) {
       const std::string shape = isomorphism_class(mesh);
@@ -25,7 +25,7 @@ TEST_SUITE("weld_face") {
     CHECK(welded > 20);
   }
 
-  TEST_CASE("every reason") {
+  TEST_CASE("every reason against welding a face is reported") {
     TestMesh mesh;
     mesh.new_vertex();
     CHECK(*weld_face_blocker(mesh, Vertex(1)) == "no such vertex");
@@ -40,7 +40,7 @@ TEST_SUITE("weld_face") {
     weld_face(tetrahedron, Vertex(0), Keep::manifold);
     CHECK(counts(tetrahedron) == Delta{3, 3, 2, 0, 1, 0});
     check_sound(tetrahedron);
-    // A square and two triangles at a vertex; which of them the halfedge of the vertex is beside does not matter.
+    // A square and two triangles at a vertex; the position of the halfedge of the vertex does not matter.
     TestMesh polygons;
     for (int i = 0; i < 5; ++i) polygons.new_vertex();
     polygons.add_face({Vertex(0), Vertex(1), Vertex(2)});

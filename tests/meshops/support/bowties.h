@@ -1,4 +1,4 @@
-// Meshes in which the fans at a vertex touch: what OpenMesh's add_face() makes of faces that meet in a point.
+// Makes meshes in which the fans at a vertex touch, as OpenMesh's add_face() makes them of faces that meet in a point.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace meshops::test {
 
-/// Makes one vertex of two on the boundary: their fans are linked in one ring, as OpenMesh does. The other one is
+/// Merges two boundary vertices: their fans are linked in one ring, as OpenMesh does. The other vertex is
 /// marked deleted.
 void tie(Connectivity& mesh, Vertex stays, Vertex goes);
 
-/// Makes one vertex of all that stand on one point, the first of each point; their fans are in one ring where they are
-/// open, and in rings of their own where they close.
+/// Merges all vertices that stand on one point into the first of them. Open fans are linked in one ring; closed fans
+/// keep rings of their own.
 void tie_points(Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex);
 
-/// Ties random pairs of boundary vertices that no edge joins. Returns how many.
+/// Ties random pairs of boundary vertices that no edge joins. Returns: their number.
 int tie_at_random(Connectivity& mesh, int attempts, std::mt19937& random);
 
 }  // namespace meshops::test

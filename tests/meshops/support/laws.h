@@ -1,4 +1,4 @@
-// What every operator must keep, as checks.
+// Checks of the laws of every operator.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace meshops::test {
 /// Asserts that the counts changed exactly by `delta`, and that the mesh is sound.
 void check_changed_by(const Delta& delta, const TopologyCounts& before, const Connectivity& after);
 
-/// Asserts that `operate` throws a ContractViolation with the text `reason`, and that not a bit of the mesh changes.
+/// Asserts that `operate` throws a ContractViolation with the text `reason`, and changes no bit of the mesh.
 template <typename Operate>
 void check_refused(const TestMesh& mesh, const std::string& reason, Operate operate);
 

@@ -46,7 +46,8 @@ std::vector<std::string> canonical_faces(const Connectivity& mesh, const std::ve
     } while (h != first);
     return text;
   };
-  // A face begins at the rotation that gives the least text; each side names the loop beyond it, from the shared edge.
+  // A face begins at the rotation that gives the least text; each side names the loop beyond it, from the shared edge
+  // on.
   std::vector<std::string> faces;
   for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
     if (mesh.status(Face(i)).deleted()) continue;

@@ -19,17 +19,18 @@ struct TestMesh : OpenMesh::PolyMesh_ArrayKernelT<> {
   }
 };
 
-/// `count` separate triangles; returns the boundary halfedges, three per triangle, along its boundary curve:
+/// Makes `count` separate triangles; returns the boundary halfedges, three per triangle, along its boundary curve:
 /// element 3t + i runs opposite to side i of triangle t.
 std::vector<Halfedge> separate_triangles(Connectivity& mesh, int count);
 
-/// A strip of triangles whose two boundary ends are returned, to be glued into a band: an annulus of `length` pairs.
+/// Strip of triangles, with its two end edges, which can be glued to make a band: an annulus of `length` pairs.
 struct Strip {
   Halfedge left, right;
 };
 Strip strip(Connectivity& mesh, int pairs);
 
-/// The faces as cyclic lists of vertex labels and the mates of their edges, in a form in which isomorphic meshes with
+/// Returns the faces as cyclic lists of vertex labels with the mates of their edges, in a form in which isomorphic
+/// meshes with
 /// the same labels are equal: one string per face, sorted. `label` of a vertex need not be unique.
 std::vector<std::string> canonical_faces(const Connectivity& mesh, const std::vector<int>& label);
 

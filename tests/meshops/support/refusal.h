@@ -1,4 +1,4 @@
-// Why an operation was refused.
+// Reads the reason for which an operation was refused.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace meshops::test {
 
-/// Returns: the words of the contract violation that operate() throws; "done" when it throws none.
+/// Returns the text of the contract violation that operate() throws; "done" when it throws none.
 template <typename Operate>
 std::string refusal(Operate operate) {
   try {

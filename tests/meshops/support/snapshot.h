@@ -1,4 +1,4 @@
-// Every bit of a mesh's connectivity and status, to be compared.
+// Records every bit of the connectivity and status of a mesh, for comparison.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace meshops::test {
 
-/// The records of all elements, deleted ones included; equal when nothing at all was changed.
+/// Returns the records of all elements, deleted ones included; equal when nothing was changed.
 std::vector<int> snapshot(const Connectivity& mesh);
 
-/// Whether it matters which of its halfedges an inner vertex names: any is as good.
+/// Choice: compare the halfedge to which an inner vertex refers, or ignore it because any halfedge is valid.
 enum class Named { compared, any };
 
-/// The records of the live elements only: what is left in deleted ones does not count. Handles do.
+/// Returns the records of live elements only, with their handles; records of deleted elements do not count.
 std::vector<int> live_snapshot(const Connectivity& mesh, Named named = Named::compared);
 
 }  // namespace meshops::test

@@ -39,7 +39,7 @@ bool halfedges_agree(const Connectivity& mesh) {
   return all;
 }
 
-/// Requires that next is a permutation.
+/// Returns whether the sides are one loop. Requires: next is a permutation.
 bool is_one_loop(const Connectivity& mesh, Halfedge named, std::vector<Halfedge> sides) {
   std::vector<Halfedge> loop = {named};
   for (Halfedge h = mesh.next_halfedge_handle(named); h != named; h = mesh.next_halfedge_handle(h)) loop.push_back(h);
@@ -48,8 +48,9 @@ bool is_one_loop(const Connectivity& mesh, Halfedge named, std::vector<Halfedge>
   return loop == sides && sides.size() >= 3;
 }
 
-/// `out` are all halfedges that leave a vertex. Each that has a face joins its edge to the one before it around the
-/// vertex, which is the other side of the same corner.
+/// Returns whether the edges around a vertex form one path or one circle. `out` are all halfedges that leave the
+/// vertex. Each that has a face joins its edge to the one before it around the vertex, which is the other side of the
+/// same corner.
 bool is_path_or_circle(const Connectivity& mesh, const std::vector<Halfedge>& out) {
   std::vector<Halfedge> reached = {out.front()};
   std::size_t corners = 0;

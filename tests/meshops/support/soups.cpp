@@ -17,7 +17,7 @@ FaceCorners corners_of(const PolygonSoup& soup, std::size_t f) {
 
 std::uint32_t below(std::mt19937& random, std::size_t bound) { return static_cast<std::uint32_t>(random() % bound); }
 
-/// Another first corner.
+/// Rotates a face to another first corner.
 void turn(FaceCorners& face, std::mt19937& random) {
   if (!face.empty()) std::rotate(face.begin(), face.begin() + below(random, face.size()), face.end());
 }
@@ -34,7 +34,7 @@ bool same_cycle(const FaceCorners& a, FaceCorners b) {
 }
 
 struct Side {
-  std::size_t face, corner;  // of the face, which is at its lower end when it ascends
+  std::size_t face, corner;  // corner of the face, at the lower end of the edge if the side ascends
   bool ascending;
   std::size_t low_corner(const PolygonSoup& soup) const { return ascending ? corner : next(soup); }
   std::size_t high_corner(const PolygonSoup& soup) const { return ascending ? next(soup) : corner; }
@@ -82,7 +82,7 @@ Edges edges_of(const PolygonSoup& soup, const std::vector<std::size_t>& faces) {
   return edges;
 }
 
-/// The class of each of the elements under links, as the least member.
+/// Returns the class of each element under links, as its least member.
 template <typename Element>
 std::map<Element, Element> classes(const std::vector<Element>& elements,
                                    const std::vector<std::pair<Element, Element>>& links) {
@@ -124,9 +124,9 @@ std::map<std::size_t, std::size_t> pieces_of(const std::vector<std::size_t>& fac
   return classes(faces, links);
 }
 
-/// The first faces of the pieces of which no choice of directions agrees.
+/// Returns the first faces of the pieces in which no choice of directions agrees.
 std::set<std::size_t> not_orientable(const std::vector<std::size_t>& faces, const Edges& edges) {
-  // On two sheets, one for each direction: a piece is orientable unless its sheets hang together.
+  // Two sheets, one for each direction: a piece is orientable unless its sheets are connected.
   using Sheet = std::pair<std::size_t, bool>;
   std::vector<Sheet> sheets;
   for (const std::size_t f : faces) {
@@ -220,7 +220,7 @@ PolygonSoup random_soup(std::mt19937& random) {
   PolygonSoup made;
   made.points = random() % 9;
   const std::size_t faces = random() % 13;
-  const unsigned wild = below(random, 4);  // how much of it is no face at all
+  const unsigned wild = below(random, 4);  // share of lists that are no faces
   for (std::size_t f = 0; f < faces; ++f) {
     FaceCorners face;
     if (f > 0 && random() % 8 < wild) {
@@ -313,7 +313,7 @@ std::vector<SoupDefect> defects_by_brute_force(const PolygonSoup& soup) {
       defects.push_back({SoupDefectKind::inconsistent_orientation, {ends.first, ends.second}, faces_at(sides)});
   for (const std::size_t first : not_orientable(faces, edges))
     defects.push_back({SoupDefectKind::not_orientable, {}, {first}});
-  std::map<std::uint32_t, std::set<std::size_t>> fans_at;  // their first faces
+  std::map<std::uint32_t, std::set<std::size_t>> fans_at;  // the first faces of the fans
   for (const auto& [corner, fan] : fans_of(soup, faces, edges, true))
     fans_at[soup.face(corner.first)[corner.second]].insert(fan.first);
   for (const auto& [point, firsts] : fans_at)
@@ -333,7 +333,7 @@ TopologyReport report_by_brute_force(const PolygonSoup& soup) {
   const Edges edges = edges_of(soup, faces);
   TopologyReport total;
 
-  // The whole as a space.
+  // The whole complex as a space.
   Cells space;
   space.vertices = soup.points;
   std::map<Ends, std::size_t> number;
@@ -360,7 +360,7 @@ TopologyReport report_by_brute_force(const PolygonSoup& soup) {
   for (const SoupDefect& defect : defects_by_brute_force(soup))
     if (defect.kind == SoupDefectKind::pinch) ++total.pinches;
 
-  // Each piece as a space of its own: vertices are fans, sides are edges except that two in an edge are one.
+  // Each piece is a space of its own: vertices are fans, and sides are edges, of which two at one edge are one.
   const auto piece_of = pieces_of(faces, edges);
   const auto fan_of = fans_of(soup, faces, edges, false);
   const auto flat = not_orientable(faces, edges);
@@ -406,7 +406,7 @@ TopologyReport report_by_brute_force(const PolygonSoup& soup) {
     piece.boundary_curves = curves.size();
     piece.orientable = !flat.contains(first);
     piece.first_face = first;
-    // The law of ComponentReport: what it computes from the counts agrees with the matrices.
+    // The law of ComponentReport: the numbers that it computes from the counts agree with the matrices.
     if (piece.betti() != betti_by_brute_force(cells)) piece.faces = 0;
     total.boundary_curves += piece.boundary_curves;
     if (piece.orientable && total.genus)

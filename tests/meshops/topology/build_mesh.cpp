@@ -30,7 +30,7 @@ std::vector<SoupDefect> all_but_pinches(const PolygonSoup& s) {
   return defects;
 }
 
-/// Everything that the header promises of the handles.
+/// Checks everything that the header promises of the handles.
 void check_built(const TestMesh& mesh, const std::vector<std::uint32_t>& points, const PolygonSoup& s) {
   check_sound(mesh);
   REQUIRE(points.size() == mesh.n_vertices());
@@ -43,7 +43,7 @@ void check_built(const TestMesh& mesh, const std::vector<std::uint32_t>& points,
   for (const SoupDefect& d : find_defects(s)) {
     REQUIRE(d.kind == SoupDefectKind::pinch);
     fans[d.points[0]] = d.faces.size();
-    // The first fan keeps the number of the point, the others follow in the order of their first faces.
+    // The first fan keeps the number of the point, and the others follow in the order of their first faces.
     for (std::size_t i = 0; i < d.faces.size(); ++i) {
       Vertex at;
       for (const Vertex v : mesh.fv_range(Face(static_cast<int>(d.faces[i]))))
@@ -102,7 +102,7 @@ TEST_SUITE("build_mesh") {
     check_sound(mesh);
   }
 
-  TEST_CASE("every soup without other defects than pinches is built; all others are refused by the first") {
+  TEST_CASE("every soup whose only defects are pinches is built, and all others are refused with the first defect") {
     std::mt19937 random(7);
     int built = 0, pinched = 0, refused = 0;
     for (int round = 0; round < rbpa_test::trials(6000); ++round) {
@@ -127,13 +127,13 @@ TEST_SUITE("build_mesh") {
     CHECK(refused > 500);
   }
 
-  TEST_CASE("a mesh that is not empty is refused, as it was") {
+  TEST_CASE("a mesh that is not empty is refused, and stays as it was") {
     TestMesh mesh;
     mesh.new_vertex();
     check_refused(mesh, "build_mesh: the mesh is not empty", [&] { build_mesh(mesh, soup(3, {{0, 1, 2}})); });
   }
 
-  TEST_CASE("the corpus to soup and back is the same up to handles, and the same soup again") {
+  TEST_CASE("the corpus converted to soups and back is the same up to handles, and gives the same soups again") {
     int there_and_back = 0;
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;
@@ -154,7 +154,7 @@ TEST_SUITE("build_mesh") {
     CHECK(there_and_back >= 8);
   }
 
-  TEST_CASE("fans that were merged in a point come apart again") {
+  TEST_CASE("fans that were merged in a point get separate vertices again") {
     // Three copies of a specimen with a boundary, all standing on one point of it.
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;
@@ -176,7 +176,7 @@ TEST_SUITE("build_mesh") {
     }
   }
 
-  TEST_CASE("the faces of a mesh with deletions are those left; a deleted vertex is a point without a face") {
+  TEST_CASE("the soup of a mesh with deletions has the live faces, and a deleted vertex is a point without a face") {
     TestMesh mesh;
     build_mesh(mesh, soup(5, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
     mesh.delete_face(Face(0), true);

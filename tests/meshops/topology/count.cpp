@@ -11,7 +11,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("count") {
-  TEST_CASE("a disc, an annulus, an isolated vertex") {
+  TEST_CASE("a disc, an annulus and an isolated vertex are counted") {
     TestMesh mesh;
     const Strip s = strip(mesh, 4);
     TopologyCounts counts = count_topology(mesh);
@@ -30,8 +30,8 @@ TEST_SUITE("count") {
     CHECK(counts.genus() == 0);
   }
 
-  TEST_CASE("a torus from a square") {
-    // A band closed to an annulus, whose two curves are then glued edge by edge.
+  TEST_CASE("a torus made of a band is counted") {
+    // A band is closed to an annulus, whose two curves are then glued edge by edge.
     TestMesh mesh;
     const Strip s = strip(mesh, 5);
     glue(mesh, s.left, s.right);
@@ -39,7 +39,7 @@ TEST_SUITE("count") {
     REQUIRE(curves.size() == 2);
     std::vector<Halfedge> one(curves[0].begin(), curves[0].end()), other(curves[1].begin(), curves[1].end());
     REQUIRE(one.size() == other.size());
-    // Curves run opposite ways along the seam; turned by two, no merged vertices are neighbors.
+    // Curves run in opposite directions along the seam; shifted by two, no merged vertices are neighbors.
     std::size_t glued = 0;
     for (std::size_t i = 0; i < one.size(); ++i) {
       const std::size_t j = (2 * one.size() + 2 - i) % other.size();

@@ -16,7 +16,7 @@ using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("cut_open") {
-  TEST_CASE("along the cut graph every component is a disc, and glued back every live record is as it was") {
+  TEST_CASE("cut along the cut graph every component is a disc, and gluing back restores every live record") {
     for (const Specimen& specimen : corpus()) {
       INFO(specimen.name);
       TestMesh mesh;
@@ -39,7 +39,7 @@ TEST_SUITE("cut_open") {
     }
   }
 
-  TEST_CASE("new vertices lie where the old ones do, and edges are cut in any order to the same pieces") {
+  TEST_CASE("new vertices have the points of the old ones, and edges cut in any order give the same pieces") {
     TestMesh mesh, backwards;
     for (TestMesh* m : {&mesh, &backwards}) corpus()[6].build(*m);
     for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 1, 2});
@@ -56,7 +56,7 @@ TEST_SUITE("cut_open") {
     CHECK(isomorphism_class(mesh) == isomorphism_class(backwards));
   }
 
-  TEST_CASE("what cannot be cut is refused with the edge named, and the mesh untouched") {
+  TEST_CASE("edges that cannot be cut are refused with the edge named, and the mesh untouched") {
     TestMesh mesh;
     separate_triangles(mesh, 1);
     const std::vector<Edge> on_boundary = {Edge(0)}, none = {Edge(99)};

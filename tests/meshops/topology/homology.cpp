@@ -30,7 +30,7 @@ struct Classes {
   std::vector<std::size_t> parent;
 };
 
-/// Vectors over the integers modulo a prime; add() returns whether the vector is independent of those before.
+/// Vectors over the integers modulo a prime. add() returns whether the vector is independent of those before.
 class Independence {
  public:
   explicit Independence(long prime) : prime_(prime) {}
@@ -64,10 +64,10 @@ class Independence {
   }
 
   long prime_;
-  std::map<std::size_t, std::vector<long>> rows_;  // by the first column that is not zero, which is one
+  std::map<std::size_t, std::vector<long>> rows_;  // by the first column that is not 0, whose entry is 1
 };
 
-/// The chain of a walk: how often it runs along each edge in the direction of the first halfedge.
+/// Returns the chain of a walk: how often it runs along each edge in the direction of the first halfedge.
 std::vector<long> chain(const Connectivity& mesh, const std::vector<Halfedge>& walk) {
   std::vector<long> row(mesh.n_edges(), 0);
   for (const Halfedge h : walk) row[index(mesh.edge_handle(h))] += h.idx() % 2 ? -1 : 1;
@@ -89,8 +89,8 @@ bool is_closed(const Connectivity& mesh, const Loop& loop) {
   return true;
 }
 
-/// Closed walks that are a basis of the cycles modulo the boundaries of faces, over Z/p for each of the primes. The
-/// dimension of that comes from ranks alone.
+/// Returns whether closed walks are a basis of the cycles modulo the boundaries of faces, over Z/p for each of the
+/// primes. The dimension of that space is found by ranks alone.
 bool is_basis(const Connectivity& mesh, const std::vector<Loop>& loops, std::initializer_list<long> primes) {
   for (const Loop& loop : loops)
     if (!is_closed(mesh, loop)) return false;
@@ -112,7 +112,7 @@ bool is_basis(const Connectivity& mesh, const std::vector<Loop>& loops, std::ini
   return true;
 }
 
-/// The component of each vertex, found here.
+/// Returns the component of each vertex, computed independently of the library.
 Classes components(const Connectivity& mesh) {
   Classes component(mesh.n_vertices());
   for_each_halfedge(
@@ -123,7 +123,7 @@ Classes components(const Connectivity& mesh) {
 struct Counts {
   long vertices = 0, edges = 0, faces = 0, curves = 0, loops = 0;
   long euler() const { return vertices - edges + faces; }
-  /// 2g + max(k − 1, 0), where χ = 2 − 2g − k.
+  /// Returns 2g + max(k − 1, 0), where χ = 2 − 2g − k.
   long first_betti() const { return 2 - euler() - curves + std::max(curves - 1, 0L); }
 };
 
@@ -139,8 +139,9 @@ std::map<std::size_t, Counts> counts_by_component(const Connectivity& mesh, cons
   return counts;
 }
 
-/// Cut along these edges, every component is one piece with V − E + F = 1, or had been a sphere and is not cut. Counted
-/// on the pieces: corners of faces are one vertex where they are joined across an edge that is not cut.
+/// Returns whether, cut along these edges, every component is one piece with V − E + F = 1, or was a sphere and is not
+/// cut. The pieces are counted directly: corners of faces are one vertex if they are joined across an edge that is not
+/// cut.
 bool cuts_into_discs(const Connectivity& mesh, const std::vector<Edge>& cut) {
   std::set<Edge> is_cut(cut.begin(), cut.end());
   if (is_cut.size() != cut.size()) return false;
@@ -189,7 +190,7 @@ bool has_loose_end(const Connectivity& mesh, const std::vector<Edge>& cut) {
 std::vector<double> random_lengths(const Connectivity& mesh, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<double> lengths(mesh.n_edges());
-  // Sums of whole numbers are exact, and so large ones seldom tie.
+  // Sums of integers are exact, and sums this large seldom tie.
   for (double& length : lengths) length = static_cast<double>(random() % 100000000 + 1);
   return lengths;
 }
@@ -233,7 +234,7 @@ TEST_SUITE("homology") {
     });
   }
 
-  TEST_CASE("the checks see a set of loops that is no basis") {
+  TEST_CASE("the checks detect a set of loops that is no basis") {
     TestMesh mesh;
     corpus()[8].build(mesh);
     REQUIRE(corpus()[8].name == "double torus");
@@ -261,7 +262,7 @@ TEST_SUITE("homology") {
     CHECK(is_basis(mesh, broken, {2, 3}));
   }
 
-  TEST_CASE("the checks see a cut that leaves no disc") {
+  TEST_CASE("the checks detect a cut that leaves no disc") {
     for (const std::size_t which : {4u, 7u, 8u, 11u}) {
       TestMesh mesh;
       corpus()[which].build(mesh);
@@ -279,7 +280,7 @@ TEST_SUITE("homology") {
     }
   }
 
-  TEST_CASE("there is nothing to cut, and no loop, in discs and spheres") {
+  TEST_CASE("discs and spheres have no cut and no loop") {
     for (const Specimen& specimen : corpus()) {
       if (specimen.genus != 0 || specimen.boundary_curves > specimen.components) continue;
       CAPTURE(specimen.name);
@@ -308,12 +309,12 @@ TEST_SUITE("homology") {
     CHECK(loop_lengths(4) == std::multiset<std::size_t>{5});
   }
 
-  TEST_CASE("the cut of an annulus is a shortest way across") {
+  TEST_CASE("the cut of an annulus is a shortest path across") {
     TestMesh mesh;
     corpus()[4].build(mesh);
     CHECK(homology(mesh).cut_graph.size() == 2);
     std::vector<double> lengths(mesh.n_edges(), 10);
-    // A way of three short edges, from one curve to the other.
+    // A path of three short edges, from one curve to the other.
     const std::vector<Vertex> way = {Vertex(0), Vertex(5), Vertex(6), Vertex(11)};
     std::vector<Edge> expected;
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -331,7 +332,7 @@ TEST_SUITE("homology") {
       if (mesh.n_faces() > 200) return;
       CAPTURE(specimen.name);
       const std::vector<double> lengths = random_lengths(mesh, 17);
-      // Distances from the least vertex of each component by relaxing all edges, and the edges on shortest ways.
+      // Distances from the least vertex of each component by relaxing all edges, and the edges on shortest paths.
       Classes component = components(mesh);
       std::map<std::size_t, Vertex> root;
       for_each_vertex(mesh, [&](Vertex v) { root.try_emplace(component.find(index(v)), v); });
@@ -354,7 +355,7 @@ TEST_SUITE("homology") {
           const Vertex to = mesh.to_vertex_handle(h);
           if (distance[index(mesh.from_vertex_handle(h))] + lengths[index(e)] != distance[index(to)]) continue;
           in_tree = true;
-          REQUIRE(reached_by.try_emplace(to, h).second);  // the tree is the only one
+          REQUIRE(reached_by.try_emplace(to, h).second);  // the tree is unique
         }
         const Halfedge h = mesh.halfedge_handle(e, 0);
         if (!in_tree)
@@ -383,7 +384,7 @@ TEST_SUITE("homology") {
     });
   }
 
-  TEST_CASE("lengths that are none are refused") {
+  TEST_CASE("invalid lengths are refused") {
     TestMesh mesh;
     corpus()[7].build(mesh);
     std::vector<double> lengths(mesh.n_edges(), 1);

@@ -35,7 +35,7 @@ Place unit(const Place& v) {
   return {v[0] / size, v[1] / size, v[2] / size};
 }
 
-/// A tube of squares around a closed curve.
+/// Returns a tube of squares around a closed curve.
 template <typename Curve>
 Shape tube(std::uint32_t along, std::uint32_t around, double radius, const Curve& curve) {
   Shape shape;
@@ -83,7 +83,7 @@ Shape together(const Shape& a, const Shape& b) {
   return both;
 }
 
-/// The kinds of the loops of the shortest basis, from the shortest on.
+/// Returns the kinds of the loops of the shortest basis, from the shortest on.
 std::vector<LoopKind> kinds_of(const Shape& shape, std::vector<std::size_t>* edges = nullptr) {
   OpenMesh::PolyConnectivity mesh;
   const std::vector<std::uint32_t> point_of = build_mesh(mesh, shape.soup);
@@ -111,17 +111,19 @@ using Kinds = std::vector<LoopKind>;
 }  // namespace
 
 TEST_SUITE("homology") {
-  TEST_CASE("around a tube goes a handle loop, around the hole of a torus a tunnel loop, whichever way it faces") {
+  TEST_CASE(
+      "a loop around a tube is a handle loop, and one around the hole a tunnel loop, whichever way the torus faces") {
     std::vector<std::size_t> edges;
     CHECK(kinds_of(torus(30, 9), &edges) == Kinds{LoopKind::handle, LoopKind::tunnel});
     CHECK(edges == std::vector<std::size_t>{9, 30});
     CHECK(kinds_of(reversed(torus(30, 9))) == Kinds{LoopKind::handle, LoopKind::tunnel});
-    // A short wide one, around the hole of which it is shorter than around the tube.
+    // A short and wide torus, in which the loop around the hole is shorter than the one around the tube.
     const Shape wide = tube(6, 40, 0.85, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
     CHECK(kinds_of(wide) == Kinds{LoopKind::tunnel, LoopKind::handle});
   }
 
-  TEST_CASE("through the hole of a ring of a chain goes the next: what goes around it bounds on neither side") {
+  TEST_CASE(
+      "a loop around the hole of a ring in a chain bounds on neither side, because the next ring is in the hole") {
     const Shape first = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
     const Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
     const Shape apart = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0.5}; });
@@ -133,7 +135,7 @@ TEST_SUITE("homology") {
     CHECK(beside == Kinds{LoopKind::handle, LoopKind::handle, LoopKind::tunnel, LoopKind::tunnel});
   }
 
-  TEST_CASE("a component with a boundary is in the way like a closed one, and its own loops are unknown") {
+  TEST_CASE("a component with a boundary obstructs like a closed one, and its own loops are unknown") {
     const Shape first = tube(30, 9, 0.1, [](double t) { return Place{std::cos(t), std::sin(t), 0}; });
     Shape second = tube(30, 9, 0.1, [](double t) { return Place{1 + std::cos(t), 0, std::sin(t)}; });
     PolygonSoup some;
@@ -146,10 +148,10 @@ TEST_SUITE("homology") {
     CHECK(count(kinds, LoopKind::neither) == 1);
   }
 
-  TEST_CASE("of a hollow ring the wall of the other side is in the way around the tube, and along the hollow") {
+  TEST_CASE("in a hollow ring each wall obstructs loops of the other, around the tube and along the cavity") {
     const Shape outer = torus(30, 12);
     const Shape inner = reversed(tube(30, 12, 0.2, [](double t) { return Place{std::cos(t), std::sin(t), 0}; }));
-    // Of the inner wall alone the inside is the hollow.
+    // For the inner wall alone, the inside is the cavity.
     const Kinds kinds = kinds_of(together(outer, inner));
     CHECK(count(kinds, LoopKind::handle) == 1);
     CHECK(count(kinds, LoopKind::tunnel) == 1);
@@ -173,18 +175,18 @@ TEST_SUITE("homology") {
   }
 
   TEST_CASE(
-      "along a knotted tube a loop bounds outside if it does not wind around the knot, and else on neither side") {
+      "a loop along a knotted tube bounds outside if it does not wind around the knot, and otherwise on neither side") {
     const auto trefoil = [](double t) {
       return Place{std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)};
     };
     const Kinds kinds = kinds_of(tube(120, 8, 0.3, trefoil));
     REQUIRE(kinds.size() == 2);
     CHECK(kinds[0] == LoopKind::handle);
-    // The shortest loop along it follows the knot, whose writhe is 3.
+    // The shortest loop along the tube follows the knot, whose writhe is 3.
     CHECK(kinds[1] == LoopKind::neither);
   }
 
-  TEST_CASE("open surfaces are unknown, wrong calls refused, and a long run is cancelled") {
+  TEST_CASE("loops of open surfaces are unknown, wrong calls are refused, and a long run can be cancelled") {
     Shape open = torus(12, 6);
     PolygonSoup some;
     some.points = open.soup.points;
@@ -207,7 +209,7 @@ TEST_SUITE("homology") {
       given.push_back(loop);
       CHECK_THROWS_AS(loop_kinds(mesh, shape.places, given), ContractViolation);
     }
-    // Of one edge, there and back, is a loop.
+    // A loop of one edge, there and back, is a loop.
     CHECK(loop_kinds(mesh, shape.places, std::vector<Loop>{{h, mesh.opposite_halfedge_handle(h)}}) ==
           Kinds{LoopKind::both});
     CHECK_THROWS_AS(loop_kinds(mesh, shape.places, loops, [] { return false; }), Cancelled);

@@ -17,7 +17,7 @@ namespace {
 
 using Cycle = std::vector<std::uint32_t>;
 
-/// The least of all turns of a cycle, in either direction.
+/// Returns the least of all rotations of a cycle, in either direction.
 Cycle canonical(const Cycle& cycle) {
   Cycle best;
   Cycle turned = cycle;
@@ -31,7 +31,7 @@ Cycle canonical(const Cycle& cycle) {
   return best;
 }
 
-/// By the definitions: face after face.
+/// Checks the result by the definitions, face after face.
 void check_merged(const PolygonSoup& s, const std::vector<std::uint32_t>& least) {
   CAPTURE(text(s));
   const MergedPoints found = merge_points(s, least);
@@ -77,7 +77,7 @@ void check_merged(const PolygonSoup& s, const std::vector<std::uint32_t>& least)
 }  // namespace
 
 TEST_SUITE("merge_points") {
-  TEST_CASE("what is left, and what is gone, is as the definitions have it") {
+  TEST_CASE("kept and removed faces and points agree with the definitions") {
     std::mt19937 random(31);
     for (int i = 0; i < 400; ++i) {
       PolygonSoup s = i % 2 == 0 ? random_soup(random) : broken_surface(random);
@@ -93,7 +93,7 @@ TEST_SUITE("merge_points") {
     }
   }
 
-  TEST_CASE("a grid whose points came apart is a torus again") {
+  TEST_CASE("a torus whose points were separated is a torus again after merging") {
     const PolygonSoup torus = grid_soup(5, 4, true, true);
     PolygonSoup apart;
     std::vector<std::uint32_t> least;
@@ -126,7 +126,7 @@ TEST_SUITE("merge_points") {
 }
 
 TEST_SUITE("keep_faces") {
-  TEST_CASE("the faces that are kept, in their order, and their points") {
+  TEST_CASE("kept faces stay in their order, with their points") {
     std::mt19937 random(37);
     for (int i = 0; i < 200; ++i) {
       const PolygonSoup s = broken_surface(random);

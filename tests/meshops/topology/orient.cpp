@@ -21,7 +21,7 @@ struct Run {
   bool ascending;
 };
 
-/// By the ends of each edge: the faces without fault there, and which way they run.
+/// Returns for the ends of each edge the faces without fault there, and their directions along it.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Run>> runs_of(const PolygonSoup& s,
                                                                             const Orientation& found) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Run>> runs;
@@ -36,8 +36,8 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Run>> runs_of(cons
   return runs;
 }
 
-/// Every choice of directions of a small piece: of those in which all agree, the least number of reversed faces; none if there
-/// is no such choice.
+/// Tries every choice of directions of a small piece. Returns: the least number of reversed faces among choices in
+/// which all agree; nothing if there is no such choice.
 std::optional<std::size_t> fewest_reversed(const PolygonSoup& s, const Orientation& found, std::uint32_t piece) {
   std::vector<std::size_t> faces;
   for (std::size_t f = 0; f < s.faces(); ++f)
@@ -101,7 +101,7 @@ TEST_SUITE("orient") {
     for (int i = 0; i < 100; ++i) check_orientation(broken_surface(random));
   }
 
-  TEST_CASE("a torus with some faces reversed gets them back, a Klein bottle is left as it is") {
+  TEST_CASE("reversed faces of a torus are found, and a Klein bottle is left as it is") {
     PolygonSoup torus = grid_soup(5, 4, true, true);
     const PolygonSoup whole = torus;
     std::vector<bool> some(torus.faces(), false);

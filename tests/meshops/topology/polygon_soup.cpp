@@ -1,4 +1,5 @@
-// Lists that do not part corners into faces: whoever reads a soup refuses them by name, and reads nothing beyond them.
+// Lists that do not split corners into faces: every function that reads a soup refuses them by name, and reads nothing
+// beyond them.
 #include "meshops/topology/polygon_soup.h"
 
 #include <doctest/doctest.h>
@@ -28,7 +29,7 @@ PolygonSoup with_begin(std::vector<std::size_t> begin) {
   return soup;
 }
 
-/// The message of every reader of a soup.
+/// Checks the message of every function that reads a soup.
 void check_refused(const PolygonSoup& soup, const std::string& message) {
   CAPTURE(message);
   TestMesh mesh;
@@ -44,13 +45,13 @@ void check_refused(const PolygonSoup& soup, const std::string& message) {
 }  // namespace
 
 TEST_SUITE("polygon soup") {
-  TEST_CASE("lists that part corners into faces are accepted, whatever the corners") {
+  TEST_CASE("lists that split corners into faces are accepted, whatever the corners") {
     for (const auto& begin : {std::vector<std::size_t>{0, 3, 6}, {0, 6}, {0, 0, 3, 3, 6, 6}})
       CHECK_NOTHROW(require_parted(with_begin(begin)));
     CHECK_NOTHROW(require_parted(PolygonSoup{}));
   }
 
-  TEST_CASE("a beginning beyond the corners is refused, and nothing there is read") {
+  TEST_CASE("an entry of begin beyond the corners is refused, and nothing there is read") {
     check_refused(with_begin({0, 3, 6, 9}),
                   "PolygonSoup: begin[3] is 9; expected 6, the number of corners, as it is the last");
     check_refused(
@@ -65,12 +66,12 @@ TEST_SUITE("polygon soup") {
     check_refused(with_begin({0}), "PolygonSoup: begin[0] is 0; expected 6, the number of corners, as it is the last");
   }
 
-  TEST_CASE("beginnings that descend are refused") {
+  TEST_CASE("descending entries of begin are refused") {
     check_refused(with_begin({0, 9, 6}), "PolygonSoup: begin[2] is 6; expected no less than begin[1], which is 9");
     check_refused(with_begin({0, 3, 2, 6}), "PolygonSoup: begin[2] is 2; expected no less than begin[1], which is 3");
   }
 
-  TEST_CASE("no beginning at all is refused: a soup that was moved from has none") {
+  TEST_CASE("an empty begin is refused, as of a soup that was moved from") {
     check_refused(with_begin({}), "PolygonSoup: begin is empty; expected 0, and then the end of each face");
   }
 }

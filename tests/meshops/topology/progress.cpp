@@ -1,4 +1,4 @@
-// Long computations on soups call go_on(), and end when it returns false; report() and find_defects() at once.
+// Long computations on soups call go_on(), and end when it returns false. examine() equals report() and find_defects().
 #include "meshops/core/progress.h"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ PolygonSoup made_of(std::size_t points, const std::function<Corners(std::uint32_
   return made;
 }
 
-/// Soups on which some step has much to do.
+/// Returns soups on which some step has much to do.
 std::vector<std::pair<std::string, PolygonSoup>> large_soups() {
   PolygonSoup polygon;
   polygon.points = 3 * faces;
@@ -68,7 +68,8 @@ std::vector<std::pair<std::string, PolygonSoup>> large_soups() {
           {"polygon", polygon}};
 }
 
-/// `work(go_on)` on data of so many corners: calls it at least once for each 16384 of them, and ends whenever it returns false.
+/// Checks work(go_on) on data with this number of corners: it calls go_on at least once for each 16384 of them, and
+/// ends whenever go_on returns false.
 void is_watched(std::size_t corners, const std::function<void(const GoOn&)>& work) {
   std::size_t asked = 0;
   work([&] {
@@ -79,14 +80,14 @@ void is_watched(std::size_t corners, const std::function<void(const GoOn&)>& wor
   for (const std::size_t last : {std::size_t{1}, asked / 2, asked}) {
     std::size_t left = last;
     CHECK_THROWS_AS(work([&] { return --left > 0; }), Cancelled);
-    CHECK(left == 0);  // and was not called again
+    CHECK(left == 0);  // it was not called again
   }
 }
 
 }  // namespace
 
 TEST_SUITE("progress") {
-  TEST_CASE("what is done with a soup can be watched and cancelled, whatever is wrong with it") {
+  TEST_CASE("every computation on a soup can be watched and cancelled, whatever its defects") {
     for (const auto& named : large_soups()) {
       CAPTURE(named.first);
       const auto& given = named.second;
@@ -98,7 +99,7 @@ TEST_SUITE("progress") {
     }
   }
 
-  TEST_CASE("a mesh whose making was cancelled is empty, and can be made again") {
+  TEST_CASE("a mesh whose construction was cancelled is empty, and can be built again") {
     const PolygonSoup torus = grid_soup(300, 100, true, true);
     is_watched(torus.corners.size(), [&](const GoOn& go_on) {
       OpenMesh::PolyConnectivity fresh;
@@ -113,7 +114,7 @@ TEST_SUITE("progress") {
     });
   }
 
-  TEST_CASE("generators can be watched and cancelled") {
+  TEST_CASE("the computation of generators can be watched and cancelled") {
     OpenMesh::PolyConnectivity mesh;
     build_mesh(mesh, grid_soup(300, 100, true, true));
     is_watched(3 * faces, [&](const GoOn& go_on) { homology(mesh, go_on); });
@@ -128,7 +129,7 @@ TEST_SUITE("progress") {
       if (!find_defects(given).empty()) continue;
       OpenMesh::PolyConnectivity mesh;
       const std::vector<std::uint32_t> point_of = build_mesh(mesh, given);
-      // Every vertex, edge and halfedge is passed at least once, and most of them several times.
+      // Every vertex, edge and halfedge is visited at least once, and most of them several times.
       const std::size_t passed = mesh.n_vertices() + 3 * mesh.n_halfedges();
       is_watched(passed, [&](const GoOn& go_on) { report(mesh, point_of, go_on); });
     }
@@ -136,7 +137,7 @@ TEST_SUITE("progress") {
 }
 
 TEST_SUITE("examine") {
-  TEST_CASE("is report() and find_defects()") {
+  TEST_CASE("examine() equals report() and find_defects()") {
     for (const auto& named : large_soups()) {
       CAPTURE(named.first);
       const auto& given = named.second;

@@ -36,13 +36,13 @@ Corners corners_of(const PolygonSoup& s, std::size_t f) {
   return {face.begin(), face.end()};
 }
 
-/// The corners, from the least on.
+/// Returns the corners, from the least on.
 Corners cycle(Corners corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-/// By the ends of each edge: the faces there, by their numbers in the given soup.
+/// Returns for the ends of each edge the faces there, by their numbers in the given soup.
 std::map<Ends, std::vector<std::size_t>> edges_of(const Repair& r, bool given_ends) {
   std::map<Ends, std::vector<std::size_t>> edges;
   for (std::size_t f = 0; f < r.soup.faces(); ++f) {
@@ -56,7 +56,7 @@ std::map<Ends, std::vector<std::size_t>> edges_of(const Repair& r, bool given_en
   return edges;
 }
 
-/// The steps list all that is different between the given soup and the repaired one, and nothing else.
+/// Checks that the steps list every difference between the given soup and the repaired one, and nothing else.
 void check_accounted(const PolygonSoup& s, const Repair& r) {
   std::map<Kind, std::vector<RepairStep>> of;
   for (const RepairStep& step : r.steps) of[step.kind].push_back(step);
@@ -134,7 +134,7 @@ TEST_SUITE("repair") {
                                                                "corner dropped: point 2, face 0"});
   }
 
-  TEST_CASE("faces that are none are dropped, and no other step names them") {
+  TEST_CASE("invalid faces are dropped, and no other step names them") {
     const Repair r =
         repair(soup(4, {{}, {0, 1}, {0, 0, 1, 1}, {0, 1, 2}, {0, 1, 2, 1}, {2, 1, 0}, {1, 2, 9}, {0, 1, 1, 2}}));
     CHECK(repair_lines(r) == Lines{"face dropped: face 0", "face dropped: points 0 1, face 1",
@@ -146,17 +146,17 @@ TEST_SUITE("repair") {
     CHECK(r.stands_on == Corners{0, 1, 2, 3});
   }
 
-  TEST_CASE("the fewer faces of a piece are reversed; of as many the first stays") {
+  TEST_CASE("the smaller part of the faces of a piece is reversed, and in a tie the first face stays") {
     CHECK(repair_lines(soup(4, {{0, 1, 2}, {0, 1, 3}})) == Lines{"face reversed: points 0 1 3, face 1"});
     const Repair r = repair(soup(5, {{0, 1, 2}, {0, 1, 3}, {0, 3, 4}}));
     CHECK(repair_lines(r) == Lines{"face reversed: points 0 1 2, face 0"});
     CHECK(same(r.soup, soup(5, {{0, 2, 1}, {0, 1, 3}, {0, 3, 4}})));
-    // Each piece by itself.
+    // Each piece is treated by itself.
     CHECK(repair_lines(beside(soup(4, {{0, 1, 2}, {0, 1, 3}}), soup(5, {{0, 1, 2}, {0, 1, 3}, {0, 3, 4}}))) ==
           Lines{"face reversed: points 0 1 3, face 1", "face reversed: points 4 5 6, face 2"});
   }
 
-  TEST_CASE("faces in an edge of three come apart") {
+  TEST_CASE("three faces at one edge are separated") {
     const Repair r = repair(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}));
     CHECK(repair_lines(r) ==
           Lines{"edge cut: points 0 1, faces 0 1 2", "point split: point 0", "point split: point 1"});
@@ -164,7 +164,7 @@ TEST_SUITE("repair") {
     CHECK(r.stands_on == Corners{0, 1, 2, 3, 4, 1, 0, 0, 1});
   }
 
-  TEST_CASE("fans in a point come apart") {
+  TEST_CASE("fans at one point are separated") {
     const Repair r = repair(soup(5, {{0, 1, 2}, {3, 4, 0}}));
     CHECK(repair_lines(r) == Lines{"point split: point 0"});
     CHECK(same(r.soup, soup(6, {{0, 1, 2}, {3, 4, 5}})));
@@ -181,7 +181,7 @@ TEST_SUITE("repair") {
     CHECK(whole.betti == BettiNumbers{2, 0, 2});
   }
 
-  TEST_CASE("what is not orientable is cut open and stays one piece") {
+  TEST_CASE("a surface that is not orientable is cut open and stays one piece") {
     for (const PolygonSoup& s :
          {moebius_band(), projective_plane(), klein_bottle(), grid_soup(5, 4, true, false, true)}) {
       const Repair r = repair(s);
@@ -194,7 +194,7 @@ TEST_SUITE("repair") {
       CHECK(std::any_of(r.steps.begin(), r.steps.end(), [](const auto& step) { return step.kind == Kind::edge_cut; }));
       check_accounted(s, r);
     }
-    // A band is cut across.
+    // A Möbius band is cut across.
     CHECK(report(repair(moebius_band()).soup).euler() == 1);
   }
 
@@ -206,7 +206,7 @@ TEST_SUITE("repair") {
           std::vector<std::string_view>{"corner dropped", "face dropped", "face reversed", "edge cut", "point split"});
   }
 
-  TEST_CASE("any soup comes back as an oriented manifold, with everything that was done to it") {
+  TEST_CASE("repair() makes an oriented manifold of any soup, and reports every change") {
     std::mt19937 random(8);
     std::map<Kind, int> seen;
     for (int round = 0; round < rbpa_test::trials(12000); ++round) {
@@ -230,8 +230,7 @@ TEST_SUITE("repair") {
       CHECK(seen[static_cast<Kind>(kind)] > rbpa_test::trials(500));
   }
 
-  TEST_CASE(
-      "where only directions or fans are wrong the pieces stay what they are, no more than half of each reversed") {
+  TEST_CASE("if only directions or fans are wrong, the pieces stay as they are, with at most half of each reversed") {
     std::mt19937 random(9);
     int pinched = 0, reversed = 0;
     for (int round = 0; round < rbpa_test::trials(4000); ++round) {
@@ -259,20 +258,20 @@ TEST_SUITE("repair") {
     CHECK(reversed > 100);
   }
 
-  TEST_CASE("no edge is cut but where three faces meet or a piece is not orientable") {
+  TEST_CASE("an edge is cut only where three faces meet or a piece is not orientable") {
     std::mt19937 random(10);
     int needed = 0;
     for (int round = 0; round < rbpa_test::trials(4000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       const Repair r = repair(s);
-      PolygonSoup cleaned;  // the faces that are kept, as they were
+      PolygonSoup cleaned;  // the kept faces, unchanged
       cleaned.points = s.points;
       for (std::size_t f = 0; f < r.soup.faces(); ++f) {
         Corners face = corners_of(r.soup, f);
         for (std::uint32_t& corner : face) corner = r.stands_on[corner];
         cleaned.add_face(face);
       }
-      // Faces run as they were repaired: an edge that does not fit now is one at which it had to be cut.
+      // Faces run as after the repair: an edge that does not fit now is one at which it had to be cut.
       std::set<Corners> bad;
       for (const SoupDefect& d : find_defects(cleaned))
         if (d.kind == SoupDefectKind::non_manifold_edge || d.kind == SoupDefectKind::inconsistent_orientation)

@@ -19,7 +19,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Where two reports differ, for messages.
+/// Returns a report as text, for messages.
 std::string text(const TopologyReport& r) {
   std::string all;
   for (const std::size_t n :
@@ -44,7 +44,7 @@ void check_euler(const TopologyReport& r) {
   }
 }
 
-/// Whether the soup needs no more than a vertex for each fan to be a mesh.
+/// Returns whether the soup becomes a mesh with only a vertex for each fan.
 bool is_oriented(const PolygonSoup& s) {
   for (const SoupDefect& defect : find_defects(s))
     if (defect.kind != SoupDefectKind::pinch) return false;
@@ -91,7 +91,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("nothing at all, and isolated points") {
+  TEST_CASE("an empty soup and isolated points have their numbers") {
     TopologyReport nothing;
     nothing.genus = 0;
     CHECK(report(PolygonSoup{}) == nothing);
@@ -122,7 +122,7 @@ TEST_SUITE("report") {
     for (const ComponentReport& c : r.per_component) CHECK(c.betti() == BettiNumbers{1, 0, 0});
   }
 
-  TEST_CASE("two tetrahedra that share an edge, a face: pieces end at the edge, cavities count") {
+  TEST_CASE("pieces end at the common edge of two tetrahedra, and cavities are counted") {
     const TopologyReport edge =
         report(soup(6, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}}));
     CHECK(edge.betti == BettiNumbers{1, 0, 2});
@@ -146,7 +146,7 @@ TEST_SUITE("report") {
     CHECK(r.betti == BettiNumbers{1, 0, 0});
   }
 
-  TEST_CASE("on random soups everything agrees with the boundary matrices and searches") {
+  TEST_CASE("reports of random soups agree with the boundary matrices and searches") {
     std::mt19937 random(4);
     int cut = 0, flat = 0, pinched = 0, cavities = 0, isolated = 0, holes = 0;
     for (int round = 0; round < rbpa_test::trials(5000); ++round) {
@@ -179,7 +179,7 @@ TEST_SUITE("report") {
       REQUIRE(text(report(mesh, points)) == text(r));
       REQUIRE(report(mesh, points) == r);
       ++(r.pinches > 0 ? pinched : plain);
-      // Each vertex on a point of its own.
+      // Each vertex stands on a point of its own.
       const TopologyReport apart = report(mesh);
       CHECK(apart.per_component == r.per_component);
       CHECK(apart.components == r.solid_components + r.isolated);
@@ -190,7 +190,7 @@ TEST_SUITE("report") {
     CHECK(plain > rbpa_test::trials(200));
   }
 
-  TEST_CASE("a mesh with bowties has the report of its faces: each fan for itself, no curve through a pinch") {
+  TEST_CASE("a mesh with bowties has the report of its faces: fans are separate, and no curve passes a pinch") {
     TestMesh two;
     for (int i = 0; i < 5; ++i) two.new_vertex();
     two.add_face(Vertex(0), Vertex(1), Vertex(2));
@@ -214,7 +214,7 @@ TEST_SUITE("report") {
       REQUIRE(text(report(mesh)) == text(report(s)));
       REQUIRE(report(mesh) == report(s));
       pinched += report(s).pinches > 0;
-      // Half of the points on the other half.
+      // Half of the points stand on the other half.
       std::vector<std::uint32_t> points(mesh.n_vertices());
       for (std::uint32_t v = 0; v < points.size(); ++v) points[v] = v / 2;
       TestMesh apart = mesh;
@@ -225,7 +225,7 @@ TEST_SUITE("report") {
     CHECK(pinched > rbpa_test::trials(200));
   }
 
-  TEST_CASE("counting a mesh with bowties ends, whatever it counts") {
+  TEST_CASE("counting a mesh with bowties terminates, whatever it counts") {
     std::mt19937 random(8);
     for (int round = 0; round < rbpa_test::trials(300); ++round) {
       TestMesh mesh;
@@ -236,7 +236,7 @@ TEST_SUITE("report") {
     }
     TestMesh spoilt;
     const auto b = separate_triangles(spoilt, 2);
-    spoilt.set_next_halfedge_handle(b[0], b[3]);  // three halfedges lead into a loop that does not lead back
+    spoilt.set_next_halfedge_handle(b[0], b[3]);  // three halfedges lead into a loop without a way back
     CHECK(count_topology(spoilt).faces == 2);
   }
 
@@ -262,7 +262,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("deleted elements of a mesh do not count") {
+  TEST_CASE("deleted elements of a mesh are not counted") {
     TestMesh mesh;
     const auto points = build_mesh(mesh, grid_soup(5, 4, true, true));
     mesh.delete_face(Face(7), true);
@@ -283,7 +283,7 @@ TEST_SUITE("report") {
     CHECK_THROWS_AS(report(mesh, std::vector<std::uint32_t>{0, 1}), ContractViolation);
   }
 
-  TEST_CASE("no numbering of points and faces matters") {
+  TEST_CASE("the numbering of points and faces does not matter") {
     std::mt19937 random(6);
     for (int round = 0; round < rbpa_test::trials(1000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);

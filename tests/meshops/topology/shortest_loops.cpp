@@ -68,10 +68,10 @@ double length_of(const Connectivity& mesh, const Loop& loop, const std::vector<d
   return sum;
 }
 
-/// Sets of edges with an even number at each face, modulo those that meet a set of vertices in one end: the cohomology, by
-/// elimination and nothing else. A walk is in the class of the parities with which it meets these sets.
+/// Returns the cohomology by elimination alone: sets of edges with an even number at each face, modulo those that meet
+/// a set of vertices in one end. The class of a walk is the parities with which it meets these sets.
 std::vector<EdgeSet> cocycles_by_elimination(const Connectivity& mesh) {
-  // The null space of faces × edges: rows in reduced form, a solution for every free edge.
+  // The null space of faces × edges: rows in reduced form, and a solution for every free edge.
   std::vector<EdgeSet> rows;
   std::vector<std::size_t> leads;
   for_each_face(mesh, [&](Face f) {
@@ -107,8 +107,8 @@ std::vector<EdgeSet> cocycles_by_elimination(const Connectivity& mesh) {
   return found;
 }
 
-/// The lengths of a shortest basis: of each class the shortest closed walk, by Dijkstra over vertices and classes from every
-/// vertex, and of the classes the greedy choice.
+/// Returns the lengths of a shortest basis: the shortest closed walk of each class, by Dijkstra over vertices and
+/// classes from every vertex, and then the greedy choice of classes.
 std::vector<double> shortest_by_exhaustion(const Connectivity& mesh, const std::vector<double>& lengths) {
   const std::vector<EdgeSet> cocycles = cocycles_by_elimination(mesh);
   const std::size_t classes = std::size_t{1} << cocycles.size();
@@ -152,7 +152,7 @@ std::vector<double> shortest_by_exhaustion(const Connectivity& mesh, const std::
   return chosen;
 }
 
-/// Closed, simple, independent modulo faces, ascending; returns the lengths.
+/// Checks that the loops are closed, simple, independent modulo faces, and ascending. Returns: their lengths.
 std::vector<double> check_loops(const Connectivity& mesh, const std::vector<Loop>& loops,
                                 const std::vector<double>& lengths) {
   EdgeSpan span = boundaries_of_faces(mesh);
@@ -183,7 +183,7 @@ std::vector<double> whole_lengths(const Connectivity& mesh, unsigned seed, unsig
 }  // namespace
 
 TEST_SUITE("shortest loops") {
-  TEST_CASE("no basis is shorter, loop by loop, than an exhaustive search finds, with ties and edges of no length") {
+  TEST_CASE("the basis is as short, loop by loop, as an exhaustive search finds, with ties and edges of length 0") {
     std::size_t compared = 0;
     for_each_specimen([&](const Specimen& specimen, const TestMesh& mesh, bool with_gaps) {
       if (mesh.n_faces() > 150) return;
@@ -199,7 +199,7 @@ TEST_SUITE("shortest loops") {
           CHECK(check_loops(mesh, loops, lengths) == shortest_by_exhaustion(mesh, lengths));
           CHECK(loops == shortest_homology_basis(mesh, lengths));
           compared += loops.size();
-          // Below a length there are those that are shorter.
+          // With a limit, exactly the shorter loops are found.
           std::vector<double> known = check_loops(mesh, loops, lengths);
           for (const double below : {0.0, known.empty() ? 1 : known[known.size() / 2], 1e300}) {
             const std::size_t count =
@@ -215,7 +215,7 @@ TEST_SUITE("shortest loops") {
     CHECK(compared > (rbpa_test::all_trials() ? 400U : 50U));
   }
 
-  TEST_CASE("loops of large meshes are a basis, and none is longer than those of homology_generators()") {
+  TEST_CASE("loops of large meshes are a basis, and none is longer than its peer in homology_generators()") {
     for_each_specimen([](const Specimen& specimen, const TestMesh& mesh, bool with_gaps) {
       if (mesh.n_faces() <= 150 || with_gaps) return;
       CAPTURE(specimen.name);
@@ -257,7 +257,7 @@ TEST_SUITE("shortest loops") {
     });
   }
 
-  TEST_CASE("more than 64 loops") {
+  TEST_CASE("a mesh can have more than 64 loops") {
     // A sheet of 19 by 19 squares with 9 by 9 holes, each a square.
     TestMesh mesh;
     std::vector<Corners> triangles;
@@ -275,7 +275,7 @@ TEST_SUITE("shortest loops") {
     CHECK(found == std::vector<double>(81, 4));
   }
 
-  TEST_CASE("lengths that are none are refused, and the search may be cancelled") {
+  TEST_CASE("invalid lengths are refused, and the search can be cancelled") {
     TestMesh mesh;
     corpus()[8].build(mesh);
     std::vector<double> lengths(mesh.n_edges(), 1);

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = SoupDefectKind;
 
-/// The texts of all defects.
+/// Returns the texts of all defects.
 std::vector<std::string> defect_lines(const PolygonSoup& soup) {
   std::vector<std::string> lines;
   for (const SoupDefect& defect : find_defects(soup)) lines.push_back(describe(defect));
@@ -23,7 +23,7 @@ std::vector<std::string> defect_lines(const PolygonSoup& soup) {
 }
 using Lines = std::vector<std::string>;
 
-/// The points of a component that is not orientable are any edge at which it disagrees.
+/// Removes the points of components that are not orientable, because any edge at which they disagree is correct.
 std::vector<SoupDefect> without_choice(std::vector<SoupDefect> defects) {
   for (SoupDefect& defect : defects)
     if (defect.kind == Kind::not_orientable) defect.points.clear();
@@ -33,7 +33,7 @@ std::vector<SoupDefect> without_choice(std::vector<SoupDefect> defects) {
 }  // namespace
 
 TEST_SUITE("soup_defects") {
-  TEST_CASE("surfaces have none: with boundary, closed, of polygons, in components, with isolated points") {
+  TEST_CASE("surfaces have no defects: with boundary, closed, of polygons, in components, with isolated points") {
     CHECK(defect_lines(PolygonSoup{}).empty());
     CHECK(defect_lines(soup(3, {})).empty());
     CHECK(defect_lines(soup(3, {{0, 1, 2}})).empty());
@@ -41,7 +41,7 @@ TEST_SUITE("soup_defects") {
     CHECK(defect_lines(grid_soup(4, 3, false, false)).empty());
     CHECK(defect_lines(grid_soup(4, 3, true, true)).empty());
     CHECK(defect_lines(beside(grid_soup(4, 3, true, false), grid_soup(3, 3, true, true))).empty());
-    // Two squares on each other with one corner apart, and a point at which only two faces meet.
+    // Two squares that share all corners but one, and a point at which only two faces meet.
     CHECK(defect_lines(soup(5, {{0, 1, 2, 3}, {3, 2, 1, 4}})).empty());
   }
 
@@ -50,7 +50,7 @@ TEST_SUITE("soup_defects") {
           std::vector<SoupDefect>{{Kind::corner_out_of_range, {1, 0, 3}, {1}}});
     CHECK(defect_lines(soup(3, {{0, 1, 2}, {1, 0, 3}})) == Lines{"corner out of range: points 1 0 3, face 1"});
     CHECK(defect_lines(soup(0, {{0}})) == Lines{"corner out of range: point 0, face 0"});
-    // It is the only defect reported of a face.
+    // It is the only defect reported for a face.
     CHECK(defect_lines(soup(3, {{0, 0, 4294967295U}})) == Lines{"corner out of range: points 0 0 4294967295, face 0"});
   }
 
@@ -66,7 +66,7 @@ TEST_SUITE("soup_defects") {
           std::vector<SoupDefect>{{Kind::duplicate_face, {2, 1, 0}, {0, 1}}});
     CHECK(defect_lines(soup(4, {{3, 0, 1, 2}, {1, 2, 3, 0}, {0, 3, 2, 1}})) ==
           Lines{"duplicate face: points 1 2 3 0, faces 0 1", "duplicate face: points 0 3 2 1, faces 0 2"});
-    // The same points in another cycle are another face.
+    // Equal points in another cycle are another face.
     for (const SoupDefect& defect : find_defects(soup(4, {{0, 1, 2, 3}, {0, 2, 1, 3}})))
       CHECK(defect.kind != Kind::duplicate_face);
   }
@@ -113,12 +113,12 @@ TEST_SUITE("soup_defects") {
     CHECK(defect_lines(
               soup(7, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 5, 4}, {0, 4, 6}, {4, 5, 6}, {5, 0, 6}})) ==
           Lines{"pinch: point 0, faces 0 4"});
-    // Faces in one edge of three hang together through it.
+    // Three faces at one edge are connected through it.
     for (const SoupDefect& defect : find_defects(soup(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})))
       CHECK(defect.kind != Kind::pinch);
   }
 
-  TEST_CASE("bad faces are passed over when looking for the rest") {
+  TEST_CASE("faulty faces are ignored in the search for other defects") {
     CHECK(defect_lines(soup(3, {{0, 1, 2}, {0, 1, 2}, {0, 2, 1}, {0, 1, 0}, {0, 1, 9}})) ==
           Lines{"corner out of range: points 0 1 9, face 4", "degenerate face: points 0 1 0, face 3",
                 "duplicate face: points 0 1 2, faces 0 1", "duplicate face: points 0 2 1, faces 0 2"});
@@ -132,7 +132,7 @@ TEST_SUITE("soup_defects") {
                                                  "pinch"});
   }
 
-  TEST_CASE("on random soups they are those of the definitions, in their order") {
+  TEST_CASE("defects of random soups are those of the definitions, in their order") {
     std::mt19937 random(1);
     std::array<int, 7> seen{};
     for (int round = 0; round < rbpa_test::trials(6000); ++round) {
@@ -167,7 +167,7 @@ TEST_SUITE("soup_defects") {
   TEST_CASE("shuffled soups have the shuffled defects") {
     std::mt19937 random(3);
     const auto sorted = [](std::vector<SoupDefect> defects) {
-      // Which fan or face of a component comes first is another matter, as is where they disagree.
+      // The first fan or face of a component, and the edge of disagreement, may differ.
       for (SoupDefect& d : defects) {
         if (d.kind == Kind::not_orientable) d.points.clear();
         if (d.kind == Kind::not_orientable || d.kind == Kind::pinch) d.faces.assign(d.faces.size(), 0);
@@ -182,7 +182,7 @@ TEST_SUITE("soup_defects") {
     for (int round = 0; round < rbpa_test::trials(2000); ++round) {
       const PolygonSoup s = round % 2 ? random_soup(random) : broken_surface(random);
       auto expected = find_defects(s);
-      // Of duplicates the first counts, so that their order matters.
+      // The first of several duplicates counts, so that their order matters.
       const Shuffled other = shuffled(s, random, std::none_of(expected.begin(), expected.end(), [](const auto& d) {
                                         return d.kind == Kind::duplicate_face;
                                       }));

@@ -26,7 +26,7 @@ using namespace meshops::test;
 
 namespace {
 
-/// Random operators on a mesh, each reported to a tracker. The mesh is kept between two sizes.
+/// Random operators on a mesh, each reported to a tracker. The size of the mesh is kept between two bounds.
 class RandomWalk {
  public:
   RandomWalk(TestMesh& mesh, unsigned seed) : mesh_(mesh), random_(seed), tracker_(mesh) {}
@@ -34,10 +34,10 @@ class RandomWalk {
   TopologyTracker& tracker() { return tracker_; }
   const std::map<std::string, int>& done() const { return done_; }
 
-  /// One operator that is not refused, or none when chance finds no place for it.
+  /// Performs one operator that is not refused, or none if chance finds no place for it.
   void step() {
     const std::size_t faces = tracker_.counts().faces;
-    // When large: only what makes it smaller, or parts it.
+    // If the mesh is large: only operators that make it smaller, or split it.
     const auto choice = random_() % (faces > 400 ? 14U : 24U);
     if (faces < 60 || choice >= 21) return create();
     if (choice < 3) return collapse_one();
@@ -105,7 +105,7 @@ class RandomWalk {
   }
   void unglue_one() {
     auto h = any<Halfedge>(mesh_.n_halfedges());
-    // Edges that hold two parts together alone are rare: look for a face that hangs on one.
+    // Edges that are the only connection of two parts are rare: look for a face attached by a single edge.
     const auto hangs = [&](Halfedge side) {
       return mesh_.is_boundary(mesh_.opposite_halfedge_handle(mesh_.next_halfedge_handle(side))) &&
              mesh_.is_boundary(mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(side)));
@@ -192,7 +192,7 @@ class RandomWalk {
   std::map<std::string, int> done_;
 };
 
-/// Which vertices hang together, computed anew.
+/// Returns the component of each vertex, computed anew.
 std::vector<int> components(const TestMesh& mesh) {
   std::vector<int> of(mesh.n_vertices(), -1);
   int count = 0;
@@ -231,7 +231,7 @@ void check_components(const TestMesh& mesh, TopologyTracker& tracker) {
 }  // namespace
 
 TEST_SUITE("tracker") {
-  TEST_CASE("follows a hundred thousand random operators: recomputed at every hundredth, it is right") {
+  TEST_CASE("a tracker agrees with a recount during a hundred thousand random operators") {
     TestMesh mesh;
     separate_triangles(mesh, 60);
     RandomWalk walk(mesh, 1936);
@@ -255,7 +255,7 @@ TEST_SUITE("tracker") {
     }
   }
 
-  TEST_CASE("begins with the counts of any mesh") {
+  TEST_CASE("a tracker begins with the counts of any mesh") {
     for (const Specimen& specimen : corpus()) {
       TestMesh mesh;
       specimen.build(mesh);

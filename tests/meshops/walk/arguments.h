@@ -1,4 +1,4 @@
-// What: the arguments of random steps: mostly such as an operator may be called with, and all others too.
+// What: random arguments of steps: mostly valid ones, and all others too.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ class Arguments {
   Face face() {
     return any<Face>(mesh_.n_faces(), [&](Face f) { return is_live(mesh_, f); });
   }
-  /// One of so many edges, half of the time.
+  /// Returns a vertex, which has `degree` edges half of the time.
   Vertex vertex(unsigned degree) {
     if (choices_.one_in(2)) return vertex();
     return any<Vertex>(mesh_.n_vertices(), [&](Vertex v) { return is_live(mesh_, v) && mesh_.valence(v) == degree; });
@@ -31,14 +31,15 @@ class Arguments {
   Halfedge halfedge() {
     return any<Halfedge>(mesh_.n_halfedges(), [&](Halfedge h) { return is_live(mesh_, h); });
   }
-  /// With more than three sides, if there is one.
+  /// Returns a face with more than three sides, if there is one.
   Face polygon() {
     return any<Face>(mesh_.n_faces(), [&](Face f) { return is_live(mesh_, f) && mesh_.valence(f) > 3; });
   }
   Halfedge boundary() {
     return any<Halfedge>(mesh_.n_halfedges(), [&](Halfedge h) { return is_live(mesh_, h) && mesh_.is_boundary(h); });
   }
-  /// Another one, near by half of the time: where neighbors matter, two at random seldom are.
+  /// Returns another boundary halfedge, near h half of the time: if neighbors matter, two random ones seldom are
+  /// neighbors.
   Halfedge boundary_near(Halfedge h) {
     if (!is_live(mesh_, h) || choices_.one_in(2)) return boundary();
     switch (choices_.below(4)) {
@@ -50,7 +51,7 @@ class Arguments {
         return mesh_.next_halfedge_handle(h);
     }
   }
-  /// One that leaves the same vertex, by the ring; once in a while another.
+  /// Returns a halfedge that leaves the same vertex, by the ring; sometimes another.
   Halfedge around(Halfedge h) {
     if (!is_live(mesh_, h) || choices_.one_in(12)) return halfedge();
     for (unsigned turns = choices_.below(5); turns > 0; --turns)
@@ -60,7 +61,7 @@ class Arguments {
   Keep keep() { return choices_.one_in(2) ? Keep::manifold : Keep::simplicial; }
 
  private:
-  /// From a place at random on the first that is good, if any; one time in sixteen anything at all.
+  /// Returns the first good handle from a random place on, if there is any; one time in sixteen, any handle.
   template <typename Handle, typename IsGood>
   Handle any(std::size_t count, IsGood is_good) {
     const auto n = static_cast<unsigned>(count);

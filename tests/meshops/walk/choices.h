@@ -1,4 +1,4 @@
-// The source of a random walk's decisions: a generator of numbers, or the bytes of a fuzzer.
+// The source of the decisions of a random walk: a generator of numbers, or the bytes of a fuzzer.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@ namespace meshops::test {
 class Choices {
  public:
   virtual ~Choices() = default;
-  /// A number from 0 on, below `bound`, which is not 0.
+  /// Returns a number from 0 on, below `bound`, which is not 0.
   virtual unsigned below(unsigned bound) = 0;
-  /// Whether there is anything left to decide by; without it, every choice is 0.
+  /// Returns whether any choice is left; without it, every choice is 0.
   virtual bool any_left() const = 0;
 
   bool one_in(unsigned n) { return below(n) == 0; }
@@ -28,7 +28,7 @@ class RandomChoices : public Choices {
   std::mt19937_64 random_;
 };
 
-/// A byte for each choice, two where there are more than 256.
+/// Takes one byte for each choice, two if there are more than 256 options.
 class ByteChoices : public Choices {
  public:
   explicit ByteChoices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -48,7 +48,7 @@ class ByteChoices : public Choices {
   std::span<const std::uint8_t> bytes_;
 };
 
-/// Of nothing the first.
+/// Returns a choice below `bound`; 0 without using a choice if there is at most one option.
 inline unsigned below(Choices& choices, std::uint32_t bound) { return bound < 2 ? 0 : choices.below(bound); }
 
 }  // namespace meshops::test

@@ -1,4 +1,4 @@
-// What: a front from its definition alone: oriented faces on sites, and nothing else. Slow, and hard to get wrong.
+// What: a model of a front by its definition alone: oriented faces on sites. Slow, and hard to get wrong.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace meshops::test {
 
-/// From a site to another.
+/// Directed side from a site to another.
 using Arrow = std::pair<Site, Site>;
-/// Sites, counter-clockwise, the least first.
+/// Cycle of sites, counter-clockwise, the least first.
 using Cycle = std::vector<Site>;
 
 Cycle canonical(Cycle cycle);
@@ -24,38 +24,38 @@ class FrontModel {
   enum class State { active, frozen, popped };
 
   explicit FrontModel(std::size_t sites);
-  /// Begins with faces, at whose boundary all is active. Some sites may not be there.
+  /// Begins with faces, whose boundary is all active. Some sites may not exist.
   FrontModel(std::size_t sites, const std::set<Cycle>& faces, const std::set<Site>& missing);
 
   std::size_t sites() const { return sites_; }
   bool exists(Site s) const { return s < sites_ && !missing_.contains(s); }
   const std::set<Cycle>& faces() const { return faces_; }
-  /// Of each arrow along the boundary, the mesh on its right.
+  /// Returns the state of each arrow along the boundary, with the mesh on its right.
   const std::map<Arrow, State>& boundary() const { return boundary_; }
 
-  /// A face has this side: it lies on the left of the arrow.
+  /// Returns whether a face lies on the left of the arrow.
   bool has_side(const Arrow& arrow) const { return sides_.contains(arrow); }
-  /// The faces at a site, in sets of those that hang together around it.
+  /// Returns the faces at a site, in sets that are connected around it.
   std::set<std::set<Cycle>> fans(Site s) const;
   bool is_free(Site s) const;
-  /// It has faces, and they close around it in every fan.
+  /// Returns whether the site has faces, and they close around it in every fan.
   bool is_closed(Site s) const;
 
-  /// Every reason against a triangle; the next new sites may be named.
+  /// Returns every reason against a triangle; the next new sites may be named.
   std::set<RefusalKind> against(const std::array<Site, 3>& corners) const;
   void add(const std::array<Site, 3>& corners);
   void add_site() { ++sites_; }
 
-  /// Every reason against detaching a face.
+  /// Returns every reason against detaching a face.
   std::set<RefusalKind> against_removing(const Cycle& face) const;
   void remove(const Cycle& face);
 
   void set(const Arrow& arrow, State state) { boundary_.at(arrow) = state; }
-  /// What the next transfer carries.
+  /// Returns the sites that the next transfer carries.
   std::vector<Site> carried() const;
   void next_level();
   std::size_t level() const { return level_; }
-  /// How many transfers there were before a face of the model came.
+  /// Returns the number of transfers before a face of the model was inserted.
   std::size_t level(const Cycle& face) const {
     const auto added = level_of_.find(face);
     return added == level_of_.end() ? 0 : added->second;
@@ -64,7 +64,7 @@ class FrontModel {
  private:
   struct Star {
     std::map<Site, std::pair<Site, const Cycle*>> after;  // around the site, from neighbor to neighbor across a face
-    std::set<Site> first;                                 // neighbors before which there is no face
+    std::set<Site> first;                                 // neighbors without a face before them
   };
   Star star(Site s) const;
 
@@ -74,7 +74,7 @@ class FrontModel {
   std::set<Arrow> sides_;
   std::map<Arrow, State> boundary_;
   std::size_t level_ = 0;
-  std::map<Cycle, std::size_t> level_of_;  // without those that were there at the beginning
+  std::map<Cycle, std::size_t> level_of_;  // without the faces at the beginning
 };
 
 }  // namespace meshops::test

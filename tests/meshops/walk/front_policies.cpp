@@ -17,7 +17,7 @@ void demand(bool holds, const char* law) {
   if (!holds) throw LawBroken(law);
 }
 
-/// Answers anything.
+/// Policy that returns anything.
 struct AnyAnswers {
   Choices& choices;
   AdvanceCounts& counts;
@@ -31,7 +31,7 @@ struct AnyAnswers {
                  static_cast<std::uint32_t>(front.sites()) + (choices.one_in(12) && front.sites() < 60 ? 2 : 0));
   }
   std::array<Site, 3> any_triangle(const Front& front) { return {any_site(front), any_site(front), any_site(front)}; }
-  /// Half of them at the edge.
+  /// Returns a random list of triangles, half of them at the edge.
   std::vector<Proposal::Triangle> any_list(const Front& front, Halfedge h) {
     std::vector<Proposal::Triangle> list(below(choices, 5));
     for (Proposal::Triangle& triangle : list) triangle = any_triangle(front);
@@ -86,7 +86,7 @@ struct AnyGlues<true> : AnyAnswers {
 
 enum class Order { first_in, keys, keys_again };
 
-/// Of which keys throw, too.
+/// Policy whose keys throw, too.
 template <Order order, bool gluing>
 struct AnyPolicy : AnyGlues<gluing> {
   static constexpr bool rekeys_neighbours = order == Order::keys_again;
@@ -102,7 +102,7 @@ static_assert(OrderedFrontPolicy<AnyPolicy<Order::keys, false>> && !RekeyingFron
 static_assert(RekeyingFrontPolicy<AnyPolicy<Order::keys_again, true>>);
 static_assert(GluingFrontPolicy<AnyPolicy<Order::keys, true>> && !GluingFrontPolicy<AnyPolicy<Order::keys, false>>);
 
-/// Keeps its own account of triangles, halfedges and curves; and throws, too.
+/// Visitor that keeps its own account of triangles, halfedges and curves; it throws, too.
 struct Account : CurveVisitor {
   Account(AnyAnswers& asked, bool glues) : policy(asked), gluing(glues), counts(asked.counts) {}
   AnyAnswers& policy;
@@ -115,7 +115,7 @@ struct Account : CurveVisitor {
   void may_throw() {
     if (policy.choices.one_in(800)) throw std::runtime_error("tired of events");
   }
-  /// After a throw: the events of the last triangle have come nevertheless.
+  /// Called after a throw. The events of the last triangle were sent nevertheless.
   void begin_anew(const Front& front) {
     demand(front.faces() == triangles, "a throw takes no triangle away, and adds none");
     demand(curves == static_cast<long>(front.curves().size()), "a throw takes no event of a curve away");
@@ -171,7 +171,7 @@ struct Account : CurveVisitor {
   void curve_closed(const Front&) { --curves; }
 };
 
-/// After a throw each active edge waits once, deferred ones too.
+/// Checks that after a throw each active edge waits once, including deferred ones.
 void check_queue(Front& front) {
   std::size_t active = 0;
   for (const BoundaryCurve& curve : front.curves())

@@ -20,7 +20,7 @@ using State = FrontModel::State;
 
 std::size_t index(RefusalKind kind) { return static_cast<std::size_t>(kind); }
 
-/// Of the corpus what a step can be compared on in no time.
+/// Returns the part of the corpus on which a step is compared quickly.
 std::vector<Specimen> small_specimens() {
   std::vector<Specimen> small;
   for (const Specimen& specimen : corpus()) {
@@ -107,7 +107,7 @@ class FrontWalk {
     check();
   }
 
-  /// A front on the mesh as it is, by a map of its vertices or each on itself.
+  /// Begins a front on the present mesh, by a map of its vertices or with each vertex on its own site.
   void begin_on_mesh(const std::vector<Site>& site_of) {
     front_.reset();
     front_.emplace(*mesh_, site_of);
@@ -137,7 +137,7 @@ class FrontWalk {
     if (choices_.one_in(40)) return static_cast<Site>(-1) - below(choices_, 3);
     return below(choices_, static_cast<std::uint32_t>(model_->sites()) + (choices_.one_in(8) ? 3 : 0));
   }
-  /// One that is on the boundary, where most triangles fit.
+  /// Returns a site on the boundary, where most triangles fit.
   Site near_site() { return any_arrow().first; }
   Arrow any_arrow() {
     const auto& boundary = model_->boundary();
@@ -167,7 +167,7 @@ class FrontWalk {
     return canonical(corners);
   }
 
-  /// Runs what must be refused for one of the reasons, or must not.
+  /// Runs an operation that must be refused for one of the reasons, or must be done if there is none.
   template <typename Operate>
   bool goes(const std::set<RefusalKind>& against, const std::optional<Refusal>& blocker, Operate operate) {
     demand(blocker.has_value() == !against.empty(), "the blocker refuses what the model refuses, and nothing else");
@@ -239,14 +239,14 @@ class FrontWalk {
     DetachedTriangle detached;
     if (!goes(against, front_->detach_blocker(f), [&] { detached = front_->detach(f); })) return;
     ++counts_.detached;
-    demand(canonical({detached.corners.begin(), detached.corners.end()}) == face, "the corners are told");
+    demand(canonical({detached.corners.begin(), detached.corners.end()}) == face, "the corners are returned");
     model_->remove(face);
     for (unsigned i = 0; i < 3; ++i) {
       const Arrow side{detached.corners[i], detached.corners[(i + 1) % 3]};
       demand(detached.side[i].is_valid() == model_->boundary().contains(side), "a side that was glued is boundary now");
       if (detached.side[i].is_valid())
         demand(front_->boundary_between(side.first, side.second) == detached.side[i],
-               "it is the halfedge that is told");
+               "the halfedge is the returned one");
     }
     check();
   }
@@ -284,8 +284,8 @@ class FrontWalk {
   void next_level() {
     log("next level");
     ++counts_.levels;
-    // A halfedge that is neither active nor frozen belongs to the caller that popped it: a transfer is chosen when there is
-    // none.
+    // A halfedge that is neither active nor frozen belongs to the caller that popped it: a transfer is chosen only if
+    // there is none.
     for (const auto& [arrow, state] : std::map(model_->boundary()))
       if (state == State::popped) {
         front_->freeze(front_->boundary_between(arrow.first, arrow.second));
@@ -315,7 +315,7 @@ class FrontWalk {
     check();
   }
 
-  /// Questions about what is not there.
+  /// Queries things that do not exist.
   void ask() {
     const Site s = any_site();
     const Halfedge h(static_cast<int>(below(choices_, 2000)) - 1000);
@@ -421,7 +421,7 @@ class FrontWalk {
   std::optional<Front> front_;
   std::optional<FrontModel> model_;
   std::set<Site> behind_;
-  bool has_spare_ = false;  // elements that are not in use, until finish()
+  bool has_spare_ = false;  // there are unused elements until finish()
   std::string log_;
 };
 

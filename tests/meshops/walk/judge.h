@@ -1,6 +1,7 @@
-// What: compares a step of an operator with the same step on a model (model.h), done or refused.
-// Law:  what is done agrees with the model, sound as before; what is refused leaves every bit, and would have been
-//       bad: no manifold, not simplicial where that is required, or a case that the operator excludes.
+// What: compares a step of an operator, done or refused, with the same step on a model (model.h).
+// Law:  a step that is done agrees with the model and leaves the mesh as sound as before; a step that is refused
+//       changes no bit, and would have been bad: no manifold, not simplicial if that is required, or a case that the
+//       operator excludes.
 #pragma once
 
 #include <map>
@@ -18,16 +19,16 @@
 
 namespace meshops::test {
 
-/// A step broke the law; the message has which and how.
+/// Exception for a step that broke the law; the message names the step and the fault.
 struct WalkFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a refusal may rest on, apart from what an operator is for.
+/// Reasons for which an operator may refuse, besides its own cases.
 struct Rules {
   Keep keep = Keep::manifold;
-  std::vector<int> one_fan = {};  ///< vertices that must have one
-  std::vector<int> touched = {};  ///< vertices at which a doubled edge or triangle is laid to the operator
+  std::vector<int> one_fan = {};  ///< vertices that must have one fan
+  std::vector<int> touched = {};  ///< vertices at which a doubled edge or triangle counts as made by the operator
 };
 
 class Judge {
@@ -48,7 +49,7 @@ class Judge {
   const std::map<std::string, Tally>& tally() const { return tally_; }
   [[noreturn]] void fail(const std::string& what) const { throw WalkFailure(name_ + " " + what); }
 
-  /// Runs an operator, which must agree with its blocker. Returns its effect when it was done.
+  /// Runs an operator, which must agree with its blocker. Returns its effect if it was done.
   template <typename Operate>
   auto run(const std::optional<std::string>& blocker, Operate operate) -> std::optional<decltype(operate())> {
     blocker_ = blocker;
@@ -65,8 +66,8 @@ class Judge {
     }
   }
 
-  /// Compares with what `apply(model)` makes of the mesh before; it returns why the step has no meaning, or "". Where the
-  /// step was done, `delta` is the change of the counts that it returned.
+  /// Compares with the result of `apply(model)` on the mesh before; `apply` returns why the step has no meaning, or "".
+  /// If the step was done, `delta` is the change of the counts that it returned.
   template <typename Apply>
   void compare(const std::optional<Delta>& delta, const Rules& rules, Apply apply) {
     Model expected = before_;
@@ -80,12 +81,12 @@ class Judge {
     if (!bad.empty()) fail("was done, but is bad: " + bad);
     if (!(Model(mesh_) == expected)) fail("left another mesh than it should");
     check_sound();
-    if (!with_bowties_ && !(expected.counts() == before_.counts() + *delta)) fail("told a wrong delta");
+    if (!with_bowties_ && !(expected.counts() == before_.counts() + *delta)) fail("returned a wrong delta");
     ++tally_[name_].done;
   }
 
-  /// For an undo of an effect: done unless there is `reason` against it; and `apply(model)` of the mesh as it is
-  /// then gives the mesh before. Returns whether it was done.
+  /// Judges the undo of an effect: it is done unless there is a `reason` against it, and `apply(model)` on the
+  /// resulting mesh gives the mesh before. Returns whether it was done.
   template <typename TakeBack, typename Apply>
   bool compare_back(const std::string& reason, TakeBack take_back, Apply apply) {
     try {
@@ -106,7 +107,8 @@ class Judge {
     return true;
   }
 
-  /// Nothing but what is bad from the beginning: in a walk with bowties, vertices with several fans.
+  /// Checks that there are no defects except those allowed from the beginning: in a walk with bowties, vertices with
+  /// several fans.
   void check_sound() const {
     for (const Defect& defect : validate(mesh_))
       if (!with_bowties_ || defect.kind != DefectKind::vertex_has_several_fans) fail("left " + describe(defect));

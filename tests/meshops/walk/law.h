@@ -1,11 +1,11 @@
-// What: how walks report that something is wrong.
+// What: the exception by which walks report a broken law.
 #pragma once
 
 #include <stdexcept>
 
 namespace meshops::test {
 
-/// A law does not hold; the message names it, and the steps before.
+/// Exception for a broken law; the message names it, and the steps before.
 struct LawBroken : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -24,7 +24,7 @@ Model::Model(const Connectivity& mesh)
 }
 
 bool operator==(const Model& a, const Model& b) {
-  // Names that are not in use do not count.
+  // Unused names do not count.
   const auto same = [](const auto& x, const auto& y, const auto& none) {
     for (std::size_t i = 0; i < std::max(x.size(), y.size()); ++i)
       if ((i < x.size() ? x[i] : none) != (i < y.size() ? y[i] : none)) return false;
@@ -107,9 +107,9 @@ std::vector<std::vector<int>> Model::fans(int v) const {
       all.back().push_back(h);
     }
   };
-  for (const int h : out)  // fans that begin
+  for (const int h : out)  // open fans
     if (!follows[at(h)]) collect(h);
-  for (const int h : out)  // and such that close
+  for (const int h : out)  // closed fans
     if (!done[at(h)]) collect(h);
   return all;
 }
@@ -123,7 +123,7 @@ Cycle Model::curve(int h) const {
   const std::vector<int> turn = turns();
   Cycle sides = {h};
   for (;;) {
-    int out = sides.back() ^ 1;  // through the fan, counter-clockwise, to where it ends
+    int out = sides.back() ^ 1;  // through the fan, counter-clockwise, to its end
     while (turn[at(out)] >= 0) out = turn[at(out)];
     if (out == h || sides.size() > from.size()) return sides;
     sides.push_back(out);
@@ -131,7 +131,7 @@ Cycle Model::curve(int h) const {
 }
 
 int Model::excess_fans() const {
-  // Of the edges at a vertex, each corner joins two; a fan that closes has as many corners as edges.
+  // Each corner joins two of the edges at a vertex; a closed fan has as many corners as edges.
   const std::vector<int> turn = turns();
   int excess = 0;
   std::vector<int> fans_at(has_vertex.size(), 0);
@@ -150,7 +150,7 @@ int Model::excess_fans() const {
 Delta Model::counts() const {
   Delta sum;
   const std::vector<int> turn = turns();
-  std::vector<int> set(from.size());  // sides that hang together through faces and edges
+  std::vector<int> set(from.size());  // sets of sides that are connected through faces and edges
   std::iota(set.begin(), set.end(), 0);
   const auto find = [&](int h) {
     while (set[at(h)] != h) h = set[at(h)] = set[at(set[at(h)])];

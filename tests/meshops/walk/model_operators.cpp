@@ -9,7 +9,7 @@ bool is_triangle(const Model& model, int f) { return model.faces[static_cast<std
 
 int start(const Model& model, int h) { return model.from[static_cast<std::size_t>(h)]; }
 
-/// The faces at a vertex are all triangles.
+/// Returns whether the faces at a vertex are all triangles.
 bool has_triangles_only(const Model& model, int v) {
   const auto out = model.leaving(v);
   return std::all_of(out.begin(), out.end(),
@@ -20,7 +20,7 @@ void move_fan(Model& model, const std::vector<int>& fan, int v) {
   for (const int h : fan) model.from[static_cast<std::size_t>(h)] = v;
 }
 
-/// The fan at the start of a side that the side is in.
+/// Returns the fan at the start of a side that contains the side.
 std::vector<int> fan_of(const Model& model, int h) {
   for (const auto& fan : model.fans(start(model, h)))
     if (std::find(fan.begin(), fan.end(), h) != fan.end()) return fan;
@@ -37,7 +37,7 @@ std::string glue(Model& model, int first, int second) {
   model.replace(second ^ 1, first);
   model.erase_edge(second);
   model.rename_vertex(std::max(a0, a1), std::min(a0, a1));
-  // An end may have got another name.
+  // An end may have another name now.
   const int b0_now = b0 == std::max(a0, a1) ? std::min(a0, a1) : b0;
   const int b1_now = b1 == std::max(a0, a1) ? std::min(a0, a1) : b1;
   model.rename_vertex(std::max(b0_now, b1_now), std::min(b0_now, b1_now));
@@ -192,7 +192,7 @@ std::string flip(Model& model, int edge, bool back) {
   if (!is_triangle(model, left) || !is_triangle(model, right)) return "not a triangle";
   const Cycle l = model.cycle(left, h), r = model.cycle(right, o);
   const int c = start(model, l[2]), d = start(model, r[2]);
-  // Each face gives the other the side at one end of the edge: counter-clockwise that after it.
+  // Each face gives the other one the side at one end of the edge: if counter-clockwise, the side after it.
   model.set_face(left, back ? Cycle{h, r[2], l[1]} : Cycle{h, l[2], r[1]});
   model.set_face(right, back ? Cycle{o, l[2], r[1]} : Cycle{o, r[2], l[1]});
   model.add_edge(h, back ? c : d, back ? d : c);
@@ -210,7 +210,7 @@ std::string collapse(Model& model, int h) {
   if (right >= 0) model.set_face(right, {});
   model.erase_edge(h);
   if (left >= 0 && right >= 0 && l[2] == (r[1] ^ 1)) {
-    // One more edge at v: it goes, and of the two from w to the apex that on the right stays.
+    // v has one more edge, which is removed; of the two edges from w to the apex, the one on the right stays.
     model.erase_edge(l[2]);
     model.replace(l[1] ^ 1, r[2]);
     if (l[1] != (r[2] ^ 1)) model.erase_edge(l[1]);

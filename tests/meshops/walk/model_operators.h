@@ -1,6 +1,6 @@
-// What: the operators on a model, each by its definition: which cycles of sides become which.
-// Law:  a function returns why it has no meaning for its arguments, with the model untouched; otherwise "", and the
-//       model is what the definition gives, manifold or not.
+// What: the operators on a model, each by its definition as a change of cycles of sides.
+// Law:  a function returns why it has no meaning for its arguments, with the model untouched; otherwise it returns "",
+//       and the model is the result of the definition, manifold or not.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace meshops::test {
 
-/// The names of new elements, in the order of use: given ones first, then numbers beyond all.
+/// Names of new elements, in the order of use: given ones first, then unused numbers.
 class Names {
  public:
   explicit Names(const Model& model, std::vector<int> vertices = {}, std::vector<int> sides = {},
@@ -22,7 +22,7 @@ class Names {
         fresh_side_(static_cast<int>(model.from.size()) + 1000),
         fresh_face_(static_cast<int>(model.faces.size()) + 1000) {}
 
-  /// The name of the first vertex when none are given.
+  /// Returns the name of the first vertex when none are given.
   static int fresh_vertex(const Model& model) { return static_cast<int>(model.has_vertex.size()) + 1001; }
 
   int vertex() { return next(vertices_, fresh_vertex_, 1); }
@@ -45,19 +45,20 @@ namespace by_definition {
 // Handle operators ----------------------------------------------------------------------------------------------------
 
 std::string glue(Model& model, int first, int second);
-/// Names: the second side on the boundary; a vertex for the start of h, and for its end, where they are on the boundary.
+/// Names: the second side on the boundary; a vertex for the start of h and one for its end, if these are on the
+///        boundary.
 std::string unglue(Model& model, int h, Names names);
 std::string destroy_triangle(Model& model, int f);
-/// `left` has the starts of the sides that are left: in each fan at one vertex.
+/// `left` has the starts of the remaining sides, which are one vertex in each fan.
 std::string remove_triangle(Model& model, int f, const Model* left);
 std::string close_curve(Model& model, int h, Names names);
 std::string open_curve(Model& model, int f);
 std::string zip_curves(Model& model, int first, int second);
 
-// Stellar operators. Names: the vertex; of each new edge the side that leaves it; the faces, in the order of StarElements.
+// Stellar operators. Names: the vertex; for each new edge, the side that leaves it; the faces, as in StarElements.
 
 std::string split_edge(Model& model, int h, Names names);
-/// `named` is the side that the face names.
+/// `named` is the side to which the face refers.
 std::string split_face(Model& model, int f, int named, Names names);
 /// `run` are the sides between left and right; -1 for a side that is left out.
 std::string split_vertex(Model& model, int left, int right, const std::vector<int>& run, Names names);
@@ -65,9 +66,9 @@ std::string split_vertex(Model& model, int left, int right, const std::vector<in
 std::string flip(Model& model, int edge, bool back = false);
 std::string collapse(Model& model, int h);
 std::string weld_edge(Model& model, int h);
-/// `named` is the side that the vertex names.
+/// `named` is the side to which the vertex refers.
 std::string weld_face(Model& model, int v, int named);
-/// `named` is the side that the face names. Names: the side of the diagonal from the start of `from`; the face.
+/// `named` is the side to which the face refers. Names: the side of the diagonal from the start of `from`; the face.
 std::string insert_diagonal(Model& model, int from, int to, int named, Names names);
 std::string remove_diagonal(Model& model, int h);
 

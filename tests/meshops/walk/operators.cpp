@@ -45,16 +45,16 @@ void check_tally(const std::map<std::string, Judge::Tally>& sum, int least) {
 }  // namespace
 
 TEST_SUITE("walk") {
-  TEST_CASE("random steps on manifolds: what is done agrees with the model, what is refused would have been bad") {
+  TEST_CASE("random steps on manifolds agree with the model if done, and would have been bad if refused") {
     check_tally(walk(Walk::On::manifolds, 1, rbpa_test::trials(100000)), rbpa_test::trials(200));
   }
 
-  TEST_CASE("random steps where fans touch: nothing crashes, nothing becomes worse") {
+  TEST_CASE("random steps on meshes with bowties do not crash, and add no defects") {
     check_tally(walk(Walk::On::bowties, 1, rbpa_test::trials(50000)), rbpa_test::trials(50));
   }
 
   TEST_CASE(
-      "calls with wrong arguments, effects and callables are done or refused; what is refused changes not a bit") {
+      "calls with wrong arguments, effects and callables are done or refused, and a refused call changes no bit") {
     std::map<std::string, Judge::Tally> sum;
     const int meshes = rbpa_test::trials(150);
     for (int seed = 1; seed <= meshes; ++seed) {
@@ -81,8 +81,12 @@ TEST_SUITE("walk") {
   }
 }
 
-// Too long for every run: the nightly tests run it.
+// Too long for every run: only the nightly tests run it.
 TEST_SUITE("long walk" * doctest::skip()) {
-  TEST_CASE("3,000,000 steps on manifolds") { check_tally(walk(Walk::On::manifolds, 1000000, 3000000), 6000); }
-  TEST_CASE("1,000,000 steps where fans touch") { check_tally(walk(Walk::On::bowties, 1000000, 1000000), 1000); }
+  TEST_CASE("3,000,000 random steps on manifolds agree with the model") {
+    check_tally(walk(Walk::On::manifolds, 1000000, 3000000), 6000);
+  }
+  TEST_CASE("1,000,000 random steps on meshes with bowties add no defects") {
+    check_tally(walk(Walk::On::bowties, 1000000, 1000000), 1000);
+  }
 }

@@ -1,4 +1,4 @@
-// The arguments of a split of a vertex, from the ring of the vertex.
+// Computes the arguments of a split of a vertex, from the ring of the vertex.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace meshops::test {
 
-/// What a split of a vertex is to be given, seen on the ring of the vertex.
+/// Arguments of a split of a vertex, found on the ring of the vertex.
 struct Run {
-  std::string reason;        ///< why there is none
+  std::string reason;        ///< why there are none
   std::vector<int> sides;    ///< from left to right
   std::vector<int> one_fan;  ///< the vertex, if it must have one
 
@@ -26,7 +26,8 @@ struct Run {
     if ((!left || !right) && !mesh.is_boundary(w)) reason = "no boundary";
     if (!reason.empty()) return;
     const Halfedge named = mesh.halfedge_handle(w);
-    // A gap lies after each boundary side of the turn. Where one is left out, the gap after the named side is the end.
+    // A gap lies after each boundary side of the turn. If one side is left out, the gap after the named side is the
+    // end.
     int gaps_within = left && mesh.is_boundary(*left) && (right || *left != named) ? 1 : 0, gaps = 0;
     const Halfedge first = turned(mesh, left ? *left : named), end = right ? *right : turned(mesh, named);
     for (Halfedge h = first; h != end; h = turned(mesh, h)) {

@@ -37,7 +37,7 @@ void Walk::start() {
     case 3:
       cube(mesh_);
       break;
-    case 4:  // fans on one point have a vertex each
+    case 4:  // each fan on a point has a vertex
       build_mesh(mesh_, soup(8, {{0, 1, 2}, {0, 3, 4}, {0, 5, 6, 7}}));
       break;
     case 5:
@@ -53,7 +53,7 @@ void Walk::start() {
 }
 
 void Walk::tidy() {
-  if (mesh_.n_edges() > 250) mesh_.garbage_collection();  // what is remembered is of another mesh then
+  if (mesh_.n_edges() > 250) mesh_.garbage_collection();  // remembered effects are then of another mesh
   if (on_ == On::bowties && choices_.one_in(5)) {
     const Halfedge h = arguments_.boundary(), g = arguments_.boundary();
     for (const Halfedge side : {h, g})

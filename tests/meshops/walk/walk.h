@@ -1,4 +1,4 @@
-// What: random steps of all operators on a mesh, with arguments good and bad, each judged (judge.h).
+// What: random steps of all operators on a mesh, with valid and invalid arguments, each judged (judge.h).
 #pragma once
 
 #include <map>
@@ -19,19 +19,19 @@ class Walk {
  public:
   enum class On {
     manifolds,
-    bowties  ///< vertices are tied together now and then, and nothing may make it worse
+    bowties  ///< vertices are tied together from time to time, and no step may add defects
   };
   /// Begins on a small mesh of one of several kinds.
   Walk(Choices& choices, On on);
 
-  /// Throws WalkFailure.
+  /// Does one random step. Throws WalkFailure.
   void step();
 
-  /// By the names of the operators.
+  /// Returns the tally by the names of the operators.
   const std::map<std::string, Judge::Tally>& tally() const { return judge_.tally(); }
 
  private:
-  /// What was done, and the records before and after.
+  /// A step that was done, with the records before and after.
   template <typename Effect>
   struct Done {
     Effect effect;
@@ -96,7 +96,8 @@ void Walk::remember(std::vector<Done<Effect>>& all, const Effect& effect) {
   all.push_back({effect, judge_.records(), snapshot(mesh_)});
 }
 
-/// The last one most of the time, so that some can be undone exactly; one that was made up when there is none.
+/// Returns an effect: the last one most of the time, so that some can be undone exactly; a made-up one when there is
+/// none.
 template <typename Effect>
 Walk::Done<Effect> Walk::recall(const std::vector<Done<Effect>>& all) {
   if (all.empty()) return {Effect(), {}, {}};

@@ -1,4 +1,4 @@
-// The steps that undo what was done, by effects as they were returned, from another mesh by now, or made up.
+// The steps that undo, by effects as they were returned, effects from another state of the mesh, or made-up ones.
 #include <algorithm>
 #include <cstdint>
 
@@ -24,7 +24,7 @@ void Walk::take_glue_back() {
   judge_.begin("unglue of an effect");
   const Model& before = judge_.before();
   const int h = effect.survivor.idx();
-  /// The vertex that was merged into one of two; -1 when they are one; -2 when nothing fits.
+  /// Returns the vertex that was merged into one of two; -1 when they are one; -2 when nothing fits.
   const auto gone_at = [&](int at, Vertex a, Vertex b) {
     if (std::min(a.idx(), b.idx()) != at) return -2;
     if (a == b) return before.is_on_boundary(at) ? -2 : -1;

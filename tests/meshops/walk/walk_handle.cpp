@@ -71,7 +71,7 @@ void Walk::glue() {
   judge_.compare(effect ? std::optional(effect->delta()) : std::nullopt, {.one_fan = at},
                  [&](Model& model) { return by_definition::glue(model, first.idx(), second.idx()); });
   if (!effect) return;
-  if (effect->survivor != first || effect->removed != second) judge_.fail("told wrong halfedges");
+  if (effect->survivor != first || effect->removed != second) judge_.fail("returned wrong halfedges");
   remember(glued_, *effect);
 }
 
@@ -89,7 +89,7 @@ void Walk::unglue() {
       if (v.is_valid()) copies.push_back(v.idx());
     return by_definition::unglue(model, h.idx(), Names(model, copies, {effect->second.idx()}));
   });
-  if (effect && (effect->what != what || effect->first != h)) judge_.fail("told another case");
+  if (effect && (effect->what != what || effect->first != h)) judge_.fail("returned another case");
 }
 
 void Walk::close() {

@@ -1,4 +1,4 @@
-// The steps that cut faces and make them one.
+// The steps that cut and merge faces.
 #include <algorithm>
 
 #include "meshops/stellar/diagonal.h"
@@ -8,7 +8,8 @@
 namespace meshops::test {
 namespace {
 
-/// Whether the part of a face between two corners has a triangulation, by all of them; a face of up to nine sides.
+/// Returns whether the part of a face between two corners has a triangulation, by trying all; for a face of up to nine
+/// sides.
 bool has_triangulation(const Model& model, const Cycle& sides, std::size_t first, std::size_t last, Keep keep) {
   const auto may_join = [&](std::size_t i, std::size_t j) {
     if (j == i + 1 || (i == 0 && j + 1 == sides.size())) return true;
@@ -55,7 +56,7 @@ void Walk::insert_diagonal() {
                    }
                    return by_definition::insert_diagonal(model, from.idx(), to.idx(), named, names);
                  });
-  if (effect && mesh_.face_handle(effect->diagonal) != effect->face) judge_.fail("told a wrong halfedge");
+  if (effect && mesh_.face_handle(effect->diagonal) != effect->face) judge_.fail("returned a wrong halfedge");
 }
 
 void Walk::remove_diagonal() {
@@ -68,7 +69,7 @@ void Walk::remove_diagonal() {
   Model again(mesh_);
   if (!by_definition::insert_diagonal(again, effect->from.idx(), effect->to.idx(), effect->to.idx(), Names(again))
            .empty())
-    judge_.fail("told wrong halfedges");
+    judge_.fail("returned wrong halfedges");
 }
 
 void Walk::triangulate_face() {
@@ -94,7 +95,7 @@ void Walk::triangulate_face() {
     });
     return;
   }
-  // Removed again from the last diagonal to the first, it is the face that was there.
+  // Removing the diagonals from the last to the first restores the face.
   judge_.compare_back(
       "", [] {},
       [&](Model& model) -> std::string {

@@ -1,4 +1,4 @@
-// The functions that only look, with arguments good and bad.
+// The functions that only read, with valid and invalid arguments.
 #include "meshops/core/reach.h"
 #include "meshops/front/boundary_curve.h"
 #include "meshops/graph/boundary_graph.h"
@@ -19,7 +19,7 @@ void turn_around(const Graph& graph, typename Graph::vertex_descriptor v) {
   for (auto [other, end] = adjacent_vertices(v, graph); other != end; ++other) degree(*other, graph);
 }
 
-/// A contract violation is as good as an answer.
+/// Accepts a contract violation as an answer.
 template <typename Ask>
 void allow_refusal(Ask ask) {
   try {

@@ -14,7 +14,7 @@
 namespace meshops::test {
 namespace {
 
-/// The names of what a split added; of a split that was refused, any.
+/// Returns the names of the elements that a split added; for a refused split, any names.
 Names names_of(const Model& model, const Connectivity& mesh, const std::optional<SplitEffect>& effect) {
   if (!effect) return Names(model);
   std::vector<int> sides, faces;
@@ -35,7 +35,7 @@ std::optional<Delta> delta_of(const std::optional<Effect>& effect) {
 struct Stop {};
 constexpr auto stop = [](auto&, const auto&) { throw Stop(); };
 
-/// A split whose hook throws, or which is refused, leaves every record.
+/// Checks that a split whose hook throws, or that is refused, leaves every record.
 template <typename Split>
 void check_stopped(const Judge& judge, const TestMesh& mesh, Split split) {
   try {
@@ -134,7 +134,7 @@ void Walk::weld_edge() {
   const Halfedge line = effect->line;
   if (!is_live(mesh_, line) || mesh_.to_vertex_handle(line) != effect->survivor ||
       judge_.before().to(line.idx()) != at[0])
-    judge_.fail("told a wrong line");
+    judge_.fail("returned a wrong line");
   remember(welded_, static_cast<const WeldEffect&>(*effect));
 }
 
@@ -149,14 +149,14 @@ void Walk::weld_face() {
   judge_.compare(delta_of(effect), rules,
                  [&](Model& model) { return by_definition::weld_face(model, v.idx(), named.idx()); });
   if (!effect) return;
-  if (!is_live(mesh_, effect->face)) judge_.fail("told a wrong face");
+  if (!is_live(mesh_, effect->face)) judge_.fail("returned a wrong face");
   remember(welded_, static_cast<const WeldEffect&>(*effect));
 }
 
 void Walk::remove_vertex() {
   const Vertex v = arguments_.vertex();
   const Keep keep = arguments_.keep();
-  std::vector<Halfedge> tried;  // those before the first that can be collapsed
+  std::vector<Halfedge> tried;  // halfedges before the first that can be collapsed
   bool can = false;
   if (is_live(mesh_, v) && !mesh_.is_isolated(v)) {
     Halfedge h = mesh_.halfedge_handle(v);

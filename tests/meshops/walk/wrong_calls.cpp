@@ -25,7 +25,7 @@ class WrongCalls {
     for (TestMesh* mesh : {&mesh_, &other_}) corpus()[choices_.below(12)].build(*mesh);
     mesh_.add_property(weight_);
     other_.add_property(foreign_weight_);
-    other_.add_property(foreign_weight_);  // of a number that the first mesh does not have
+    other_.add_property(foreign_weight_);  // with a number that the first mesh does not have
     make_deleted();
   }
 
@@ -36,13 +36,13 @@ class WrongCalls {
                                      &WrongCalls::loops,   &WrongCalls::track,   &WrongCalls::history,
                                      &WrongCalls::front,   &WrongCalls::look};
     (this->*steps[choices_.below(std::size(steps))])();
-    if (mesh_.n_edges() > 250) mesh_.garbage_collection();  // what is remembered is of another mesh then
+    if (mesh_.n_edges() > 250) mesh_.garbage_collection();  // remembered effects are then of another mesh
   }
   bool is_small() const { return mesh_.n_edges() < 500; }
   const std::map<std::string, Judge::Tally>& tally() const { return tally_; }
 
  private:
-  // Of the mesh or of the other one, good or bad.
+  // These are handles of the mesh or of the other mesh, valid or not.
   Vertex vertex() { return choices_.one_in(5) ? foreign_.vertex() : own_.vertex(); }
   Edge edge() { return choices_.one_in(5) ? foreign_.edge() : own_.edge(); }
   Face face() { return choices_.one_in(5) ? foreign_.face() : own_.face(); }
@@ -63,7 +63,7 @@ class WrongCalls {
     });
   }
 
-  /// Calls, and looks at what the call left. A call that only looks, or throws, changes nothing.
+  /// Runs a call and checks the result. A call that only reads, or throws, changes nothing.
   template <typename Call>
   bool run(const char* name, Call call, bool only_looks = false) {
     const std::vector<int> before = snapshot(mesh_);
@@ -169,7 +169,7 @@ class WrongCalls {
     }
   }
 
-  /// Hooks that throw, and properties that the mesh does not have.
+  /// Calls with hooks that throw, and properties that the mesh does not have.
   void hooks() {
     const Halfedge h = halfedge();
     const auto throws = [](TestMesh&, const auto&) { throw Thrown("hook"); };
@@ -200,7 +200,7 @@ class WrongCalls {
     return all.empty() || choices_.one_in(8) ? Effect() : all[choices_.below(static_cast<unsigned>(all.size()))];
   }
 
-  /// What was returned once, again and again, of whatever mesh this was.
+  /// Calls with remembered effects, repeatedly, of whatever mesh they were.
   void effects() {
     switch (choices_.below(4)) {
       case 0: {
@@ -301,7 +301,7 @@ class WrongCalls {
     if (!noted && !(tracker.counts() == counts)) throw WalkFailure("a tracker counted what it refused");
   }
 
-  /// A few steps, some of which throw; all undone it is the mesh before, and done again the mesh after.
+  /// Does a few steps, some of which throw; undoing all restores the mesh before, and redoing all gives the mesh after.
   void history() {
     const std::vector<int> before = snapshot(mesh_);
     History history(mesh_);
@@ -347,9 +347,9 @@ class WrongCalls {
     if (snapshot(mesh_) != after) throw WalkFailure("a history does not lead forth again");
   }
 
-  /// On a copy, as a front merges vertices.
+  /// Works on a copy, because a front merges vertices.
   void front() {
-    std::set<std::pair<int, int>> ends;  // of halfedges: a front has one edge between two sites
+    std::set<std::pair<int, int>> ends;  // ends of halfedges: a front has one edge between two sites
     for (const Halfedge h : live_halfedges(mesh_))
       if (!ends.emplace(mesh_.from_vertex_handle(h).idx(), mesh_.to_vertex_handle(h).idx()).second) return;
     TestMesh copy = mesh_;
