@@ -29,7 +29,7 @@ constexpr double least_flatness = 0.5;  // of neighbors that are on a surface
 // Fraction of a point's neighbors that are at least as near to it as to their own neighbors
 constexpr double least_returned = 0.5;
 constexpr double most_strangers =
-    0.3;  // share of the points that are on no surface; where there are more, they are the set
+    0.3;  // fraction of the points that are on no surface; where there are more, none is left out
 constexpr double none = -1;
 
 /// The gap around each point, or none, in the order of `near`.

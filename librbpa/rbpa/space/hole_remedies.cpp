@@ -182,7 +182,7 @@ class Remedies {
   }
 
  private:
-  /// Calls attempt(hole, remedy, near) for the wanted holes that have no remedy yet; `near` finds the neighborhoods
+  /// Calls attempt(hole, remedy, near) for the wanted holes without a suggested repair; `near` finds the neighborhoods
   /// within the radius.
   template <typename IsWanted, typename Attempt>
   void for_each_left(double radius, const IsWanted& is_wanted, const Attempt& attempt) {

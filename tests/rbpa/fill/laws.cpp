@@ -250,7 +250,7 @@ std::string wrong_with_neighbors_of_groups(const rbpa::Filling& filling) {
           if (filling.groups[other] == filling.groups[t] ||
               (!overlapping.contains(filling.groups[other]) && !overlapping.contains(filling.groups[t])))
             expected = static_cast<std::uint32_t>(other);
-      if (filling.neighbors[t][k] != expected) return "triangle " + std::to_string(t) + " has another neighbour";
+      if (filling.neighbors[t][k] != expected) return "triangle " + std::to_string(t) + " has another neighbor";
     }
   return "";
 }

@@ -48,16 +48,16 @@ std::vector<std::pair<const char*, Surface>> broken_surfaces() {
     change(surface);
     all.emplace_back(what, surface);
   };
-  add("a triangle without neighbours", [](Surface& s) { s.neighbors.pop_back(); });
-  add("neighbours without a triangle", [](Surface& s) { s.triangles.pop_back(); });
+  add("a triangle without neighbors", [](Surface& s) { s.neighbors.pop_back(); });
+  add("neighbors without a triangle", [](Surface& s) { s.triangles.pop_back(); });
   add("a corner that is no point", [](Surface& s) { s.triangles[1][1] = 4; });
   add("a corner far away", [](Surface& s) { s.triangles[0][2] = none; });
   add("a corner twice", [](Surface& s) { s.triangles[0][2] = s.triangles[0][1]; });
-  add("a neighbour that is no triangle", [](Surface& s) { s.neighbors[0][0] = 2; });
-  add("a neighbour far away", [](Surface& s) { s.neighbors[0][1] = none - 1; });
-  add("a neighbour that is none of it", [](Surface& s) { s.neighbors[1] = {none, none, none}; });
-  add("itself as a neighbour", [](Surface& s) { s.neighbors[0] = {0, 0, 0}; });
-  add("a neighbour across another side",
+  add("a neighbor that does not exist", [](Surface& s) { s.neighbors[0][0] = 2; });
+  add("a neighbor far away", [](Surface& s) { s.neighbors[0][1] = none - 1; });
+  add("a neighbor that does not name it", [](Surface& s) { s.neighbors[1] = {none, none, none}; });
+  add("a triangle as its own neighbor", [](Surface& s) { s.neighbors[0] = {0, 0, 0}; });
+  add("a neighbor across another side",
       [](Surface& s) { std::rotate(s.neighbors[0].begin(), s.neighbors[0].begin() + 1, s.neighbors[0].end()); });
   return all;
 }

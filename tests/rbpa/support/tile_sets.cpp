@@ -141,7 +141,7 @@ std::vector<TileSet> tile_sets() {
       {"jittered grid far out", moved(jittered_grid(17, 0.9, 6), 0x1p40, -0x1p41)},
       {"jittered grid at the end of doubles", moved(jittered_grid(17, 0.9, 7), 0x1p52, 0x1p51)},
       {"integer circle", integer_circle(32045)},
-      {"integer concentric with centre", integer_concentric(1105, true)},
+      {"integer concentric with center", integer_concentric(1105, true)},
       {"rounded concentric", rounded_concentric(120)},
       {"ring of rounded points", ring(250, 1)},
       {"ring in a ring, and a grid", together(together(ring(90, 100), ring(90, 1)), perfect_grid(9, 0.0625))},

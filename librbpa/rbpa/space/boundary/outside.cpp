@@ -27,9 +27,9 @@ struct Corner {
 /// A corner at the current point.
 struct CornerAt {
   std::uint32_t triangle, head;
-  std::uint32_t region;  // of the link's inside: tetrahedra connected through faces at the point
-  std::uint32_t part;    // of the link: regions that touch, as one of them
-  std::uint32_t fan;     // of triangles glued through the outside
+  std::uint32_t region;  // region of the link's inside: tetrahedra connected through faces at the point
+  std::uint32_t part;    // part of the link: regions that touch are one part
+  std::uint32_t fan;     // fan of triangles glued through the outside
 };
 
 /// Visits one point after the other, and joins the regions that are connected at it.
@@ -99,7 +99,7 @@ class AtPoints {
   template <typename Next>
   std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
-    constexpr std::size_t few = 16;  // are compared faster than searched
+    constexpr std::size_t few = 16;  // fewer corners are compared faster than searched
     next_.resize(corners.size());
     fan_.assign(corners.size(), unseen);
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -11,9 +11,9 @@ namespace rbpa::space {
 namespace {
 
 constexpr std::uint32_t no_corner = 0xffffffff;
-constexpr float impossible = 8;  // turn
+constexpr float impossible = 8;  // a turn greater than any
 
-/// A triangle of places.
+/// A triangle of places: its unit normal and area.
 struct Facet {
   Vector unit;
   double area;

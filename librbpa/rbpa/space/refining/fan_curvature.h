@@ -23,7 +23,7 @@ inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 struct CornerWeights {
   double to_a = 0, to_b = 0;  ///< half cotangents of the angles at b and at a
   double area = 0;            ///< its length is twice the triangle's area
-  Vector normal{};            ///< twice the triangle's area long
+  Vector normal{};            ///< its length is twice the triangle's area
 
   CornerWeights(const Vector& v, const Vector& a, const Vector& b) : normal(cross(minus(a, v), minus(b, v))) {
     const double twice = length(normal);

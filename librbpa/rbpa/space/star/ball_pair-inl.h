@@ -1,8 +1,9 @@
 // What: the two balls of the radius that touch v, p and q: the circles of p and q cross at their centers, on the sphere
 //       of centers around v. For one pair of points, or for as many pairs as a vector has lanes.
 // Law:  centers come with a bound of their error. docs/surface_derivation.md, sections 6 and 7.
-// How:  relative to v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are (p² (q × n) + q² (n × p) ± √D n) /
-//       2n²:
+// How:  relative to v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are
+//
+//           (p² (q × n) + q² (n × p) ± √D n) / 2n²
 //
 //               n
 //               ↑     · left: on (v, p, q)
@@ -94,7 +95,7 @@ class BallPair {
   V nn_, product_, whole_, clearance_;  // n², p²q², 4r²n² and D
 };
 
-/// The two balls that rest on v, p and q: where the circles of p and q cross.
+/// The two balls that rest on v, p and q. The circles of p and q cross at their centers.
 struct Crossing {
   Vector3<double> left{}, right{};  // centers of the balls on (v, p, q) and (v, q, p)
   double error = 0;

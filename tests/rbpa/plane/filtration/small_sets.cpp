@@ -25,7 +25,7 @@ const std::vector<SmallSet>& small_sets() {
         {"triangular lattice", triangular_lattice(7)},
         {"circle", integer_circle(65)},
         {"two circles", integer_concentric(25, false)},
-        {"two circles and their centre", integer_concentric(25, true)},
+        {"two circles and their center", integer_concentric(25, true)},
         {"two rounded circles", rounded_concentric(20)},
         {"rectangles", rectangles_of_circumradius_5(5)},
         {"triangles 3 4 5", triangles_3_4_5(4, 3)},
