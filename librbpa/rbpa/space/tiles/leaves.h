@@ -45,7 +45,7 @@ struct CellGrid {
 
  private:
   static int floor_of(double value) {
-    // Without a function call: conversion rounds towards 0.
+    // Without a function call: conversion rounds toward 0.
     constexpr double limit = farthest;
     const double bounded = value < -limit ? -limit : value > limit ? limit : value;
     const int whole = static_cast<int>(bounded);
