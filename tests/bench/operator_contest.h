@@ -20,8 +20,7 @@ namespace meshops_bench {
 /// compared.
 struct Shape {
   std::size_t vertices = 0, edges = 0, faces = 0;
-  std::uint64_t triangles =
-      0;  ///< sum of the hashes of all triangles, which depend on direction but not on the first corner
+  std::uint64_t triangles = 0;  ///< sum of hashes, which depend on direction but not on the first corner
 
   void add_triangle(Corners corners) {
     ++faces;

@@ -9,10 +9,10 @@ namespace rbpa_test {
 struct CgalSolid {
   std::size_t faces = 0;
   bool closed = false;  ///< there is no border
-  bool crosses_itself =
-      false;  ///< two faces share more than a vertex or an edge; vertices at one place count as a crossing
-  bool bounds_a_volume =
-      false;  ///< faces are oriented so that each component bounds it from the right side; false where it is open
+  /// Two faces share more than a vertex or an edge; vertices at one place count as a crossing.
+  bool crosses_itself = false;
+  /// Faces are oriented so that each component bounds a volume from the right side; false if one is open.
+  bool bounds_a_volume = false;
 };
 
 /// Reads an OFF file, without any repair. Throws std::runtime_error when its faces are no oriented manifold.

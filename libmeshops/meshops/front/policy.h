@@ -59,12 +59,12 @@ class Proposal {
   bool is_deferred_ = false;
 };
 
-/// Methods such as ball pivoting in the plane and in space, or classical advancing-front meshing, are policies: the
-/// policy decides geometry, the engine decides topology. A policy has two functions:
-///   seed(front)        the sites of a triangle that begins a component or touches the mesh, counter-clockwise; nothing
-///                      when there is none left
-///   propose(front, h)  the site at the apex of the triangle to attach to the boundary halfedge h, on its left; nothing
-///                      to freeze it; or another Proposal
+/// Policy of an advancing front: it decides geometry, the engine decides topology. Methods such as ball pivoting in the
+/// plane and in space, or classical advancing-front meshing, are policies. A policy has two functions:
+///   seed(front)        returns the sites of a triangle that begins a component or touches the mesh, counter-clockwise;
+///                      nothing when there is none left
+///   propose(front, h)  returns the site at the apex of the triangle to attach to the boundary halfedge h, on its left;
+///                      nothing to freeze it; or another Proposal
 /// The numbers that follow the last site, front.sites() and so on, stand for new sites, which are added together with
 /// the triangle: this is how a policy places points. A triangle that the front refuses (Front::attach_blocker) is not
 /// attached: the edge is frozen, and the visitor is called.

@@ -14,7 +14,7 @@ enum class GlueCase {
   join,         ///< edges on two components, which become one
   split_curve,  ///< edges on one curve, not adjacent: the curve becomes two
   handle,       ///< edges on two curves of one component: a handle is made
-  zip,          ///< adjacent edges of one curve: the vertex between them turns inner
+  zip,          ///< adjacent edges of one curve: the vertex between them becomes inner
   close         ///< the last two edges of a curve: the curve vanishes
 };
 

@@ -79,10 +79,10 @@ class MESHOPS_API History {
     });
   }
 
-  std::size_t steps() const { return done_.size(); }  ///< number of steps that undo() can undo
-  std::size_t undone_steps() const {
-    return undone_.size();
-  }  ///< number of steps that redo() can redo: 0 after another step
+  /// Returns the number of steps that undo() can undo.
+  std::size_t steps() const { return done_.size(); }
+  /// Returns the number of steps that redo() can redo: 0 after another step.
+  std::size_t undone_steps() const { return undone_.size(); }
   /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation.
   void undo();
   /// Performs again the step that was undone last. Requires: undone_steps() > 0. Throws ContractViolation.

@@ -42,9 +42,8 @@ class MESHOPS_API AssembledPatches {
   Connectivity& mesh_;
   ElementCounts counts_;
   SiteVertices vertices_;
-  std::vector<Halfedge> open_;  // boundary halfedges beyond which a further patch could lie
-  std::vector<std::array<int, 2>>
-      holes_;  // ranges of edges; halfedge 1 of each is a boundary halfedge beyond which nothing lies
+  std::vector<Halfedge> open_;             // boundary halfedges beyond which a further patch could lie
+  std::vector<std::array<int, 2>> holes_;  // ranges of edges; nothing lies beyond halfedge 1 of each
 };
 
 }  // namespace meshops

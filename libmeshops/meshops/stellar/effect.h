@@ -16,8 +16,7 @@ namespace meshops {
 /// with two edges and one face.
 struct StarElements {
   Vertex vertex{};
-  std::array<Edge, 3> edge = {Edge(), Edge(),
-                              Edge()};  ///< the first is the edge along which the operator splits or welds
+  std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};  ///< first the edge along which the operator splits or welds
   std::array<Face, 2> face = {Face(), Face()};
   bool at_boundary = false;  ///< if so, the last edge and the last face are invalid
 

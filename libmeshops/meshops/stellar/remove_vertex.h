@@ -1,5 +1,5 @@
 // What:   the operator that removes a vertex and fills its star with triangles again.
-// Law:    equals the collapse of the first halfedge of the vertex that can be collapsed.
+// Law:    the removal equals the collapse of the first halfedge of the vertex that can be collapsed.
 // Source: Lewiner et al., section on stellar operators.
 #pragma once
 

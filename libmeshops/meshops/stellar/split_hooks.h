@@ -1,6 +1,7 @@
 // What: functions that a split calls as soon as the new elements are linked: they place the new vertex and fill in the
 //       properties of new elements. The links do not depend on them.
-// Law:  a hook that throws leaves the mesh as it was before the split, in every record and property.
+// Law:  a hook that throws leaves the mesh as it was before the split, in every record and property, except those of
+//       old elements that the hook itself wrote.
 #pragma once
 
 #include <concepts>

@@ -15,8 +15,8 @@ namespace meshops {
 /// Part of a given soup.
 struct SoupPart {
   PolygonSoup soup;
-  std::vector<std::uint32_t> point_was;  ///< of each point: its number in the given soup; ascending
-  std::vector<std::size_t> face_was;     ///< of each face: its number in the given soup; ascending
+  std::vector<std::uint32_t> point_was;  ///< for each point: its number in the given soup; ascending
+  std::vector<std::size_t> face_was;     ///< for each face: its number in the given soup; ascending
 };
 
 /// Returns the kept faces, in their old order, and the points that are corners of them.

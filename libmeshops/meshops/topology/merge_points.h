@@ -17,9 +17,8 @@ namespace meshops {
 struct MergedPoints : SoupPart {  ///< for points that became one, point_was has the least
   std::size_t merged = 0;         ///< number of points that were removed
   std::size_t corners = 0;        ///< number of repeated corners that were removed from remaining faces
-  std::size_t degenerate =
-      0;  ///< number of faces removed because fewer than three corners are left, or one point is there twice
-  std::size_t duplicate = 0;  ///< number of faces removed because they repeat an earlier one, in either direction
+  std::size_t degenerate = 0;     ///< number of removed faces with fewer than three corners left, or one point twice
+  std::size_t duplicate = 0;      ///< number of removed faces that repeat an earlier one, in either direction
 };
 
 /// Merges points with the same value of `least`. Points without a face stay.

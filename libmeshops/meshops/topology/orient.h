@@ -26,13 +26,14 @@ struct Orientation {
   static constexpr std::uint32_t none = ~0U;
 
   std::vector<SurfacePiece> pieces;  ///< in the order of their first faces
-  std::vector<std::uint32_t>
-      piece;  ///< of each face; none: it is degenerate, a duplicate, or has a corner out of range
-  std::vector<bool>
-      reversed;  ///< of each face; of a piece that is not orientable none. When it is even, the first face of a
-                 ///< piece is not
+  /// For each face, its piece; `none` if it is degenerate, a duplicate, or has a corner out of range.
+  std::vector<std::uint32_t> piece;
+  /// For each face, whether to reverse it. No face of a piece that is not orientable is reversed, and in a tie the first
+  /// face of a piece is not.
+  std::vector<bool> reversed;
 };
 
+/// Finds the pieces of a soup, and the faces to reverse.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Orientation orient(const PolygonSoup& soup, const GoOn& go_on = {});
 

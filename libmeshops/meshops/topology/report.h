@@ -51,11 +51,10 @@ struct TopologyReport {
   std::size_t components = 0;        ///< parts connected in any way; an isolated point is one
   std::size_t solid_components = 0;  ///< pieces of surface connected through edges: the size of `per_component`
   std::size_t boundary_curves = 0;   ///< total of all pieces; a curve does not pass through a pinch
-  std::optional<long>
-      genus;  ///< total of all pieces; absent when one is not orientable, or there is a non-manifold edge
-  BettiNumbers betti = {0, 0, 0};              ///< over Z/2, of the whole complex as a space
-  std::size_t pinches = 0;                     ///< points on which several fans stand
-  std::size_t isolated = 0;                    ///< points without a face
+  std::optional<long> genus;       ///< total of all pieces; absent if one is not orientable, or an edge is non-manifold
+  BettiNumbers betti = {0, 0, 0};  ///< over Z/2, of the whole complex as a space
+  std::size_t pinches = 0;         ///< points on which several fans stand
+  std::size_t isolated = 0;        ///< points without a face
   std::vector<ComponentReport> per_component;  ///< in the order of their first faces
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }

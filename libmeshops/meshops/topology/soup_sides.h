@@ -17,9 +17,8 @@ namespace meshops::detail {
 enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate };
 
 struct FaceFaults {
-  std::vector<FaceFault> of;  ///< for each face, the first fault that applies
-  std::vector<std::size_t>
-      repeats;  ///< for each face: the earlier face that a duplicate repeats; empty without duplicates
+  std::vector<FaceFault> of;         ///< for each face, the first fault that applies
+  std::vector<std::size_t> repeats;  ///< for each face: the earlier face that it repeats; empty without duplicates
 };
 
 /// Finds the faults of all faces. Throws: ContractViolation as require_parted(), and when the soup is too large for

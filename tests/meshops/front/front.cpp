@@ -185,8 +185,8 @@ TEST_SUITE("front") {
     REQUIRE(fans == 2);
     REQUIRE(front.site(Vertex(5)) == added);
     check_sound(mesh);
-    const InsertedTriangle t =
-        front.attach(boundary(front, 2, added), 3);  // between the fans: vertex 6 is merged into the other
+    // Between the fans: vertex 6 is merged into the other.
+    const InsertedTriangle t = front.attach(boundary(front, 2, added), 3);
     CHECK(t.merged == 1);
     CHECK(t.left_over[0] == Vertex(6));
     fans = 0;
