@@ -82,14 +82,14 @@ std::optional<SurfaceArguments> parse_surface(int argc, char** argv) {
         "usage: %s [OPTIONS]\n"
         "  --points=N              1000000\n"
         "  --runs=N                5\n"
-        "  --slow                  the sets instead on which a point may cost more: lines, outliers, a street, a grid\n"
-        "  --set=NAME              the contests of this set only, such as street\n"
-        "  --radius=2              the contests of this radius only, in spacings: 1, 2 or 4\n"
-        "  --growth=N              a sphere of 100000 points, twice as many and so on up to N as well\n"
-        "  --patience=S            60; who has taken longer is not run again in a contest\n"
-        "  --by-processor          seconds are those of the processor, of all threads\n"
-        "  --cold                  each run in a process of its own\n"
-        "  --without-engine        leaves out the policy on the engine, which is slower\n"
+        "  --slow                  measure the sets on which a point may cost more: lines, outliers, a street, a grid\n"
+        "  --set=NAME              measure only this set, such as street\n"
+        "  --radius=2              measure only this radius, in spacings: 1, 2 or 4\n"
+        "  --growth=N              also measure spheres of 100000 points, twice as many, and so on up to N\n"
+        "  --patience=S            60; a contestant that took longer is not run again in a contest\n"
+        "  --by-processor          measure processor seconds, of all threads\n"
+        "  --cold                  run each contestant in a process of its own\n"
+        "  --without-engine        leave out the policy on the engine, which is slower\n"
         "  --program NAME=COMMAND  COMMAND has {in}, {out} and may have {radius} (tests/bench/surface_contest.h)\n",
         argv[0], why.c_str(), argv[0]);
     return std::nullopt;

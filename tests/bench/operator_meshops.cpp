@@ -106,7 +106,7 @@ std::vector<Entry> meshops_entries(Operation operation) {
                [](const Task& task) {
                  return at_sites(mesh_of(task), task, edge_of, [](TriMesh& m, Edge e) { meshops::flip(m, e); });
                }},
-              {"meshops, asked first",
+              {"meshops, blocker first",
                [](const Task& task) {
                  return at_sites(mesh_of(task), task, edge_of, [](TriMesh& m, Edge e) {
                    if (!meshops::flip_blocker(m, e)) meshops::flip(m, e);
@@ -122,7 +122,7 @@ std::vector<Entry> meshops_entries(Operation operation) {
                  return at_sites(mesh_of(task), task, halfedge_of,
                                  [](TriMesh& m, Halfedge h) { meshops::collapse(m, h); });
                }},
-              {"meshops, asked first",
+              {"meshops, blocker first",
                [](const Task& task) {
                  return at_sites(mesh_of(task), task, halfedge_of, [](TriMesh& m, Halfedge h) {
                    if (!meshops::collapse_blocker(m, h)) meshops::collapse(m, h);

@@ -43,8 +43,8 @@ std::optional<ReportArguments> parse_report(int argc, char** argv) {
         "  --points=N            1000000\n"
         "  --trap-points=N       100000; 0 for no traps\n"
         "  --runs=N              5\n"
-        "  --threads=1,2         of rbpa, 0 for all; the first is what others are compared with; 1,2\n"
-        "  --large               sixteen times as many points as well\n"
+        "  --threads=1,2         threads of rbpa, 0 for all; others are compared with the first\n"
+        "  --large               also measure sixteen times the points\n"
         "  --check               compare sets of triangles, not only their numbers\n"
         "  --peer NAME=COMMAND   COMMAND IN OUT reads float64 pairs, writes uint32 triples (tests/bench/peer.h)\n",
         argv[0], given.c_str(), argv[0]);

@@ -62,19 +62,19 @@ std::optional<StreamArguments> parse_stream(int argc, char** argv) {
                  "%s: found '%s'\n"
                  "usage: %s [OPTIONS]\n"
                  "  --points=N         10M; K, M and G are thousands, millions and billions\n"
-                 "  --in-memory=N      20M; at most so many points in the run that has all in memory, 170 bytes each\n"
-                 "  --memory=SIZE      1G; of rbpa stream\n"
+                 "  --in-memory=N      20M; largest number of points for the run in memory, 170 bytes each\n"
+                 "  --memory=SIZE      1G; memory of rbpa stream\n"
                  "  --alpha=SPACINGS   2\n"
                  "  --threads=N        2\n"
-                 "  --files=N          8; into which the input is divided\n"
+                 "  --files=N          8; number of files of the input\n"
                  "  --input=FORMAT     f64xy, or npy\n"
                  "  --ground=KIND      jittered, or uniform\n"
                  "  --seed=N           1\n"
                  "  --target=FORMAT    geojson; or wkt, or npy for all triangles\n"
-                 "  --scratch=DIR      .; where input, tiles and output are\n"
+                 "  --scratch=DIR      .; folder for input, tiles and output\n"
                  "  --trace=FILE.csv   memory and disk over time\n"
                  "  --program=PATH     rbpa, beside this program\n"
-                 "  --keep             leave the input in the scratch; it is taken again where it is the same\n",
+                 "  --keep             keep the input in the scratch folder for another run\n",
                  argv[0], argv[i], argv[0]);
     return std::nullopt;
   }

@@ -76,7 +76,7 @@ Size size_with_fans_apart(const std::vector<Triangle>& triangles) {
 
 std::string wrong_vertices(const rbpa::SolidAlphaComplex& complex, std::span<const rbpa::Point> points,
                            const std::vector<std::uint32_t>& lowest) {
-  if (complex.input_index.size() != complex.mesh.n_vertices()) return "input_index has not one entry per vertex";
+  if (complex.input_index.size() != complex.mesh.n_vertices()) return "input_index does not have one entry per vertex";
   for (const auto vertex : complex.mesh.vertices()) {
     const auto v = static_cast<std::size_t>(vertex.idx());
     const std::uint32_t index = complex.input_index[v];

@@ -76,7 +76,7 @@ std::string wrong_with_polygons(const std::vector<rbpa::Polygon>& polygons, cons
     const rbpa::Polygon& polygon = polygons[k];
     if (k > 0 && !(key(polygons[k - 1].shell, points) < key(polygon.shell, points))) return "polygons out of order";
     const auto first = components.boundary.find({polygon.shell.points[0], polygon.shell.points[1]});
-    if (first == components.boundary.end()) return "a shell begins with an edge that is none of the boundary";
+    if (first == components.boundary.end()) return "a shell begins with an edge that is not on the boundary";
     const std::size_t component = first->second;
     if (static_cast<long>(polygon.holes.size()) != components.holes[component])
       return std::to_string(polygon.holes.size()) + " holes, expected " + std::to_string(components.holes[component]);
@@ -91,7 +91,7 @@ std::string wrong_with_polygons(const std::vector<rbpa::Polygon>& polygons, cons
       const auto& ring = rings[r]->points;
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const auto edge = components.boundary.find({ring[i], ring[(i + 1) % ring.size()]});
-        if (edge == components.boundary.end()) return "an edge of a ring is none of the boundary, or on two rings";
+        if (edge == components.boundary.end()) return "an edge of a ring is not on the boundary, or is on two rings";
         if (edge->second != component) return "a polygon has edges of two components";
         components.boundary.erase(edge);
       }

@@ -285,7 +285,7 @@ Fit Front::find_glued(Fit fit, Glues glues) const {
   by_sites().find_sides(fit, [&](Halfedge h, Site apex) {
     const bool yes = glues(h, apex);
     guard_.require_intact();
-    require(revision() == fit.revision_, "fit: glues() changed the front while it was asked");
+    require(revision() == fit.revision_, "fit: glues() changed the front during the call");
     return yes;
   });
   return fit;

@@ -13,7 +13,7 @@ void Guard::violated() const {
 void Guard::changed_while_called() const {
   throw ContractViolation(
       caller_ == Caller::policy
-          ? "Front: the policy changed the front while it was asked"
+          ? "Front: the policy changed the front during a call"
           : "Front: the visitor changed the front while it was called, other than activate() and freeze() do");
 }
 

@@ -81,7 +81,7 @@ TEST_SUITE("changed while the policy proposes") {
                                          [](Front& f) { f.finish(); }};
     for (const When when : {When::seed, When::propose, When::key, When::glues})
       for (const Change& change : changes)
-        CHECK(refusal_message(when, change) == "Front: the policy changed the front while it was asked");
+        CHECK(refusal_message(when, change) == "Front: the policy changed the front during a call");
   }
 
   TEST_CASE("a visitor may activate and freeze, and is refused when it does more") {
@@ -92,7 +92,7 @@ TEST_SUITE("changed while the policy proposes") {
               "Front: the visitor changed the front while it was called, other than activate() and freeze() do");
       CHECK(refusal_message(when, [](Front& f) {
               f.freeze(f.boundary_between(f.curves()[0].length() > 3 ? 2 : 1, 0));
-            }) != "Front: the policy changed the front while it was asked");
+            }) != "Front: the policy changed the front during a call");
     }
   }
 
@@ -105,7 +105,7 @@ TEST_SUITE("changed while the policy proposes") {
               front.attach(h, 4);
               return false;
             });
-          }) == "fit: glues() changed the front while it was asked");
+          }) == "fit: glues() changed the front during the call");
     check_sound(mesh);
   }
 

@@ -77,7 +77,7 @@ struct AnyGlues<true> : AnyAnswers {
   bool glues(const Front& front, Halfedge h, Site apex) {
     if (choices.one_in(400)) throw std::runtime_error("tired of gluing");
     demand(front.is_boundary(h) && apex != front.from_site(h) && apex != front.to_site(h),
-           "asked is of a side on the boundary, and of a triangle");
+           "glues() is called for a boundary halfedge and the apex of a triangle");
     const bool yes = choices.one_in(2);
     ++(yes ? counts.glued : counts.not_glued);
     return yes;
@@ -117,52 +117,52 @@ struct Account : CurveVisitor {
   }
   /// Called after a throw. The events of the last triangle were sent nevertheless.
   void begin_anew(const Front& front) {
-    demand(front.faces() == triangles, "a throw takes no triangle away, and adds none");
-    demand(curves == static_cast<long>(front.curves().size()), "a throw takes no event of a curve away");
+    demand(front.faces() == triangles, "a throw neither adds nor removes a triangle");
+    demand(curves == static_cast<long>(front.curves().size()), "a throw loses no event of a curve");
     refused_at = Halfedge();
   }
 
   void seeded(const Front& front, const InsertedTriangle&) {
     ++counts.seeded;
-    demand(front.faces() == ++triangles, "a seed is a triangle more");
+    demand(front.faces() == ++triangles, "a seed adds a triangle");
     may_throw();
   }
   void attached(const Front& front, Halfedge h, const InsertedTriangle& t) {
     ++counts.attached;
-    demand(front.faces() == ++triangles, "what is attached is a triangle more");
+    demand(front.faces() == ++triangles, "an attached event adds a triangle");
     demand(policy.lists || t.side[0] == h, "an apex is attached at the edge");
     may_throw();
   }
   void deferred(const Front& front, Halfedge h) {
     ++counts.deferred;
-    demand(front.is_active(h) && !front.is_frozen(h), "what is deferred is active");
+    demand(front.is_active(h) && !front.is_frozen(h), "a deferred edge is active");
     may_throw();
   }
   void detached(const Front& front, const DetachedTriangle&) {
     ++counts.detached;
-    demand(front.faces() == --triangles, "what is detached is a triangle less");
+    demand(front.faces() == --triangles, "a detached event removes a triangle");
     may_throw();
   }
   void refused(const Front& front, Halfedge h, const Refusal& refusal) {
     ++counts.refused;
     counts.there += refusal.kind == RefusalKind::triangle_there;
     demand((policy.lists || front.is_boundary(h)) && !describe(refusal).empty(),
-           "refused is something at the front, with a reason");
+           "a refusal names a boundary halfedge and a reason");
     if (front.is_boundary(h)) refused_at = h;
     may_throw();
   }
   void seed_refused(const Front& front, const std::array<Site, 3>& seed, const Refusal& refusal) {
     ++counts.seeds_refused;
     demand(gluing || front.create_blocker(seed[0], seed[1], seed[2]) == refusal,
-           "a seed is refused for what the blocker says");
+           "a seed is refused for the blocker's reason");
     may_throw();
   }
   void frozen(const Front& front, Halfedge h) {
     ++counts.frozen;
-    demand(front.is_frozen(h), "frozen is what the event names");
-    demand(!refused_at.is_valid() || refused_at == h, "an edge where something was refused is frozen next");
+    demand(front.is_frozen(h), "the edge that the event names is frozen");
+    demand(!refused_at.is_valid() || refused_at == h, "after a refusal the edge is frozen next");
     refused_at = Halfedge();
-    demand(curves == static_cast<long>(front.curves().size()), "the events of curves count them");
+    demand(curves == static_cast<long>(front.curves().size()), "the events of curves add up to their number");
     may_throw();
   }
   void curve_begun(const Front&, Halfedge) { ++curves; }
@@ -178,7 +178,7 @@ void check_queue(Front& front) {
     for (const Halfedge h : curve) active += front.is_active(h);
   std::vector<Halfedge> popped;
   for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) popped.push_back(h);
-  demand(popped.size() == active, "what is active after a throw is in the queue, once");
+  demand(popped.size() == active, "each active edge is in the queue once after a throw");
   for (const Halfedge h : popped) front.activate(h);
 }
 
@@ -201,15 +201,15 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
       account.begin_anew(front);
       if (choices.one_in(2)) check_queue(front);
     }
-    demand(validate(mesh).empty(), "the mesh is sound, whatever the policy says");
+    demand(validate(mesh).empty(), "the mesh is sound, whatever the policy returns");
     for (const BoundaryCurve& curve : front.curves())
       for (const Halfedge h : curve)
         demand(front.is_frozen(h) || (thrown && front.is_active(h)),
-               "all is frozen at the end; or active, if it threw");
+               "every edge is frozen at the end, or active after a throw");
     if (!thrown || choices.one_in(2)) front.next_level();
   }
   front.finish();
-  demand(validate(mesh).empty(), "what finish() leaves is sound");
+  demand(validate(mesh).empty(), "the mesh is sound after finish()");
 }
 
 template <Order order>

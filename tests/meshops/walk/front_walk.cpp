@@ -127,8 +127,8 @@ class FrontWalk {
     const bool by_map = choices_.one_in(2);
     log(by_map ? "begin anew by map" : "begin anew");
     std::vector<Site> site_of = front_->finish();
-    demand(validate(*mesh_).empty(), "what finish() leaves is sound");
-    demand(site_of.size() == mesh_->n_vertices(), "finish() tells the site of each vertex");
+    demand(validate(*mesh_).empty(), "the mesh is sound after finish()");
+    demand(site_of.size() == mesh_->n_vertices(), "finish() returns the site of each vertex");
     begin_on_mesh(by_map ? site_of : std::vector<Site>{});
     check();
   }
@@ -175,14 +175,14 @@ class FrontWalk {
       operate();
       return true;
     }
-    demand(against.contains(blocker->kind), "the reason of a refusal is one");
-    demand(!describe(*blocker).empty(), "a refusal has words");
+    demand(against.contains(blocker->kind), "the reason of a refusal is one of the model's");
+    demand(!describe(*blocker).empty(), "a refusal has a text");
     ++counts_.refused[index(blocker->kind)];
     const std::vector<int> before = snapshot(*mesh_);
     try {
       operate();
     } catch (const ContractViolation& violation) {
-      demand(std::string(violation.what()).ends_with(describe(*blocker)), "what is thrown says the blocker's reason");
+      demand(std::string(violation.what()).ends_with(describe(*blocker)), "the exception has the blocker's reason");
       demand(snapshot(*mesh_) == before, "a refusal leaves the mesh as it was");
       return false;
     }
@@ -202,7 +202,7 @@ class FrontWalk {
     log("attach " + std::to_string(h.idx()) + " to " + std::to_string(apex));
     InsertedTriangle inserted;
     if (!goes(against, front_->attach_blocker(h, apex), [&] { inserted = front_->attach(h, apex); })) return;
-    demand(inserted.side[0] == h, "the halfedge is the first side of what is attached");
+    demand(inserted.side[0] == h, "the halfedge is the first side of the attached triangle");
     ++counts_.attached;
     added(corners, inserted);
   }
@@ -220,7 +220,7 @@ class FrontWalk {
   void added(const Corners3& corners, const InsertedTriangle& inserted) {
     counts_.joined_fans += static_cast<std::size_t>(inserted.merged);
     model_->add(corners);
-    demand(cycle(inserted.face) == canonical({corners.begin(), corners.end()}), "the face has the corners asked for");
+    demand(cycle(inserted.face) == canonical({corners.begin(), corners.end()}), "the face has the requested corners");
     for (unsigned i = 0; i < 3; ++i)
       demand(front_->from_site(inserted.side[i]) == corners[i], "the sides begin at the corners, in order");
     check();
@@ -243,7 +243,8 @@ class FrontWalk {
     model_->remove(face);
     for (unsigned i = 0; i < 3; ++i) {
       const Arrow side{detached.corners[i], detached.corners[(i + 1) % 3]};
-      demand(detached.side[i].is_valid() == model_->boundary().contains(side), "a side that was glued is boundary now");
+      demand(detached.side[i].is_valid() == model_->boundary().contains(side),
+             "a side that was glued is on the boundary now");
       if (detached.side[i].is_valid())
         demand(front_->boundary_between(side.first, side.second) == detached.side[i],
                "the halfedge is the returned one");
@@ -273,10 +274,10 @@ class FrontWalk {
     const auto& boundary = model_->boundary();
     const bool dry =
         std::none_of(boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::active; });
-    demand(h.is_valid() == !dry, "pop() gives an active halfedge as long as there is one");
+    demand(h.is_valid() == !dry, "pop() returns an active halfedge as long as there is one");
     if (!h.is_valid()) return;
     const Arrow arrow{front_->from_site(h), front_->to_site(h)};
-    demand(boundary.at(arrow) == State::active, "what is popped was active");
+    demand(boundary.at(arrow) == State::active, "a popped halfedge was active");
     model_->set(arrow, State::popped);
     check();
   }
@@ -295,14 +296,14 @@ class FrontWalk {
     const auto frozen = static_cast<std::size_t>(
         std::count_if(boundary.begin(), boundary.end(), [](const auto& side) { return side.second == State::frozen; }));
     const LevelTransfer transfer = front_->next_level();
-    demand(transfer.carried == model_->carried(), "carried is what is free or on the boundary");
-    demand(transfer.reactivated == frozen, "all that was frozen wakes");
+    demand(transfer.carried == model_->carried(), "carried sites are those that are free or on the boundary");
+    demand(transfer.reactivated == frozen, "all frozen halfedges become active");
     std::set<Site> behind;
     for (Site s = 0; s < model_->sites(); ++s)
       if (model_->is_closed(s)) behind.insert(s);
     const auto fresh = static_cast<std::size_t>(
         std::count_if(behind.begin(), behind.end(), [&](Site s) { return !behind_.contains(s); }));
-    demand(transfer.left_behind >= fresh, "what has turned inner is left behind");
+    demand(transfer.left_behind >= fresh, "sites that became inner are left behind");
     behind_ = behind;
     model_->next_level();
     check();
@@ -340,7 +341,7 @@ class FrontWalk {
            "site() knows its vertices");
     const bool in_use = h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_->n_halfedges();
     if (!in_use) demand(throws([&] { (void)front_->from_site(h); }), "from_site() knows its halfedges");
-    demand(!front_->is_active(h) || in_use, "no halfedge is active that is not there");
+    demand(!front_->is_active(h) || in_use, "no halfedge is active that does not exist");
   }
 
   void check() {
@@ -357,11 +358,11 @@ class FrontWalk {
         const Cycle face = cycle(Face(f));
         faces.insert(face);
         ++count;
-        demand(front_->level(Face(f)) == model_->level(face), "a face is of the level at which it was inserted");
+        demand(front_->level(Face(f)) == model_->level(face), "a face has the level at which it was inserted");
       }
     demand(faces == model_->faces() && count == faces.size(), "the mesh has the faces of the model");
-    demand(front_->faces() == count, "faces() counts them");
-    demand(front_->level() == model_->level(), "level() counts transfers");
+    demand(front_->faces() == count, "faces() returns their number");
+    demand(front_->level() == model_->level(), "level() returns the number of transfers");
     if (!has_spare_) demand(validate(*mesh_).empty(), "the mesh is sound");
   }
 
@@ -377,8 +378,8 @@ class FrontWalk {
       ++boundary;
       const auto found = model_->boundary().find({front_->from_site(h), front_->to_site(h)});
       demand(found != model_->boundary().end(), "a boundary halfedge is one of the model");
-      demand(front_->is_active(h) == (found->second == State::active), "active is what the model has active");
-      demand(front_->is_frozen(h) == (found->second == State::frozen), "frozen is what the model has frozen");
+      demand(front_->is_active(h) == (found->second == State::active), "the active halfedges are those of the model");
+      demand(front_->is_frozen(h) == (found->second == State::frozen), "the frozen halfedges are those of the model");
     }
     demand(boundary == model_->boundary().size(), "each boundary arrow of the model has a halfedge");
     demand(front_->edges() == edges.size(), "between two sites there is at most one edge");
@@ -402,17 +403,19 @@ class FrontWalk {
     });
     demand(fans == model_->fans(s) && count == fans.size(), "a site has a vertex for each of its fans");
     counts_.pinches += count > 1;
-    if (model_->exists(s)) demand(front_->is_free(s) == model_->is_free(s), "is_free() is what the model says");
-    demand(front_->is_on_boundary(s) == open, "is_on_boundary() is what the fans say");
+    if (model_->exists(s)) demand(front_->is_free(s) == model_->is_free(s), "is_free() agrees with the model");
+    demand(front_->is_on_boundary(s) == open, "is_on_boundary() agrees with the fans");
     const Site t = below(choices_, static_cast<std::uint32_t>(model_->sites()));
     const Halfedge h = front_->edge_between(s, t);
     demand(h.is_valid() == (model_->has_side({s, t}) || model_->has_side({t, s})), "edge_between() finds every edge");
-    if (h.is_valid()) demand(front_->from_site(h) == s && front_->to_site(h) == t, "and in the right direction");
+    if (h.is_valid())
+      demand(front_->from_site(h) == s && front_->to_site(h) == t, "the halfedge has the right direction");
     demand(front_->edges_between(s, t) == (h.is_valid() ? std::vector{h} : std::vector<Halfedge>{}),
            "edges_between() finds the same");
     const Halfedge in = front_->boundary_between(s, t);
     demand(in.is_valid() == model_->boundary().contains({s, t}), "boundary_between() finds every boundary halfedge");
-    if (in.is_valid()) demand(front_->from_site(in) == s && front_->to_site(in) == t, "and in the right direction");
+    if (in.is_valid())
+      demand(front_->from_site(in) == s && front_->to_site(in) == t, "the halfedge has the right direction");
   }
 
   Choices& choices_;

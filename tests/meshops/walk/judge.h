@@ -55,7 +55,7 @@ class Judge {
     blocker_ = blocker;
     try {
       auto effect = operate();
-      if (blocker) fail("was done in spite of: " + *blocker);
+      if (blocker) fail("was done although the blocker returned: " + *blocker);
       return effect;
     } catch (const ContractViolation& violation) {
       if (!blocker) fail("was refused without a blocker: " + std::string(violation.what()));
@@ -101,7 +101,7 @@ class Judge {
     check_sound();
     Model back(mesh_);
     if (const std::string bad = badness(back, {}); !bad.empty()) fail("was done, but is bad: " + bad);
-    if (const std::string bad = apply(back); !bad.empty()) fail("left what cannot be done again: " + bad);
+    if (const std::string bad = apply(back); !bad.empty()) fail("left a mesh on which it cannot be repeated: " + bad);
     if (!(back == before_)) fail("is not the inverse");
     ++tally_[name_].done;
     return true;

@@ -42,7 +42,7 @@ void Walk::take_glue_back() {
     return at_start == -2 || at_end == -2 || (at_start == at_end && at_start >= 0) ? "other ends" : "";
   }();
   const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
-  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
+  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be undone at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { meshops::unglue(mesh_, effect); },
       [&](Model& model) { return by_definition::glue(model, h, effect.removed.idx()); });
@@ -98,7 +98,7 @@ void Walk::take_weld_back() {
                                                                                                    : "another vertex";
   }();
   const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
-  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
+  if (is_fresh && on_ == On::manifolds && !reason.empty()) judge_.fail("cannot be undone at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { undo(mesh_, effect); },
       [&](Model& model) { return by_definition::collapse(model, effect.halfedge.idx()); });
@@ -119,7 +119,7 @@ void Walk::take_flip_back() {
   std::string reason = by_definition::flip(expected, effect.edge.idx(), true);
   if (reason.empty()) reason = expected.broken();
   const bool is_fresh = !is_made_up && judge_.records() == remembered.after;
-  if (is_fresh && !reason.empty()) judge_.fail("cannot be done at once: " + reason);
+  if (is_fresh && !reason.empty()) judge_.fail("cannot be undone at once: " + reason);
   const bool done = judge_.compare_back(
       reason, [&] { undo(mesh_, effect); },
       [&](Model& model) { return by_definition::flip(model, effect.edge.idx()); });

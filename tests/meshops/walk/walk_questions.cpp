@@ -45,7 +45,7 @@ void Walk::ask() {
   allow_refusal([&] { source(a, DualGraph(mesh_)); });
   allow_refusal([&] {
     const GlueCase what = glue_case(mesh_, b, c);
-    if (glue_blocker(mesh_, b, c)) judge_.fail("glue_case answers what has no answer");
+    if (glue_blocker(mesh_, b, c)) judge_.fail("glue_case returned a case for halfedges that cannot be glued");
     Model glued = judge_.before();
     by_definition::glue(glued, b.idx(), c.idx());
     if (on_ == On::manifolds && !(glued.counts() == judge_.before().counts() + delta_of(what)))
@@ -53,7 +53,7 @@ void Walk::ask() {
   });
   allow_refusal([&] {
     unglue_case(mesh_, a);
-    if (unglue_blocker(mesh_, a)) judge_.fail("unglue_case answers what has no answer");
+    if (unglue_blocker(mesh_, a)) judge_.fail("unglue_case returned a case for a halfedge that cannot be unglued");
   });
   TopologyTracker tracker(mesh_);
   allow_refusal([&] { tracker.in_same_component(v, arguments_.vertex()); });
