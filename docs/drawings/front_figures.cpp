@@ -124,7 +124,7 @@ std::string level_transfer() {
     places.push_back(polar(137.508 * i, 0.15 * std::pow(i, 0.7)));
     points.push_back({places.back().x, places.back().y});
   }
-  Sheet sheet("Two levels: the boundary and the free points go on, the interior is left behind", 50, 300);
+  Sheet sheet("Two levels: boundary and free points are carried to the next, the interior is left behind", 50, 300);
   Mesh mesh;
   Front front(mesh, places.size());
   meshops::FrontVisitor silent;

@@ -1,10 +1,10 @@
-"""The Python package against the C++ call, against SciPy and a filter in NumPy, and against GEOS' concave hull.
+"""Compares the Python package with the C++ call, with SciPy and a filter in NumPy, and with GEOS' concave hull.
 
 usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--processor]
                                      [--plot FILE.png] [--markdown]
 
-Contestants take turns, so that what disturbs the machine disturbs all; the median of the runs counts. With --processor the
-seconds are those of the processor, of all threads together, which others at work disturb less.
+Contestants take turns, so that other work on the machine affects all of them; the median of the runs counts. With
+--processor, processor seconds of all threads are measured, which other work affects less.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--points", type=int, default=1_000_000)
     arguments.add_argument("--runs", type=int, default=5)
-    arguments.add_argument("--threads", type=int, default=0, help="of rbpa; 0: all processors")
+    arguments.add_argument("--threads", type=int, default=0, help="threads of rbpa; 0: all processors")
     arguments.add_argument("--processor", action="store_true")
     arguments.add_argument("--plot")
     arguments.add_argument("--markdown", action="store_true")
