@@ -36,7 +36,7 @@ class SpaceScene {
   constructor(canvas, data) {
     this.canvas = canvas;
     this.data = data;
-    this.gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    this.gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
     if (this.gl === null) throw new Error("no WebGL 2");
     const nothing = () => ({ corners: new Uint32Array(0), count: 0, visible: false, color: [0, 0, 0] });
     const size = data.walls.corners.length;
