@@ -40,7 +40,7 @@ struct ReverseMap {
 
 }  // namespace meshops
 
-// Boost looks up the types of the maps that get() returns here.
+// Boost looks here for the types of the maps that get() returns.
 namespace boost {
 template <typename Kind, typename Direction>
 struct property_map<meshops::GraphView<Kind, Direction>, vertex_index_t> {
