@@ -26,10 +26,10 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                       const Point3& q);
 
-/// Returns whether q is inside, for points of any size.
+/// Returns whether q is inside the perturbed sphere, for points of any size. Requirements as for in_sphere_on_grid().
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// Returns whether q is inside, first by a floating-point filter (docs/solid_triples.md).
+/// Returns in_sphere_exactly(), after trying a floating-point filter (docs/solid_triples.md).
 bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 /// Decides the tests that the filter of sphere_minors.h leaves open: by the value itself where it has no error, else by

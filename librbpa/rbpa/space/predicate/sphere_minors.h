@@ -82,8 +82,7 @@ inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, d
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// Returns the error bound where one corner is at infinity. The length of that spoke is 0; it stands for the length to
-/// infinity.
+/// Returns the error bound where one corner is at infinity. Requires: its spoke is Spoke::to_infinity(), of length 0.
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length;
   // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.
