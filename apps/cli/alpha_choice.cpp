@@ -84,16 +84,11 @@ AlphaChoice parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for) 
   AlphaChoice choice = parse_choice(arguments);
   if (choice.rule == AlphaRule::column && chosen_for != ChosenFor::groups)
     throw WrongUsage("--alpha: found " + in_quotes(*arguments.alpha) + ", expected " + std::string(alphas) +
-                     "; a column has radii of groups (rbpa shape --group-by)");
-  const auto found = [&] {
-    if (arguments.squared) return "--alpha-squared " + *arguments.squared;
-    if (arguments.inverse) return "--alpha-inverse " + *arguments.inverse;
-    return "--alpha " + *arguments.alpha;
-  };
+                     " (column:NAME applies only to groups, as in rbpa shape --group-by)");
   if (arguments.components && choice.rule != AlphaRule::automatic)
-    throw WrongUsage("--components: found " + found() + ", expected --alpha auto, which is what it is about");
+    throw WrongUsage("--components applies only to --alpha auto");
   if (arguments.cover && choice.rule != AlphaRule::automatic && choice.rule != AlphaRule::least)
-    throw WrongUsage("--cover: found " + found() + ", expected --alpha auto or min, which are what it is about");
+    throw WrongUsage("--cover applies only to --alpha auto or min");
   if (arguments.components) choice.max_components = parse_components(*arguments.components);
   if (arguments.cover) choice.cover = parse_cover(*arguments.cover);
   return choice;
@@ -145,8 +140,8 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   line.reset();  // nothing may be said beside it
   if (found.empty()) return std::nullopt;
   if (choice.rank > found.size())
-    throw WrongUsage("--alpha " + name_of(choice) + ": found " + counted(found.size(), "plateau") +
-                     ", expected a rank that there is (rbpa alpha POINTS shows them)");
+    throw WrongUsage("--alpha " + name_of(choice) + (found.size() == 1 ? ": there is only " : ": there are only ") +
+                     counted(found.size(), "plateau") + " (rbpa alpha POINTS lists them)");
   if (!found.front().is_long && !run.quiet)
     say("rbpa", "--alpha " + name_of(choice) +
                     ": no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS shows the "

@@ -24,7 +24,7 @@ namespace {
 ComplexKind parse_complex(const AlphaArguments& arguments) {
   if (!arguments.complex) return ComplexKind::solid;
   if (!arguments.persistence && !arguments.representatives)
-    throw WrongUsage("--complex: found no --persistence, which is what it is about");
+    throw WrongUsage("--complex requires --persistence or --representatives");
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 

@@ -54,11 +54,11 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
     if (target.format == Format::off || target.format == Format::ply || target.format == Format::geojson ||
         is_ogr(target.format))
       throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
-                       ", which have a place for edges and points in no triangle");
+                       ", which can contain edges and points in no triangle");
     all.push_back(target);
     if (target.format != Format::npy) continue;
     if (target.path == "-")
-      throw WrongUsage("-o -: found --complex full, which makes three .npy files, expected the name of one");
+      throw WrongUsage("-o -: found --complex full, which writes three .npy files, expected a file name");
     all.push_back({beside(target.path, "edges"), Format::npy_edges});
     all.push_back({beside(target.path, "points"), Format::npy_points});
   }
@@ -125,7 +125,7 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   for (const Target& target : targets) {
     files.push_back(target.path);
     if (target.format != Format::shp) continue;
-    if (target.path == "-") throw WrongUsage("-o -: found shp, which is several files, expected the name of one");
+    if (target.path == "-") throw WrongUsage("-o -: found shp, which consists of several files, expected a file name");
     for (const std::string& path : ogr_paths(target))
       if (path != target.path) others.push_back(path);
   }
@@ -158,7 +158,7 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
   if (!text) return std::nullopt;
   Shift shift = parse_shift("--shift", *text);
   if (std::none_of(targets.begin(), targets.end(), [](const Target& to) { return has_single_precision(to.format); }))
-    throw WrongUsage("--shift: found no .stl or .glb to write, which are in single precision, expected one");
+    throw WrongUsage("--shift applies only to .stl and .glb files, which are in single precision");
   return shift;
 }
 

@@ -59,12 +59,12 @@ FillRequest parse(const FillArguments& arguments) {
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
-    throw WrongUsage("--size inf: found " + std::string(arguments.grade ? "--grade" : "--size-at") +
-                     " as well, expected one of them: no point is added");
+    throw WrongUsage("--size inf cannot be combined with " + std::string(arguments.grade ? "--grade" : "--size-at") +
+                     ", as it adds no point");
   request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
   if (request.size_at) {
     if (*request.size_at == "-" && request.path == "-")
-      throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them in a file");
+      throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them as a file");
     std::vector<std::string> files = given({arguments.stats});
     for (const Target& target : request.targets) files.push_back(target.path);
     require_different(files, *request.size_at, "sizes");
@@ -82,7 +82,7 @@ void require_memory(const std::string& name, double triangles) {
   if (there && wanted > *there)
     throw BadInput(name + ": found sizes at which about " + short_number(triangles) +
                    " triangles would be made, which take about " + bytes_text(wanted) +
-                   " of memory, expected no more than the " + bytes_text(*there) + " there are: larger sizes");
+                   " of memory, expected larger sizes, as " + bytes_text(*there) + " are available");
 }
 
 ValidFeatures check(const Run& run, const PolygonFile& file, bool skip_invalid) {

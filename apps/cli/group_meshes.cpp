@@ -17,9 +17,7 @@ namespace {
 /// Throws WrongUsage for options that apply only to one complex of all points.
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
-  const auto refuse = [](const std::string& what) {
-    throw WrongUsage(what + ": found groups as well, expected one of the two");
-  };
+  const auto refuse = [](const std::string& what) { throw WrongUsage(what + " cannot be combined with groups"); };
   if (arguments.levels) refuse("--levels");
   if (arguments.complex != "solid") refuse("--complex " + arguments.complex);
   if (request.method.leaf_capacity) refuse("--method hrbpa");

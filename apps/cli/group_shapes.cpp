@@ -18,7 +18,7 @@ namespace {
 
 /// Throws WrongUsage for options and formats that apply only to one shape of all points.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
-  if (arguments.isolated) throw WrongUsage("--isolated: found groups as well, expected one of the two");
+  if (arguments.isolated) throw WrongUsage("--isolated cannot be combined with groups");
   for (const Target& target : targets)
     if (target.format == Format::wkt || target.format == Format::ewkt)
       throw WrongUsage("--group-by: found " + output_name(target.path) + ", expected geojson, csv, svg or png" +

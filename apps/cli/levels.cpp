@@ -95,7 +95,7 @@ void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& meth
 }  // namespace
 
 Format parse_levels(const std::string& path, const Method& method) {
-  if (!method.leaf_capacity) throw WrongUsage("--levels: found --method rbpa, expected hrbpa, which has levels");
+  if (!method.leaf_capacity) throw WrongUsage("--levels requires --method hrbpa");
   const auto format = path == "-" ? Format::csv : find_format(Use::levels, ending(path));
   if (!format) throw WrongUsage("--levels: found the ending " + in_quotes(ending(path)) + ", expected csv or json");
   return *format;

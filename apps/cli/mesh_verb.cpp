@@ -22,9 +22,8 @@ bool is_array(Format format) {
 /// Parses --complex. Only the method in tiles makes the full complex, which includes edges and points in no triangle.
 Complex parse_complex(const MeshArguments& arguments, const Method& method) {
   if (!parse_is_full(arguments.complex)) return Complex::solid;
-  const std::string why = ", which finds edges and points in no triangle";
-  if (method.leaf_capacity) throw WrongUsage("--complex full: found --method hrbpa, expected rbpa" + why);
-  if (method.by_paper) throw WrongUsage("--complex full: found --search paper, expected near" + why);
+  if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
+  if (method.by_paper) throw WrongUsage("--complex full requires --search near");
   return Complex::full;
 }
 

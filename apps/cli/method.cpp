@@ -30,8 +30,7 @@ Method parse_method(const MethodArguments& arguments) {
   if (arguments.method != "rbpa" && arguments.method != "hrbpa")
     throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
   const bool hierarchical = arguments.method == "hrbpa";
-  if (arguments.leaf_capacity && !hierarchical)
-    throw WrongUsage("--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
+  if (arguments.leaf_capacity && !hierarchical) throw WrongUsage("--leaf-capacity requires --method hrbpa");
   if (hierarchical)
     method.leaf_capacity = arguments.leaf_capacity
                                ? parse_whole("--leaf-capacity", *arguments.leaf_capacity, {.least = 1}, "points")

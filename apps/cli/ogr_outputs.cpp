@@ -17,7 +17,7 @@ void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) 
       run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
     else if (std::filesystem::exists(paths[i]))
       // An old .prj would declare its coordinate system for the new file.
-      throw Failure(paths[i] + ": found a file that was there before, expected none beside " + target.path);
+      throw Failure(paths[i] + ": found an old file, expected none beside " + target.path + " (remove it)");
   }
 }
 

@@ -64,9 +64,8 @@ void PeriodicRun::settle_box() {
   const Point3 given = *request_.box;
   if (given == Point3()) {
     if (!sides)
-      throw BadInput(
-          input() + ": found " + (fault.empty() ? "no cell" : fault) +
-          ", expected CRYST1 or _cell with right angles, as --box auto asks (--box LX,LY,LZ says the sides)");
+      throw BadInput(input() + ": found " + (fault.empty() ? "no cell" : fault) +
+                     ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
     request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
   } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
     remark("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
@@ -87,7 +86,7 @@ void PeriodicRun::remark_range() const {
   if (reach.x <= box.x && reach.y <= box.y && reach.z <= box.z) return;
   remark(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
          rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
-         rounded(box.z, 3) + ": they count modulo its sides");
+         rounded(box.z, 3) + ": coordinates count modulo its sides");
 }
 
 void PeriodicRun::build() {
@@ -176,7 +175,8 @@ void PeriodicRun::run() {
   const SpacePointSource& source = request_.source;
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   remark(file_.remarks);
-  if (file_.points.empty()) throw BadInput(input() + ": 0 " + name_of_points() + " selected, and a box needs some");
+  if (file_.points.empty())
+    throw BadInput(input() + ": 0 " + name_of_points() + " selected, but a box needs at least one");
   settle_box();
   remark_range();
   facts_.read_seconds = lap();
@@ -190,7 +190,7 @@ void PeriodicRun::run() {
 
   const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == VoidWalls::full;
   if (solid_.simplices.empty() && !has_void)
-    say("rbpa", "there is no tetrahedron: no four points have a circumradius so small");
+    say("rbpa", "there is no tetrahedron: no four points have such a small circumradius");
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids})

@@ -33,7 +33,7 @@ void require_format(bool fits, const std::string& option, const std::string& fou
 }
 
 bool GroupArguments::ask_for_groups() const {
-  if (group_by && group_by_file) throw WrongUsage("--group-by-file: found --group-by as well, expected one of the two");
+  if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)
     throw WrongUsage("POINTS: found " + counted(inputs.size(), "file") +
                      ", expected one, or --group-by-file (each is a group), or --group-by COLUMN");
@@ -54,7 +54,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   const Format format = source.format;
   const bool text = is_table(format), ogr = format == Format::ogr;
   if (ogr && source.path == "-")
-    throw WrongUsage("-: found standard input, expected the name of a file, which GDAL opens");
+    throw WrongUsage("-: found standard input, which GDAL cannot read, expected a file name");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid)
     require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");

@@ -251,7 +251,7 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
     for (const auto& [given, option] :
          {std::pair(&arguments.top, "--top"), std::pair(&arguments.min_persistence, "--min-persistence"),
           std::pair(&arguments.levels, "--levels")})
-      if (*given) throw WrongUsage(std::string(option) + ": found no --representatives, which are what it is about");
+      if (*given) throw WrongUsage(std::string(option) + " requires --representatives");
     return std::nullopt;
   }
   const std::string& path = *arguments.representatives;
@@ -260,8 +260,7 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
     throw WrongUsage("--representatives: found the ending " + in_quotes(ending(path)) + ", expected " +
                      (in_space ? "one of " + std::string(cycle_formats) : "geojson"));
   RepresentativeRequest request{.target = {path, *format}, .choice = {}, .levels = {}, .leaf_capacity = {}};
-  if (arguments.levels && in_space)
-    throw WrongUsage("--levels: found --dimension 3 as well, with which it has no meaning yet");
+  if (arguments.levels && in_space) throw WrongUsage("--levels applies only to --dimension 2");
   if (constexpr std::string_view with_capacity = "hrbpa:";
       arguments.levels && arguments.levels->starts_with(with_capacity))
     request.leaf_capacity =

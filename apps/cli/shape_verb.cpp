@@ -50,8 +50,8 @@ void require_srid(const Files& files, const std::optional<Crs>& crs) {
   const Target* first = files.find(Format::ewkt);
   if (first == nullptr || (crs && crs->srid())) return;
   throw WrongUsage((first->path == "-" ? "-o -" : first->path) + ": found points in " +
-                   (crs ? crs->text() : "a system that is not known") +
-                   ", expected one with a number of EPSG, which EWKT names (--crs EPSG:28992, or the ending wkt)");
+                   (crs ? crs->text() : "an unknown coordinate system") +
+                   ", expected one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
 }
 
 void write_shape(OutputFile& file, Format format, const Shape& shape) {

@@ -144,9 +144,8 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   verb.callback([&radius] {
     const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
     const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
-    if (given == 0)
-      refuse("found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
-    if (given > 1) refuse("found several of --alpha, --alpha-squared and --alpha-inverse, expected one");
+    if (given == 0) refuse("--alpha is required: a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given > 1) refuse("--alpha, --alpha-squared and --alpha-inverse cannot be combined");
   });
 }
 

@@ -62,15 +62,15 @@ Point3 parse_box(const std::string& text) {
 /// Throws WrongUsage for options that do not apply to a periodic box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
-    throw WrongUsage("--alpha: found plateau and --box, expected a radius, auto or min");
-  if (arguments.balls) throw WrongUsage("--balls: found --box as well, expected one of them");
+    throw WrongUsage("--alpha plateau cannot be combined with --box (give a radius, auto or min)");
+  if (arguments.balls) throw WrongUsage("--balls cannot be combined with --box");
   for (const auto& [is_given, option] :
        {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
         std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
-    if (is_given) throw WrongUsage(std::string(option) + ": found --box as well, with which it has no meaning yet");
+    if (is_given) throw WrongUsage(std::string(option) + " cannot be combined with --box");
   if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
     throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
-                     " and --box, whose voids may have no end; expected json or csv");
+                     ", expected json or csv with --box, as periodic voids may be unbounded");
 }
 
 /// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
@@ -91,13 +91,11 @@ void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& reques
                        ", expected csv or json");
   }
   if (arguments.void_radii && (!request.voids || !is_table_of_voids(request.voids->format)))
-    throw WrongUsage("--void-radii: found " + (arguments.voids ? "--voids " + *arguments.voids : "no --voids") +
-                     ", expected --voids FILE.csv or FILE.json, which has them");
+    throw WrongUsage("--void-radii requires --voids FILE.csv or FILE.json");
   if (!request.voids && !request.pockets)
     for (const auto& [given, option] :
          {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})
-      if (*given)
-        throw WrongUsage(std::string(option) + ": found neither --voids nor --pockets, which are what it is about");
+      if (*given) throw WrongUsage(std::string(option) + " requires --voids or --pockets");
   if (arguments.voids_above) {
     const ParsedNumber number = parse_whole_number(*arguments.voids_above);
     if (number.fault != NumberFault::none || !(number.value >= 0))
@@ -124,12 +122,11 @@ SolidRequest parse(const SolidArguments& arguments) {
       .run = parse_run(arguments.run)};
   if (arguments.cover) {
     if (request.alpha.rule == AlphaRule::given || request.alpha.rule == AlphaRule::plateau)
-      throw WrongUsage("--cover: found --alpha " + arguments.alpha +
-                       ", expected --alpha auto or min, which are what it is about");
+      throw WrongUsage("--cover applies only to --alpha auto or min");
     request.alpha.cover = parse_cover(*arguments.cover);
   }
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
-    throw WrongUsage("--balls: found --alpha inf, expected a finite radius");
+    throw WrongUsage("--balls requires a finite --alpha");
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
   request.shift =
       parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());

@@ -128,8 +128,8 @@ double SolidRun::alpha_of_plateau() const {
   const std::string name = name_of({.rule = AlphaRule::plateau, .rank = request_.alpha.rank});
   if (found.empty()) return std::numeric_limits<double>::infinity();
   if (request_.alpha.rank > found.size())
-    throw WrongUsage("--alpha " + name + ": found " + counted(found.size(), "plateau") +
-                     ", expected a rank that there is (rbpa alpha POINTS --dimension 3 shows them)");
+    throw WrongUsage("--alpha " + name + (found.size() == 1 ? ": there is only " : ": there are only ") +
+                     counted(found.size(), "plateau") + " (rbpa alpha POINTS --dimension 3 lists them)");
   if (!found.front().is_long)
     summarize("--alpha " + name + ": no range of alpha stands out, and the longest one may be chance");
   return found[request_.alpha.rank - 1].alpha;

@@ -129,7 +129,7 @@ FiltrationPlot marked_plot(const SpacePersistence& report) {
 
 void check(const AlphaArguments& arguments) {
   const auto refuse = [](bool is_given, const std::string& option) {
-    if (is_given) throw WrongUsage(option + ": found --dimension 3 as well, with which it has no meaning yet");
+    if (is_given) throw WrongUsage(option + " applies only to --dimension 2");
   };
   refuse(arguments.complex.has_value(), "--complex");
   refuse(arguments.group_by.has_value() || arguments.group_by_file, "--group-by");

@@ -28,7 +28,7 @@ SpacePointSource parse_space_points(const RadiiArguments& arguments) {
         std::pair(arguments.shift_longitude, "--shift-longitude"),
         std::pair(arguments.pixels.foreground.has_value(), "--foreground"),
         std::pair(arguments.pixels.threshold.has_value(), "--threshold")})
-    if (is_given) throw WrongUsage(std::string(option) + ": found --dimension 3 as well, with which it has no meaning");
+    if (is_given) throw WrongUsage(std::string(option) + " applies only to --dimension 2");
   SpacePointArguments points;
   points.points = arguments.points;
   points.format = arguments.format;

@@ -81,7 +81,7 @@ std::vector<std::string> files_in(const std::string& folder, const PointArgument
   FolderContent content = content_of(folder);
   std::sort(content.clouds.begin(), content.clouds.end());
   if (!content.clouds.empty())
-    bad_input(content.clouds.front(), "points in a format that is not read, in a folder of which all are meant",
+    bad_input(content.clouds.front(), "points in a format that is not read, in a folder whose files are all read",
               "a folder without them, or the names of files (" + cloud_conversion(content.clouds.front()) + ")");
   const bool has_tiles = !arguments.format && content.points.contains(Format::las);
   std::vector<std::string> found, formats;

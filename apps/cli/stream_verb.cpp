@@ -26,14 +26,12 @@ double parse_finite_alpha(const RadiusArguments& arguments) {
   const std::string advice = " (rbpa alpha on a sample of the points shows them)";
   if (is_word)
     throw WrongUsage("--alpha: found " + in_quotes(text) +
-                     ", expected a radius: to choose one all points have to be in "
-                     "memory" +
-                     advice);
+                     ", expected a radius: choosing one needs all points in memory" + advice);
   const AlphaChoice choice = parse_alpha(arguments);
   if (std::isinf(choice.radius))
     throw WrongUsage(
-        "--alpha: found inf, expected a finite radius: a circle without bound may pass through any points, "
-        "and no tile would be complete" +
+        "--alpha: found inf, expected a finite radius: an unbounded circle may pass through any points, so no "
+        "tile would be complete" +
         advice);
   return choice.radius;
 }
@@ -42,7 +40,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   std::vector<std::string> paths;
   for (const std::string& path : arguments.inputs) {
     std::error_code error;
-    if (path == "-") throw WrongUsage("POINTS: found -, standard input, expected files: they are read twice");
+    if (path == "-") throw WrongUsage("POINTS: found -, standard input, expected files, as they are read twice");
     if (!fs::is_directory(path, error)) {
       paths.push_back(path);
       continue;
@@ -81,13 +79,12 @@ std::string reading_options(const PointArguments& arguments) {
 /// Makes the folder of --tasks the scratch, and gives each task one processor unless --threads is given.
 void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
   if (arguments.tasks->empty()) throw WrongUsage("--tasks: found an empty name, expected a folder");
-  if (arguments.scratch)
-    throw WrongUsage("--scratch: found it and --tasks, expected one of them: tiles are in the folder of the tasks");
-  if (arguments.keep_tiles) throw WrongUsage("--keep-tiles: found it and --tasks, expected one of them: tiles stay");
+  if (arguments.scratch) throw WrongUsage("--scratch cannot be combined with --tasks, whose folder has the tiles");
+  if (arguments.keep_tiles) throw WrongUsage("--keep-tiles cannot be combined with --tasks, which keeps the tiles");
   if (arguments.output_format)
-    throw WrongUsage("--output-format: found it and --tasks, expected an OUT whose ending says its format");
+    throw WrongUsage("--output-format cannot be combined with --tasks (give OUT an ending that tells its format)");
   if (std::find(arguments.outputs.begin(), arguments.outputs.end(), "-") != arguments.outputs.end())
-    throw WrongUsage("-o: found -, standard output, and --tasks, expected a file: another process writes it");
+    throw WrongUsage("-o - cannot be combined with --tasks, as another process writes the output (give a file name)");
   request.tasks = true;
   request.scratch = arguments.tasks;
   if (!arguments.run.threads) request.threads = 1;
@@ -110,10 +107,11 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   for (const auto& [value, option] :
        {std::pair(arguments.min_hole_area, "--min-hole-area"), std::pair(arguments.min_part_area, "--min-part-area")})
     if (value)
-      throw WrongUsage(std::string(option) +
-                       ": found it with rbpa stream, which writes all holes and parts, expected it with rbpa shape, of "
-                       "points that fit into memory (of the result, qgis_process run native:deleteholes --INPUT=OUT "
-                       "--MIN_AREA=A --OUTPUT=FILE fills small holes; a larger --alpha has fewer)");
+      throw WrongUsage(
+          std::string(option) +
+          ": rbpa stream writes all holes and parts (use rbpa shape if the points fit into memory; qgis_process "
+          "run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE fills small holes of the result; "
+          "a larger --alpha has fewer)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.tasks) ask_for_tasks(arguments, request);
@@ -121,7 +119,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
     throw WrongUsage("--scratch: found an empty name, expected a folder");
   for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
     if (given && !request.scratch)
-      throw WrongUsage(std::string(option) + ": found no --scratch, expected the folder where tiles are");
+      throw WrongUsage(std::string(option) + " requires --scratch, the folder with the tiles");
   if (arguments.outputs.empty() && !arguments.stats)
     throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   for (const std::string& path : arguments.outputs)

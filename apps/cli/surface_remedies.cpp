@@ -26,7 +26,7 @@ std::string text_of_nothing(const HoleRemedy& remedy) {
     case HoleOutcome::no_area:
       return "nothing closes it: its points are on a line";
     case HoleOutcome::too_much_work:
-      return "nothing closes it: more is near than the limit of work allows to try";
+      return "nothing closes it: its surroundings exceed the limit of work";
     case HoleOutcome::filled:
       break;
   }

@@ -54,7 +54,7 @@ std::optional<double> parse_outlier_factor(const std::optional<std::string>& tex
 
 std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
   if (!arguments.scale_space) {
-    if (arguments.moved) throw WrongUsage("--moved: found no --scale-space, expected it");
+    if (arguments.moved) throw WrongUsage("--moved requires --scale-space");
     return std::nullopt;
   }
   if (*arguments.scale_space == "auto") return 0;
@@ -94,7 +94,7 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
 
 std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
   if (!arguments.max_radius) return std::nullopt;
-  if (arguments.radius != "auto") throw WrongUsage("--max-radius: found no --radius auto, expected it");
+  if (arguments.radius != "auto") throw WrongUsage("--max-radius applies only to --radius auto");
   const ParsedNumber number = parse_whole_number(*arguments.max_radius);
   if (number.fault == NumberFault::none && number.value > 0) return number.value;
   throw WrongUsage("--max-radius: found " + in_quotes(*arguments.max_radius) + ", expected a radius: a number above 0");
@@ -127,34 +127,33 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
     if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
       throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
     if (request.normals == NormalSource::none)
-      throw WrongUsage("--holes: found --normals none, of which the triangles have no boundary");
+      throw WrongUsage("--holes cannot be combined with --normals none, whose triangles have no boundary");
   }
   if (arguments.shell) {
-    if (request.normals != NormalSource::none)
-      throw WrongUsage("--shell: found no --normals none, without which the triangles are no closed shells");
+    if (request.normals != NormalSource::none) throw WrongUsage("--shell requires --normals none");
     request.components.shell = parse_shell(*arguments.shell);
   }
   if (request.normals == NormalSource::none && (arguments.neighbors || arguments.viewpoint || arguments.flip))
-    throw WrongUsage("--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
+    throw WrongUsage("--normals none cannot be combined with --neighbors, --viewpoint or --flip, which change normals");
   if (request.normals == NormalSource::file && arguments.neighbors)
-    throw WrongUsage("--neighbors: found --normals file, of which nothing is estimated");
+    throw WrongUsage("--neighbors requires --normals estimate");
   if (request.colors_normals && request.normals && request.normals != NormalSource::estimate)
-    throw WrongUsage("--color: found normals with --normals " + *arguments.normals + ", of which nothing is estimated");
+    throw WrongUsage("--color normals requires --normals estimate");
   if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
   if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);
   if (arguments.fill_holes) {
-    if (arguments.watertight) throw WrongUsage("--fill-holes: found --watertight, which fills all");
+    if (arguments.watertight)
+      throw WrongUsage("--fill-holes cannot be combined with --watertight, which fills all holes");
     if (request.normals == NormalSource::none)
-      throw WrongUsage("--fill-holes: found --normals none, of which the triangles have no boundary");
+      throw WrongUsage("--fill-holes cannot be combined with --normals none, whose triangles have no boundary");
     request.filled = parse_fill_holes(*arguments.fill_holes);
   }
   if (arguments.remedies) {
     if (arguments.fill_holes || arguments.watertight)
-      throw WrongUsage(
-          "--remedies: found --fill-holes or --watertight, of which the result is no more what the ball made");
+      throw WrongUsage("--remedies cannot be combined with --fill-holes or --watertight, which close holes themselves");
     if (request.normals == NormalSource::none)
-      throw WrongUsage("--remedies: found --normals none, of which the triangles have no boundary");
+      throw WrongUsage("--remedies cannot be combined with --normals none, whose triangles have no boundary");
   }
   if (arguments.watertight) request.filled = HoleChoice{};
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
@@ -162,11 +161,11 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
   request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {
-    if (!request.filled) throw WrongUsage("--refine: found neither --fill-holes nor --watertight, expected one");
+    if (!request.filled) throw WrongUsage("--refine requires --fill-holes or --watertight");
     for (const Target& target : request.targets)
       if (target.format == Format::npy)
         throw WrongUsage("--refine: found " + in_quotes(target.path) +
-                         ", of which the rows are numbers of input points, expected a format with points");
+                         ", whose rows are numbers of input points, expected a format with points");
   }
   return request;
 }

@@ -153,7 +153,7 @@ void SurfaceRun::take_normals() {
         static_cast<std::size_t>(std::count_if(estimated_.certainty.begin(), estimated_.certainty.end(),
                                                [](double certainty) { return certainty < least_certainty; }));
   } else if (request_.colors_normals) {
-    bad_input(input(), "normals, which --color normals does not show", "none, or --normals estimate");
+    bad_input(input(), "normals, whose confidence is not known", "none, or --normals estimate for --color normals");
   } else if (source_ == NormalSource::file && !request_.viewpoints.empty()) {
     turn_toward(file_.points, request_.viewpoints, file_.normals);
   }

@@ -17,7 +17,8 @@ namespace {
 
 void set_target(std::optional<std::string>& target, const std::string& path) {
   if (target)
-    throw WrongUsage("-o: found " + in_quotes(*target) + " and " + in_quotes(path) + ", expected one of a kind");
+    throw WrongUsage("-o: found " + in_quotes(*target) + " and " + in_quotes(path) +
+                     ", expected one file of each kind");
   target = path;
 }
 

@@ -57,7 +57,7 @@ ValidFeatures valid_features(const PolygonFile& file, const std::string& name, b
     if (why) {
       if (file.features > 1) why = "feature " + std::to_string(feature) + ": " + *why;
       if (!skip_invalid)
-        throw BadInput(name + ": " + *why + (file.features > 1 ? " (--skip-invalid goes on without it)" : ""));
+        throw BadInput(name + ": " + *why + (file.features > 1 ? " (--skip-invalid leaves it out)" : ""));
       valid.why_left_out.push_back(*why);
     }
     for (; g < last; ++g) {

@@ -93,7 +93,8 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
     state.polygons = {log("polygons"), log("holes")};
     return state;
   } catch (const std::exception& error) {
-    begin_anew(scratch.progress(), "no progress of rbpa stream (" + std::string(error.what()) + "), expected it",
+    begin_anew(scratch.progress(),
+               "no progress of rbpa stream (" + std::string(error.what()) + "), expected its progress",
                scratch.folder());
   }
 }
@@ -158,7 +159,7 @@ class Computation {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
     if (state_.tiles_done > 0 && state_.tiles_done <= ends_.size() && state_.open.size() == open) return;
-    begin_anew(scratch_.progress(), "the progress of another run, expected that of this one", scratch_.folder());
+    begin_anew(scratch_.progress(), "the progress of another run, expected that of this run", scratch_.folder());
   }
 
   /// Returns the points of a tile. Makes its file again if it is damaged.

@@ -43,16 +43,16 @@ void require_tree(const std::vector<TileTree::Part>& parts) {
   std::vector<bool> has_parent(parts.size(), false), is_tile(parts.size() / 2 + 1, false);
   for (std::size_t at = 0; at < parts.size(); ++at) {
     const TileTree::Part& part = parts[at];
-    require(at == 0 || has_parent[at], "a part of the plane without the one that it is of");
+    require(at == 0 || has_parent[at], "a part of the plane without a parent");
     if (part.kind == Kind::tile) {
-      require(part.first < is_tile.size() && !is_tile[part.first], "a tile of a number that it cannot have");
+      require(part.first < is_tile.size() && !is_tile[part.first], "a tile number that is too large or repeated");
       is_tile[part.first] = true;
       continue;
     }
     require(part.kind == Kind::cut_x || part.kind == Kind::cut_y, "a cut of an unknown kind");
-    require(std::isfinite(part.line), "a cut that is at no number");
+    require(std::isfinite(part.line), "a cut that is not at a finite number");
     for (const std::uint32_t of : {part.first, part.second}) {
-      require(of > at && of < parts.size() && !has_parent[of], "a part of the plane that it cannot have");
+      require(of > at && of < parts.size() && !has_parent[of], "a number of a part that is out of range or repeated");
       has_parent[of] = true;
     }
   }

@@ -139,9 +139,9 @@ void refuse_dense(const TooDense& dense, const StreamRequest& request, const Bud
   const auto text = [](double value) { return std::string(std::string_view(ShortestText(value))); };
   throw Failure("--memory " + megabytes(request.memory) + ": found " + counted(dense.points, "point") +
                 " within 2 alpha = " + text(2 * request.alpha) + " of each other near (" + text(dense.where.x) + ", " +
-                text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + "; --memory " +
+                text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + " (--memory " +
                 megabytes(memory_for(dense.points + dense.points / 4, request.threads)) +
-                " would do, or a smaller alpha");
+                " or a smaller alpha suffices)");
 }
 
 TilePlan plan_tiles(const CellCounts& counts, const TileLimits& limits) {

@@ -14,7 +14,7 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20U;
 void RecordLog::resume(const RecordState& state) {
   state_ = state;
   ScratchFile file(path_, ScratchFile::Mode::append);
-  if (file.size() < state.bytes) begin_anew(path_, "less than was written", path_.substr(0, path_.rfind('/')));
+  if (file.size() < state.bytes) begin_anew(path_, "fewer bytes than were written", path_.substr(0, path_.rfind('/')));
   file.cut(state.bytes);
 }
 

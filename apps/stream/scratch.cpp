@@ -158,7 +158,7 @@ Scratch::Scratch(const StreamRequest& request)
       throw;
     }
   }
-  throw Failure(folder_ + ": found it removed again and again, expected a folder that stays");
+  throw Failure(folder_ + ": the folder is removed again and again");
 }
 
 bool Scratch::make(const StreamRequest& request) {
@@ -181,11 +181,10 @@ bool Scratch::make(const StreamRequest& request) {
       throw WrongUsage(option + ": found other files in " + folder_ + ", expected an empty folder, or none");
   }
   if (has_run_ && !request.resume)
-    throw WrongUsage(option + ": found a run in " + folder_ +
-                     ", expected --resume to go on with it, or another folder");
+    throw WrongUsage(option + ": found a run in " + folder_ + ", expected --resume to continue it, or another folder");
   const Lock lock = lock_file(folder_ + lock_name, O_CREAT, lock_);
   if (lock == Lock::gone || (lock == Lock::busy && !is_asked_for_)) return false;
-  if (lock == Lock::busy) throw Failure(folder_ + ": found another run at work in it, expected none");
+  if (lock == Lock::busy) throw Failure(folder_ + ": another run is using the folder");
   if (!has_run_) {
     clear_leftovers();
     return true;

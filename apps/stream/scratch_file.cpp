@@ -151,7 +151,7 @@ std::string json_text(std::string_view bytes) {
 std::string bytes_of_json_text(std::string_view text) {
   const auto digit = [](char c) {
     const char* const at = c == '\0' ? nullptr : std::strchr(hex, c);
-    if (at == nullptr) throw BadInput("a name with a % that no two digits follow");
+    if (at == nullptr) throw BadInput("a name with a % that two digits do not follow");
     return static_cast<unsigned>(at - hex);
   };
   std::string bytes;
@@ -160,7 +160,7 @@ std::string bytes_of_json_text(std::string_view text) {
       bytes += text[i];
       continue;
     }
-    if (text.size() - i < 3) throw BadInput("a name with a % that no two digits follow");
+    if (text.size() - i < 3) throw BadInput("a name with a % that two digits do not follow");
     bytes += static_cast<char>(digit(text[i + 1]) << 4U | digit(text[i + 2]));
     i += 2;
   }
@@ -168,7 +168,7 @@ std::string bytes_of_json_text(std::string_view text) {
 }
 
 void begin_anew(const std::string& path, const std::string& found, const std::string& folder) {
-  throw BadInput(path + ": found " + found + "; remove " + (folder == path ? "it" : folder) + " and begin anew");
+  throw BadInput(path + ": found " + found + " (remove " + (folder == path ? "it" : folder) + " and start again)");
 }
 
 std::string file_number(std::uint64_t number) {

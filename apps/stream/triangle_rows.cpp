@@ -150,7 +150,7 @@ void TriangleRows::resume(const RowsState& state) {
     buckets_[i].sum = state.sums[i];
     const std::string path = scratch_.rows(i);
     ScratchFile file(path, ScratchFile::Mode::append);
-    if (file.size() < state.rows[i] * row_bytes()) begin_anew(path, "less than was written", scratch_.folder());
+    if (file.size() < state.rows[i] * row_bytes()) begin_anew(path, "fewer bytes than were written", scratch_.folder());
     file.cut(state.rows[i] * row_bytes());
   }
 }

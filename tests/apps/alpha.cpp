@@ -208,7 +208,7 @@ TEST_SUITE("alpha") {
     };
     refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' behind 2, expected ascending radii");
     refuses("--representatives r.geojson --levels all", "--levels: found 'all', expected a radius");
-    refuses("--levels 1", "--levels: found no --representatives");
+    refuses("--levels 1", "--levels requires --representatives");
     const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
     CHECK(wrong.code == 2);
     CHECK(wrong.err.find("--representatives: found the ending 'obj', expected geojson") != std::string::npos);

@@ -106,10 +106,8 @@ TEST_SUITE("alpha cover") {
       CHECK(folder.rbpa("alpha no_such_file.xy --cover " + share).err == "rbpa: " + message + "\n");
     }
     for (const std::string given : {"--alpha 0.5", "--alpha inf", "--alpha-squared 4", "--alpha-inverse 4"}) {
-      refuses(given + " --cover 0.9",
-              "--cover: found " + given + ", expected --alpha auto or min, which are what it is about");
-      refuses(given + " --components 2",
-              "--components: found " + given + ", expected --alpha auto, which is what it is about");
+      refuses(given + " --cover 0.9", "--cover applies only to --alpha auto or min");
+      refuses(given + " --components 2", "--components applies only to --alpha auto");
     }
     for (const std::string wrong : {"0", "-1", "nan", "-inf", "auto"})
       refuses("--alpha-squared " + wrong,
@@ -118,16 +116,15 @@ TEST_SUITE("alpha cover") {
       refuses("--alpha-inverse " + wrong, "--alpha-inverse: found '" + wrong + "', expected one over a radius, >= 0");
     for (const std::string two :
          {"--alpha 1 --alpha-squared 1", "--alpha 1 --alpha-inverse 1", "--alpha-squared 1 --alpha-inverse 1"})
-      CHECK(
-          folder.rbpa("mesh no_such_file.xy -o s.svg " + two).err ==
-          "rbpa: found several of --alpha, --alpha-squared and --alpha-inverse, expected one (see rbpa mesh --help)\n");
+      CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg " + two).err ==
+            "rbpa: --alpha, --alpha-squared and --alpha-inverse cannot be combined (see rbpa mesh --help)\n");
   }
 
   TEST_CASE("a verb without what it needs points to its own help") {
     const Folder folder;
     for (const std::string verb : {"mesh", "shape"}) {
       CHECK(folder.rbpa(verb + " p.xy -o s.svg").err ==
-            "rbpa: found no --alpha, expected a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them (see "
+            "rbpa: --alpha is required: a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them (see "
             "rbpa " +
                 verb + " --help)\n");
       CHECK(folder.rbpa(verb + " p.xy").code == 2);

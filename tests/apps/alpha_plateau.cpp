@@ -213,8 +213,8 @@ TEST_SUITE("alpha plateau") {
     const std::size_t count = radii_of(folder, "p.xy")["plateaus"].size();
     const Outcome high = folder.rbpa("shape p.xy -o s.wkt --alpha plateau:99");
     CHECK(high.code == 2);
-    CHECK(high.err == "rbpa: --alpha plateau:99: found " + std::to_string(count) +
-                          " plateaus, expected a rank that there is (rbpa alpha POINTS shows them)\n");
+    CHECK(high.err == "rbpa: --alpha plateau:99: there are only " + std::to_string(count) +
+                          " plateaus (rbpa alpha POINTS lists them)\n");
     CHECK(folder.names() == std::vector<std::string>{"p.xy"});
     for (const std::string option : {"--cover 0.9", "--components 2"})
       CHECK(folder.rbpa("shape p.xy -o s.wkt --alpha plateau " + option).code == 2);

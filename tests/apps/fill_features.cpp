@@ -90,7 +90,7 @@ TEST_SUITE("fill") {
     CHECK(std::all_of(head.begin(), head.end(), [](char c) { return c == '\n' || c >= ' '; }));
   }
 
-  TEST_CASE("a feature that is not valid is named; --skip-invalid goes on without it and counts it") {
+  TEST_CASE("a feature that is not valid is named; --skip-invalid leaves it out and counts it") {
     const Folder folder;
     std::vector<std::string> features = parcels();
     features.insert(features.begin() + 1, bow);
@@ -101,7 +101,7 @@ TEST_SUITE("fill") {
         "most";
     const Outcome refused = folder.rbpa("fill p.json --size 1 -o p.vtu");
     CHECK(refused.code == 3);
-    CHECK(refused.err == "rbpa: p.json: " + why + " (--skip-invalid goes on without it)\n");
+    CHECK(refused.err == "rbpa: p.json: " + why + " (--skip-invalid leaves it out)\n");
     CHECK_FALSE(folder.has("p.vtu"));
     const Outcome skipped = folder.rbpa("fill p.json --size 1 -o p.vtu --skip-invalid --stats s.json");
     CHECK(skipped.code == 0);

@@ -346,16 +346,15 @@ TEST_SUITE("full complex") {
     for (const std::string file : {"m.off", "m.ply"})
       refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.obj -o " + file,
               file +
-                  ": found --complex full, expected one of obj, npy, vtu, svg, png, which have a place for edges and "
+                  ": found --complex full, expected one of obj, npy, vtu, svg, png, which can contain edges and "
                   "points in no triangle");
     refuses(folder, "mesh p.xy --alpha 1 --complex full -o - --output-format npy",
-            "-o -: found --complex full, which makes three .npy files, expected the name of one");
+            "-o -: found --complex full, which writes three .npy files, expected a file name");
     refuses(folder, "mesh p.xy --alpha 1 --complex full --method hrbpa -o m.obj",
-            "--complex full: found --method hrbpa, expected rbpa, which finds edges and points in no triangle");
+            "--complex full requires --method rbpa");
     refuses(folder, "mesh p.xy --alpha 1 --complex full --search paper -o m.obj",
-            "--complex full: found --search paper, expected near, which finds edges and points in no triangle");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full --levels l.csv -o m.obj",
-            "--levels: found --method rbpa, expected hrbpa, which has levels");
+            "--complex full requires --search near");
+    refuses(folder, "mesh p.xy --alpha 1 --complex full --levels l.csv -o m.obj", "--levels requires --method hrbpa");
     refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.npy -o m.edges.npy",
             "m.edges.npy: found twice among the files to write, expected once");
     folder.file("m.points.npy", "p");

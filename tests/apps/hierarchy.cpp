@@ -209,12 +209,10 @@ TEST_SUITE("hierarchy") {
     refuses("mesh p.xy --alpha 1 --method hbpa -o m.off", "--method: found 'hbpa', expected rbpa or hrbpa");
     refuses("shape p.xy --alpha 1 --method hbpa -o m.wkt", "--method: found 'hbpa', expected rbpa or hrbpa");
     for (const char* method : {"", " --method rbpa"})
-      refuses(std::string("mesh p.xy --alpha 1 --levels l.csv") + method,
-              "--levels: found --method rbpa, expected hrbpa, which has levels");
+      refuses(std::string("mesh p.xy --alpha 1 --levels l.csv") + method, "--levels requires --method hrbpa");
     refuses("mesh p.xy --alpha 1 --method hrbpa --levels l.txt",
             "--levels: found the ending 'txt', expected csv or json");
-    refuses("shape p.xy --alpha 1 --leaf-capacity 9 -o s.wkt",
-            "--leaf-capacity: found --method rbpa, expected hrbpa, which has leaves");
+    refuses("shape p.xy --alpha 1 --leaf-capacity 9 -o s.wkt", "--leaf-capacity requires --method hrbpa");
     refuses("mesh p.xy --alpha 1 --method hrbpa --leaf-capacity 0 -o m.off",
             "--leaf-capacity: found '0', expected a whole number of points from 1");
     for (const char* method : {"", " --method hrbpa"})

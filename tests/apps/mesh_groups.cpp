@@ -99,7 +99,7 @@ TEST_SUITE("mesh groups") {
   }
 
   TEST_CASE("what is of one complex of all points is refused") {
-    const std::string both = ": found groups as well, expected one of the two";
+    const std::string both = " cannot be combined with groups";
     refuses("-o m.off --complex full", "--complex full" + both);
     refuses("-o m.off --method hrbpa", "--method hrbpa" + both);
     refuses("-o m.off --search paper", "--search paper" + both);

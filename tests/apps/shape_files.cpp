@@ -146,10 +146,10 @@ TEST_SUITE("shape files") {
     CHECK(folder.rbpa("shape p.xy --crs EPSG:4258 --alpha 0.1 -o - --output-format ewkt -q").out ==
           "SRID=4258;MULTIPOLYGON EMPTY\n");
     const std::string expected =
-        ", expected one with a number of EPSG, which EWKT names (--crs EPSG:28992, or the ending wkt)\n";
+        ", expected one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)\n";
     const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 -o n.ewkt -o n.wkt -q");
     CHECK(unknown.code == 2);
-    CHECK(unknown.err == "rbpa: n.ewkt: found points in a system that is not known" + expected);
+    CHECK(unknown.err == "rbpa: n.ewkt: found points in an unknown coordinate system" + expected);
     CHECK(!folder.has("n.wkt"));
     CHECK(folder.rbpa("shape p.xy --crs ESRI:102100 --alpha 1 --isolated n.ewkt -o n.wkt -q").err ==
           "rbpa: n.ewkt: found points in ESRI:102100" + expected);

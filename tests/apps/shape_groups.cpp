@@ -152,7 +152,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
             "--group-by: found s.wkt, expected geojson, csv, svg or png", 2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
-            "--isolated: found groups as well, expected one of the two", 2);
+            "--isolated cannot be combined with groups", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
             "--group-by: found a format without fields beside the points, expected geojson, las, ply, pcd or text", 2);
     CHECK(folder.names() == std::vector<std::string>{"p.csv", "p.xy"});
@@ -255,7 +255,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "b.csv a.csv --alpha 1 -o s.csv",
             "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN", 2);
     refuses(folder, "b.csv a.csv --group-by-file --group-by animal --alpha 1 -o s.csv",
-            "--group-by-file: found --group-by as well, expected one of the two", 2);
+            "--group-by-file cannot be combined with --group-by", 2);
     refuses(folder, "b.csv a.csv --group-by-file --alpha 1 -o a.csv",
             "a.csv: found the file of points, expected another file to write to", 2);
     folder.file("c.geojson", "{\"type\":\"Point\",\"coordinates\":[1,1]}");
@@ -293,7 +293,8 @@ TEST_SUITE("shape groups") {
     CHECK(stats["seconds"]["build"] > 0);
     const std::string rules = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
     refuses(folder, "p.csv --alpha column:r -o x.csv",
-            "--alpha: found 'column:r', expected " + rules + "; a column has radii of groups (rbpa shape --group-by)",
+            "--alpha: found 'column:r', expected " + rules +
+                " (column:NAME applies only to groups, as in rbpa shape --group-by)",
             2);
     refuses(folder, "p.csv --group-by g --alpha column: -o x.csv",
             "--alpha column: found '', expected the name of a column (in double quotes where it is no word)", 2);

@@ -180,7 +180,7 @@ TEST_SUITE("solid") {
     CHECK(report["balls"]["area"] == doctest::Approx(18.849555921538759));
     CHECK(outcome.err.find("; balls: volume 7.06858, area 18.8496") != std::string::npos);
     CHECK_FALSE(json::parse(folder.rbpa("solid two.xyz --alpha 1 --json -q").out).contains("balls"));
-    refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls: found --alpha inf, expected a finite radius");
+    refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls requires a finite --alpha");
   }
 
   TEST_CASE("where there is no tetrahedron it says why") {
@@ -197,7 +197,7 @@ TEST_SUITE("solid") {
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "inf", "all points are in a plane");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "auto", "all points are in a plane");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "1 --pockets p.csv", "all points are in a plane");
-    says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have a circumradius so small");
+    says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have such a small circumradius");
   }
 
   TEST_CASE("wrong usage and bad input are refused in a line, and nothing is written") {
@@ -214,10 +214,9 @@ TEST_SUITE("solid") {
     refuses(folder, "c.xyz --alpha plateau:0 -o t.npy", 2,
             "--alpha plateau: found '0', expected a whole number from 1");
     refuses(folder, "c.xyz --alpha plateau:99 -o t.npy", 2,
-            "--alpha plateau:99: found 1 plateau, expected a rank that there is (rbpa alpha POINTS --dimension 3 shows "
-            "them)");
+            "--alpha plateau:99: there is only 1 plateau (rbpa alpha POINTS --dimension 3 lists them)");
     refuses(folder, "c.xyz --alpha plateau --box 9 -o t.npy", 2,
-            "--alpha: found plateau and --box, expected a radius, auto or min");
+            "--alpha plateau cannot be combined with --box (give a radius, auto or min)");
     refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
             "t.ply: found the ending 'ply', expected one of vtu, msh, mesh, npy, png, or --output-format");
     refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,

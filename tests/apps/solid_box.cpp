@@ -162,7 +162,7 @@ TEST_SUITE("solid box") {
                          "box; voids and counts at --alpha 1.5 need all tetrahedra") != std::string::npos);
     outcome = folder.rbpa("solid a.pdb --alpha 3 --box 10 --where \"resname == 'DPP'\" --voids v.json");
     CHECK(outcome.code == 3);
-    CHECK(outcome.err.ends_with("rbpa: a.pdb: 0 atoms selected, and a box needs some\n"));
+    CHECK(outcome.err.ends_with("rbpa: a.pdb: 0 atoms selected, but a box needs at least one\n"));
     outcome = folder.rbpa("solid c.xyz --alpha 9 --box 4 --voids v.json");
     CHECK(outcome.code == 0);
   }
@@ -209,7 +209,7 @@ TEST_SUITE("solid box") {
     CHECK(oblique.code == 3);
     CHECK(oblique.err ==
           "rbpa: oblique.pdb: found CRYST1 with angles of 90, 90 and 60 degrees, expected CRYST1 or _cell with right "
-          "angles, as --box auto asks (--box LX,LY,LZ says the sides)\n");
+          "angles for --box auto (--box LX,LY,LZ gives the sides)\n");
     CHECK(run("none.pdb --box auto -o t.npy").err.find("none.pdb: found no cell, expected CRYST1") !=
           std::string::npos);
     folder.file("t.xyz", "0 0 0\n");
@@ -229,8 +229,8 @@ TEST_SUITE("solid box") {
     for (const char* box : {"4,4", "4,4,4,4", "0", "-1,4,4", "4,,4", "inf", "4,4,x", ","})
       refuses(std::string("--json --box=") + box,
               std::string("--box: found '") + box + "', expected the sides of the box");
-    refuses("--json --box 4 --balls", "--balls: found --box as well");
-    refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj' and --box");
+    refuses("--json --box 4 --balls", "--balls cannot be combined with --box");
+    refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj', expected json or csv with --box");
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --json --box 1e-300").code == 3);
   }
 }

@@ -285,11 +285,11 @@ TEST_SUITE("solid voids") {
       CHECK(outcome.err.find(message) != std::string::npos);
     };
     refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected csv or json");
-    refuses("--void-radii", "--void-radii: found no --voids, expected");
-    refuses("--void-radii --voids v.obj", "--void-radii: found --voids v.obj, expected");
-    refuses("--top 3", "--top: found neither --voids nor --pockets");
+    refuses("--void-radii", "--void-radii requires --voids FILE.csv or FILE.json");
+    refuses("--void-radii --voids v.obj", "--void-radii requires --voids FILE.csv or FILE.json");
+    refuses("--top 3", "--top requires --voids or --pockets");
     refuses("--voids v.csv --voids-above -1", "--voids-above: found '-1'");
-    refuses("--box 4 --pockets p.csv", "--pockets: found --box as well");
+    refuses("--box 4 --pockets p.csv", "--pockets cannot be combined with --box");
     refuses("--pockets p.csv --voids p.csv", "p.csv");
   }
 

@@ -65,7 +65,7 @@ TEST_SUITE("space alpha") {
     CHECK(share["auto"] < report["auto"]);
     CHECK(json::parse(folder.rbpa("solid s.xyz --alpha auto --cover 0.9 --json -q").out)["alpha"] == share["auto"]);
     CHECK(json::parse(folder.rbpa("solid s.xyz --alpha min --cover 0.9 --json -q").out)["alpha"] == share["min"]);
-    CHECK(folder.rbpa("solid s.xyz --alpha 1 --cover 0.9").err.find("--cover: found --alpha 1, expected") !=
+    CHECK(folder.rbpa("solid s.xyz --alpha 1 --cover 0.9").err.find("--cover applies only to --alpha auto or min") !=
           std::string::npos);
   }
 
@@ -152,13 +152,13 @@ TEST_SUITE("space alpha") {
     refuses("s.xyz --dimension 3 -o plot.png", 2, "plot.png: found the ending 'png', expected svg");
     refuses("s.xyz --dimension 3 --representatives r.geojson", 2,
             "--representatives: found the ending 'geojson', expected one of obj, json, vtu");
-    refuses("s.xyz --dimension 3 --representatives r.obj --levels hrbpa", 2, "--levels: found --dimension 3");
-    refuses("s.xyz --dimension 3 --top 3", 2, "--top: found no --representatives");
+    refuses("s.xyz --dimension 3 --representatives r.obj --levels hrbpa", 2, "--levels applies only to --dimension 2");
+    refuses("s.xyz --dimension 3 --top 3", 2, "--top requires --representatives");
     refuses("s.xyz --dimension 3 --representatives r.obj --top 0", 2, "--top: found '0'");
     refuses("s.xyz --dimension 3 --representatives r.obj --min-persistence -1", 2, "--min-persistence: found '-1'");
-    refuses("s.xyz --dimension 3 --complex full --persistence", 2, "--complex: found --dimension 3 as well");
+    refuses("s.xyz --dimension 3 --complex full --persistence", 2, "--complex applies only to --dimension 2");
     refuses("s.xyz --dimension 3 --cover 2", 2, "--cover: found '2'");
-    refuses("s.xyz --dimension 3 --components 2", 2, "--components: found --dimension 3 as well");
+    refuses("s.xyz --dimension 3 --components 2", 2, "--components applies only to --dimension 2");
     refuses("missing.xyz --dimension 3", 3, "missing.xyz");
   }
 }

@@ -237,9 +237,9 @@ TEST_SUITE("surface") {
           folder, "p.xyz --radius 1 -o m.off --viewpoint " + text, 2,
           "--viewpoint: found '" + text + "', expected three coordinates, such as 0,0,1.5, or three names of columns");
     refuses(folder, "p.xyz --radius 1 -o m.off --normals none --flip", 2,
-            "--normals: found none with --neighbors, --viewpoint or --flip, which change normals");
+            "--normals none cannot be combined with --neighbors, --viewpoint or --flip, which change normals");
     refuses(folder, "p.xyz --radius 1 -o m.off --normals file --neighbors 8", 2,
-            "--neighbors: found --normals file, of which nothing is estimated");
+            "--neighbors requires --normals estimate");
   }
 
   TEST_CASE("colours and normals stay with their vertices, and --compact drops the others") {
@@ -299,7 +299,7 @@ TEST_SUITE("surface") {
     refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,
-            "--holes: found --normals none, of which the triangles have no boundary");
+            "--holes cannot be combined with --normals none, whose triangles have no boundary");
     for (const std::string twice : {"-o m.off -o m.off", "-o m.obj --holes m.obj", "-o p.xyz --output-format off",
                                     "-o - --output-format off --json"}) {
       CAPTURE(twice);

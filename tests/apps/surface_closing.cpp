@@ -218,8 +218,8 @@ TEST_SUITE("surface") {
                 "', expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5\n");
     }
     CHECK(folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes all --watertight").err ==
-          "rbpa: --fill-holes: found --watertight, which fills all\n");
+          "rbpa: --fill-holes cannot be combined with --watertight, which fills all holes\n");
     CHECK(folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes all --normals none").err ==
-          "rbpa: --fill-holes: found --normals none, of which the triangles have no boundary\n");
+          "rbpa: --fill-holes cannot be combined with --normals none, whose triangles have no boundary\n");
   }
 }

@@ -186,8 +186,7 @@ TEST_SUITE("surface") {
       CAPTURE(text);
       refuses(folder, "--drop-small " + text, "--drop-small: found '" + text + "'" + small);
     }
-    refuses(folder, "--shell outer",
-            "--shell: found no --normals none, without which the triangles are no closed shells");
+    refuses(folder, "--shell outer", "--shell requires --normals none");
     refuses(folder, "--normals none --shell inner", "--shell: found 'inner', expected outer, largest or all");
   }
 }

@@ -115,7 +115,8 @@ TEST_SUITE("surface normals") {
     const Outcome of_file = folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals");
     CHECK(of_file.code == 3);
     CHECK(
-        of_file.err.find("found normals, which --color normals does not show, expected none, or --normals estimate") !=
+        of_file.err.find(
+            "found normals, whose confidence is not known, expected none, or --normals estimate for --color normals") !=
         std::string::npos);
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply -q --color normals --normals estimate").code == 0);
   }
@@ -179,7 +180,7 @@ TEST_SUITE("surface normals") {
     CHECK(radii(" --max-radius 0.125") == std::vector<double>{0.125});
     CHECK(radii(" --max-radius 0.125 --normals none") == std::vector<double>{0.125});
     CHECK(folder.rbpa("surface p.xyz --radius 2 --max-radius 3").err ==
-          "rbpa: --max-radius: found no --radius auto, expected it\n");
+          "rbpa: --max-radius applies only to --radius auto\n");
     CHECK(folder.rbpa("surface p.xyz --radius auto --max-radius 0").code == 2);
     CHECK(folder.rbpa("surface p.xyz --radius auto --max-radius x").code == 2);
   }

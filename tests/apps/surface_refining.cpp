@@ -85,9 +85,9 @@ TEST_SUITE("surface") {
     const Folder folder;
     folder.file("s.xyz", bowl(0.8, ""));
     CHECK(folder.rbpa("surface s.xyz --radius 0.12 --refine -o m.off").err ==
-          "rbpa: --refine: found neither --fill-holes nor --watertight, expected one\n");
+          "rbpa: --refine requires --fill-holes or --watertight\n");
     CHECK(folder.rbpa("surface s.xyz --radius 0.12 --watertight --refine -o m.npy").err ==
-          "rbpa: --refine: found 'm.npy', of which the rows are numbers of input points, expected a format with "
+          "rbpa: --refine: found 'm.npy', whose rows are numbers of input points, expected a format with "
           "points\n");
   }
 }

@@ -120,9 +120,9 @@ TEST_SUITE("surface") {
     const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --remedies --fill-holes all -o m.off");
     CHECK(many.code == 2);
     CHECK(many.err ==
-          "rbpa: --remedies: found --fill-holes or --watertight, of which the result is no more what the ball made\n");
+          "rbpa: --remedies cannot be combined with --fill-holes or --watertight, which close holes themselves\n");
     CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --watertight -o m.off").code == 2);
     CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --normals none -o m.off").err ==
-          "rbpa: --remedies: found --normals none, of which the triangles have no boundary\n");
+          "rbpa: --remedies cannot be combined with --normals none, whose triangles have no boundary\n");
   }
 }

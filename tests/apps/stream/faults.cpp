@@ -204,7 +204,7 @@ TEST_CASE("another run_key is not what the run in the scratch was about") {
   const std::string same = "a.f64xy b.f64xy --alpha 3 -o t.npy --scratch s --keep-tiles -q";
   REQUIRE(folder.rbpa("stream " + same).code == 0);
   CHECK(refusal(folder, same) ==
-        "rbpa: --scratch: found a run in s, expected --resume to go on with it, or another folder\n");
+        "rbpa: --scratch: found a run in s, expected --resume to continue it, or another folder\n");
   CHECK(folder.rbpa("stream " + same + " --resume").code == 0);
   const auto check = [&](const std::string& arguments, const std::string& part) {
     const std::string text = refusal(folder, arguments + " --scratch s --keep-tiles -q --resume");
@@ -235,7 +235,7 @@ TEST_CASE("another run is at work in the folder") {
   const Outcome outcome = folder.rbpa("stream a.f64xy --alpha 1 -o x.npy --scratch scratch --resume -q");
   if (!child.has_ended()) {
     CHECK(outcome.code == 1);
-    CHECK(outcome.err.find("found another run at work") != std::string::npos);
+    CHECK(outcome.err.find("another run is using the folder") != std::string::npos);
   }
 }
 

@@ -33,22 +33,22 @@ const std::vector<Listing> listings = {
     {{"a.csv", "b.txt", "c.xyz"}, "3 files are read: a.csv, b.txt, c.xyz\n"},
     {{"a.csv", "notes.md"}, "1 file is read: a.csv; not read: notes.md\n"},
     {{"a.las", "a.laz"},
-     "t/a.laz: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "t/a.laz: found points in a format that is not read, in a folder whose files are all read, expected a folder "
      "without "
      "them, or the names of files (pdal translate t/a.laz points.las)\n",
      3},
     {{"a.las", "B.LAZ"},
-     "t/B.LAZ: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "t/B.LAZ: found points in a format that is not read, in a folder whose files are all read, expected a folder "
      "without "
      "them, or the names of files (pdal translate t/B.LAZ points.las)\n",
      3},
     {{"a.laz"},
-     "t/a.laz: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "t/a.laz: found points in a format that is not read, in a folder whose files are all read, expected a folder "
      "without "
      "them, or the names of files (pdal translate t/a.laz points.las)\n",
      3},
     {{"a.las", "b.e57"},
-     "t/b.e57: found points in a format that is not read, in a folder of which all are meant, expected a folder "
+     "t/b.e57: found points in a format that is not read, in a folder whose files are all read, expected a folder "
      "without "
      "them, or the names of files (pdal translate t/b.e57 points.las)\n",
      3},
@@ -94,8 +94,7 @@ TEST_SUITE("stream folders") {
     for (const std::string option : {"--min-hole-area", "--min-part-area"}) {
       const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt " + option + " 1000");
       CHECK(outcome.code == 2);
-      CHECK(
-          outcome.err.starts_with("rbpa: " + option + ": found it with rbpa stream, which writes all holes and parts"));
+      CHECK(outcome.err.starts_with("rbpa: " + option + ": rbpa stream writes all holes and parts (use rbpa shape"));
       CHECK(outcome.err.find("native:deleteholes") != std::string::npos);
       CHECK_FALSE(folder.has("o.wkt"));
     }

@@ -288,12 +288,13 @@ TEST_CASE("a manifest that contradicts itself is refused, though its checksum is
     CHECK(text.find("manifest.json: found no manifest of rbpa stream (" + found) != std::string::npos);
   };
   check("no tiles", [](Json& json) { json["tree"] = Json::array(); });
-  check("a part of the plane that it cannot have", [](Json& json) { json["tree"][0][2] = 1'000'000; });
-  check("a part of the plane that it cannot have", [](Json& json) { json["tree"][0][2] = 0; });
-  check("a part of the plane that it cannot have", [](Json& json) { json["tree"][0][3] = json["tree"][0][2]; });
+  check("a number of a part that is out of range or repeated", [](Json& json) { json["tree"][0][2] = 1'000'000; });
+  check("a number of a part that is out of range or repeated", [](Json& json) { json["tree"][0][2] = 0; });
+  check("a number of a part that is out of range or repeated",
+        [](Json& json) { json["tree"][0][3] = json["tree"][0][2]; });
   check("a part of the plane without", [](Json& json) { json["tree"].push_back(json["tree"].back()); });
   check("a cut of an unknown kind", [](Json& json) { json["tree"][0][0] = 7; });
-  check("a tile of a number that it cannot have", [&](Json& json) { first_tile(json)[2] = 1'000'000; });
+  check("a tile number that is too large or repeated", [&](Json& json) { first_tile(json)[2] = 1'000'000; });
   check("an unknown pass", [](Json& json) { json["pass"] = 9; });
   check("no workers", [](Json& json) { json["workers"] = 0; });
   check("more files", [](Json& json) { json["files_done"] = 3; });

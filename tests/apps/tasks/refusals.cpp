@@ -67,15 +67,15 @@ TEST_CASE("tasks are asked for alone, in an empty folder") {
   const std::string run = "stream p.xy --alpha 1 -o t.npy ";
   has(said(folder, run + "--tasks .", 2), "--tasks: found other files in .");
   has(said(folder, run + "--tasks ''", 2), "--tasks: found an empty name");
-  has(said(folder, run + "--tasks T --scratch S", 2), "--scratch: found it and --tasks");
-  has(said(folder, run + "--tasks T --keep-tiles", 2), "--keep-tiles: found it and --tasks");
-  has(said(folder, run + "--tasks T --output-format wkt", 2), "--output-format: found it and --tasks");
-  has(said(folder, "stream p.xy --alpha 1 -o - --tasks T", 2), "standard output, and --tasks");
+  has(said(folder, run + "--tasks T --scratch S", 2), "--scratch cannot be combined with --tasks");
+  has(said(folder, run + "--tasks T --keep-tiles", 2), "--keep-tiles cannot be combined with --tasks");
+  has(said(folder, run + "--tasks T --output-format wkt", 2), "--output-format cannot be combined with --tasks");
+  has(said(folder, "stream p.xy --alpha 1 -o - --tasks T", 2), "-o - cannot be combined with --tasks");
   has(said(folder, "stream p.xy --alpha inf -o t.npy --tasks T", 2), "--alpha: found inf, expected a finite radius");
   has(said(folder, "stream p.xy --alpha 1 -o 'a\nb.npy' --tasks N", 2), "found a newline in the name");
   CHECK(!folder.has("T"));
   CHECK(folder.rbpa(run + "--tasks T -q").code == 0);
-  has(said(folder, run + "--tasks T", 2), "--tasks: found a run in T, expected --resume to go on with it");
+  has(said(folder, run + "--tasks T", 2), "--tasks: found a run in T, expected --resume to continue it");
   has(said(folder, run + "--scratch T --resume", 2), "--resume: found");  // it would remove the lists' files
   const std::string before = folder.content("T/Makefile");
   CHECK(folder.rbpa(run + "--tasks T --resume -q").code == 0);
@@ -89,7 +89,7 @@ TEST_CASE("names of files say what is wanted") {
   const std::string tile = "tile T/tiles/000000.tile ";
   has(said(folder, tile, 2), "found no -o OUT");
   has(said(folder, tile + "-o a.off", 2), "a name that ends in .partial, .npy or .ply");
-  has(said(folder, tile + "-o a.npy -o b.npy", 2), "expected one of a kind");
+  has(said(folder, tile + "-o a.npy -o b.npy", 2), "expected one file of each kind");
   has(said(folder, tile + "-o a.partial --threads 0", 2), "--threads: found '0'");
   has(said(folder, tile + "-o a.partial -o a.npy --stats a.npy", 2), "a.npy");
   has(said(folder, tile + "-o no/a.partial", 1), "no/a.partial");
