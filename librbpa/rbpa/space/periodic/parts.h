@@ -23,9 +23,9 @@ class Parts {
   std::span<const std::uint32_t> tetrahedra(std::size_t part) const {
     return std::span(order_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
   }
-  /// Returns the directions in which a part reaches images of itself.
+  /// Returns the directions in which a part percolates: reaches images of itself.
   const Rank& directions(std::size_t part) const { return directions_[part]; }
-  /// Returns the directions in which all parts outside together reach images of themselves.
+  /// Returns the directions in which all parts outside together percolate.
   const Rank& directions_outside() const { return directions_outside_; }
 
  private:
