@@ -168,8 +168,7 @@ class StreamBench {
     print_more();
   }
 
-  /// Prints an estimate, from the numbers above, for more points on more machines like this one; docs/scale.md, section
-  /// 2.
+  /// Prints an estimate, from the numbers above, for more points on more such machines (docs/scale.md, section 2).
   void print_more() const {
     const double tiles = most(&Moment::tile_bytes) / points(), output = stream_.output_bytes / points();
     const double bytes = 2 * input_.bytes / points() + 2 * tiles;

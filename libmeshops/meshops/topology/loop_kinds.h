@@ -28,7 +28,7 @@ enum class LoopKind : std::uint8_t {
   tunnel,   ///< bounds outside and not inside: through a tunnel
   neither,  ///< bounds on neither side: a sum of both kinds, or another component passes through it
   both,     ///< bounds on both sides, hence on the surface; or is no loop of a basis
-  unknown,  ///< the component has a boundary, or the surface is folded flat or so thin that a sum is near no integer
+  unknown,  ///< the component has a boundary, or the surface is folded flat or too thin: a sum is near no integer
 };
 
 /// Returns the kind of each loop. `positions` has the position of each vertex by index. The inside of a component of
@@ -36,8 +36,8 @@ enum class LoopKind : std::uint8_t {
 /// loops of a single component get the kinds that they have without the others.
 /// Requires: validate(mesh) is empty; positions are finite; the surface does not cross itself; the loops include a
 ///           basis for each component that has loops, such as homology() finds.
-/// Throws:   ContractViolation if `positions` does not have one entry per vertex, or a loop is empty, has a halfedge that
-///           does not exist, or does not close; Cancelled.
+/// Throws:   ContractViolation if `positions` does not have one entry per vertex, or a loop is empty, has a halfedge
+///           that does not exist, or does not close; Cancelled.
 MESHOPS_API std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const std::array<double, 3>> positions,
                                              std::span<const Loop> loops, const GoOn& go_on = {});
 

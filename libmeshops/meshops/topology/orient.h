@@ -28,7 +28,7 @@ struct Orientation {
   std::vector<SurfacePiece> pieces;  ///< in the order of their first faces
   /// For each face, its piece; `none` if it is degenerate, a duplicate, or has a corner out of range.
   std::vector<std::uint32_t> piece;
-  /// For each face, whether to reverse it. No face of a piece that is not orientable is reversed, and in a tie the first
+  /// For each face, whether to reverse it. No face of a piece that is not orientable is reversed; in a tie the first
   /// face of a piece is not.
   std::vector<bool> reversed;
 };
