@@ -170,7 +170,7 @@ std::optional<Recommendation> recommended(const Radii& radii) {
   if (!best.is_long && radii.least_connected)
     return Recommendation{"auto", *radii.least_connected,
                           "no range of alpha stands out: the longest over which parts and holes hardly change is " +
-                              factor + ", which chance may give so few points"};
+                              factor + ", which may be chance for so few points"};
   if (best.kind == PlateauKind::one_piece)
     return Recommendation{"plateau", best.alpha,
                           "from " + from + " on one part holds nearly all points that are covered, and it hardly " +

@@ -232,7 +232,7 @@ void SolidRun::write() {
 }
 
 void SolidRun::say_empty() const {
-  std::string why = "no four points have a circumradius so small";
+  std::string why = "no four points have such a small circumradius";
   if (solid_.distinct < 4)
     why = "fewer than four distinct points";
   else if (std::isinf(facts_.alpha) || (triangulation_.distinct > 0 && triangulation_.simplices.empty()))

@@ -22,7 +22,7 @@ std::string text_of_nothing(const HoleRemedy& remedy) {
     case HoleOutcome::crosses:
       return "nothing closes it: each filling crosses";
     case HoleOutcome::edge_taken:
-      return "nothing closes it: each filling has an edge that is taken";
+      return "nothing closes it: each filling has an edge that already has two triangles";
     case HoleOutcome::no_area:
       return "nothing closes it: its points are on a line";
     case HoleOutcome::too_much_work:

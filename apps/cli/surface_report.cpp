@@ -23,7 +23,7 @@ constexpr std::size_t named_curves = 5;
 
 constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "blocked", "cut"};
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
-                               "blocked by what smaller radii made", "cut apart where sheets touch"};
+                               "blocked by triangles of smaller radii", "cut apart where sheets touch"};
 
 /// Returns the index of the cause in rim_names. An edge that the ball left open has a next triangle with three corners.
 std::size_t cause_of(const RimEdge& edge) {
@@ -31,7 +31,7 @@ std::size_t cause_of(const RimEdge& edge) {
 }
 constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked"};
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
-                                  "blocked by what smaller radii made"};
+                                  "blocked by triangles of smaller radii"};
 
 /// Adds lines about boundary curves: one for each of the longest, rims first, one for all if there are more, and one
 /// for islands.
@@ -199,11 +199,12 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                     " dropped: " + std::to_string(dropped.triangles) + " of " +
                     counted(dropped.of_triangles, "triangle") + " (" + percent(dropped.triangle_share()) +
                     ") of area " + rounded(dropped.area, 6) + " (" + percent(dropped.area_share()) + "), of genus " +
-                    std::to_string(dropped.genus) + ", and " + counted(dropped.points, "point") + " in no other");
+                    std::to_string(dropped.genus) + ", and " + counted(dropped.points, "point") +
+                    " left without a triangle");
   const FillingCounts& filling = facts.filling;
   if (filling.filled() > 0) lines.push_back(filled_text(filling));
   if (filling.given_up > 0)
-    lines.push_back(counted(filling.given_up, "triangle") + " given up around holes, so that these can be filled");
+    lines.push_back(counted(filling.given_up, "triangle") + " around holes removed, so that these can be filled");
   if (filling.left() > 0) lines.push_back(left_text(filling));
   if (facts.watertight) {
     lines.push_back("watertight: every edge has two triangles, and no two triangles cross" +
@@ -211,11 +212,11 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                                                 : "; it touches itself in " + counted(facts.counts.touching, "point")));
     if (const auto inside = inside_text(facts)) lines.push_back(*inside);
     if (facts.components.front().volume < 0)
-      lines.push_back("the largest component faces what it encloses; --flip turns it around");
+      lines.push_back("the largest component faces inward (--flip turns it around)");
   }
   if (facts.crowded_edges > 0)
-    lines.push_back(counted(facts.crowded_edges, "edge") +
-                    " with more than two triangles, which readers find not manifold; --manifold splits their vertices");
+    lines.push_back(counted(facts.crowded_edges, "non-manifold edge") +
+                    ", with more than two triangles (--manifold splits their vertices)");
   return lines;
 }
 

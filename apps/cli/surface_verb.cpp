@@ -197,7 +197,7 @@ void SurfaceRun::find_remedies() {
   std::vector<Hole> wanted;
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (kinds[i] == CurveKind::hole) wanted.push_back(facts_.holes[i]);
-  const auto found = step("looking for remedies", [&](const SurfaceOptions& how) {
+  const auto found = step("looking for repairs", [&](const SurfaceOptions& how) {
     return hole_remedies(file_.points, normals(), radii_, surface_, wanted, how);
   });
   remedies_ = SurfaceRemedies(wanted, found);
@@ -345,8 +345,7 @@ void SurfaceRun::say_empty() const {
     const std::optional<double> radius = step("looking for a radius", [&](const SurfaceOptions& how) {
       return radius_with_triangles(file_.points, normals(), how);
     });
-    why = radius ? "with --radius " + text_of(*radius) + " there would be some"
-                 : "and none of the radii that were tried gives one";
+    why = radius ? "with --radius " + text_of(*radius) + " there would be some" : "none of the tried radii gives one";
     if (!radius && facts_.radii.empty()) why = "all points are on a line";
   }
   say("rbpa", "there is no triangle: " + why);

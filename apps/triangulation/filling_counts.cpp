@@ -12,8 +12,8 @@ namespace rbpa::app {
 namespace {
 
 constexpr std::array texts{"filled", "where any filling crosses the surface",
-                           "where any filling has an edge that two triangles have already", "with all points on a line",
-                           "where more is near than the limit of work allows to try"};
+                           "where any filling has an edge that already has two triangles", "with all points on a line",
+                           "where the surroundings exceed the limit of work"};
 
 }  // namespace
 

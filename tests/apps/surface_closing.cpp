@@ -139,7 +139,7 @@ TEST_SUITE("surface") {
       }
       const Outcome turned = folder.rbpa(std::string(ball) + "--watertight --flip -o turned.off");
       CHECK(turned.code == 0);
-      CHECK(turned.err.ends_with("\nrbpa: the largest component faces what it encloses; --flip turns it around\n"));
+      CHECK(turned.err.ends_with("\nrbpa: the largest component faces inward (--flip turns it around)\n"));
     }
   }
 
@@ -164,7 +164,7 @@ TEST_SUITE("surface") {
     const json report = json::parse(outcome.out);
     const auto given_up = report["filled"]["given_up"].get<int>();
     CHECK(given_up > 0);
-    CHECK(outcome.err.find("\nrbpa: " + std::to_string(given_up) + " triangles given up around holes, so that") !=
+    CHECK(outcome.err.find("\nrbpa: " + std::to_string(given_up) + " triangles around holes removed, so that") !=
           std::string::npos);
     CHECK(report["filled"]["left"] ==
           json::parse(R"({"crosses": 0, "edge_taken": 0, "no_area": 0, "too_much_work": 0})"));

@@ -77,7 +77,7 @@ TEST_SUITE("surface") {
       CHECK(outcome.code == 0);
       CHECK(outcome.err.find("\nrbpa: 1 of 2 components dropped: 1 of ") != std::string::npos);
       CHECK(outcome.err.find(" %) of area 0.005 (") != std::string::npos);
-      CHECK(outcome.err.find(" %), of genus 0, and 3 points in no other\n") != std::string::npos);
+      CHECK(outcome.err.find(" %), of genus 0, and 3 points left without a triangle\n") != std::string::npos);
       CHECK(outcome.err.find(", genus 0, without 1 component dropped (") != std::string::npos);
       CHECK(outcome.err.find("island") == std::string::npos);
       const json report = json::parse(outcome.out);
@@ -137,8 +137,8 @@ TEST_SUITE("surface") {
     folder.file("t.xyz", touching);
     const std::string run = "surface t.xyz --radius 0.7 --normals none --json ";
     const Outcome plain = folder.rbpa(run + "-o plain.ply");
-    CHECK(plain.err.find("\nrbpa: 1 edge with more than two triangles, which readers find not manifold; --manifold "
-                         "splits their vertices\n") != std::string::npos);
+    CHECK(plain.err.find("\nrbpa: 1 non-manifold edge, with more than two triangles (--manifold splits their "
+                         "vertices)\n") != std::string::npos);
     CHECK(json::parse(plain.out)["crowded_edges"] == 1);
     CHECK(!json::parse(folder.meshtopo("plain.ply --json").out)["defects"].empty());
 
