@@ -1,7 +1,7 @@
-"""Makes a wheel of the source tree: CMake builds the package, and a wheel is a zip of it. For pip, under PEP 517.
+"""Builds a wheel from the source tree for pip (PEP 517): CMake builds the package, and the wheel is a zip of it.
 
-Nothing is downloaded: needed are what the library needs to be built, and pybind11 (docs/reference/python.md). Where patchelf is, the wheel has the
-libraries that it needs inside.
+Downloads nothing: the build requirements of the library and pybind11 must be installed (docs/reference/python.md). If
+patchelf is installed, the wheel contains the shared libraries that it needs.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def metadata() -> str:
 
 
 def say(sentence: str) -> None:
-    """Seen at once with `pip install -v`; without it where the build fails."""
+    """Prints a line that `pip install -v` shows at once, and `pip install` only if the build fails."""
     print(f"rbpa: {sentence}", file=sys.stderr, flush=True)
 
 
@@ -54,7 +54,7 @@ def answers(*command: str) -> bool:
 
 
 def missing() -> list[str]:
-    """What is not there of what runs the build, each with the package of Debian that has it. CMake looks for the libraries."""
+    """Returns the missing build tools, each with its Debian package. CMake checks the libraries."""
     found = []
     if not answers(os.environ.get("CXX", "c++"), "--version"):
         found.append("C++ compiler (Debian: g++)")
@@ -68,7 +68,7 @@ def missing() -> list[str]:
 
 
 def configure(folder: pathlib.Path) -> None:
-    """Finds within seconds what is missing, before anything that takes minutes."""
+    """Checks the requirements within seconds, before the build, which takes minutes."""
     found = missing()
     if found:
         raise SystemExit("rbpa: cannot be built: there is no " + ", no ".join(found))
@@ -83,7 +83,7 @@ def run(advice: str, *arguments: str) -> None:
 
 
 def build_package(folder: pathlib.Path) -> pathlib.Path:
-    """The package, built for the Python that runs this."""
+    """Builds the package for the running Python."""
     configure(folder)
     jobs = str(os.cpu_count() or 1)
     say(f"compiling with {jobs} processes, which takes minutes")
@@ -92,7 +92,7 @@ def build_package(folder: pathlib.Path) -> pathlib.Path:
 
 
 def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings=None) -> str:
-    """For pip, which then looks for NumPy, and fetches it or fails, before the package is compiled instead of after."""
+    """Writes the metadata, so that pip finds or downloads NumPy, or fails, before the package is compiled."""
     with tempfile.TemporaryDirectory() as folder:
         configure(pathlib.Path(folder))
     info = pathlib.Path(metadata_directory, f"rbpa-{version()}.dist-info")
@@ -102,7 +102,7 @@ def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings=No
 
 
 def strip(module: pathlib.Path) -> None:
-    """Leaves out names that only debuggers read."""
+    """Strips symbols that only debuggers need."""
     if shutil.which("strip"):
         subprocess.run(["strip", "--strip-unneeded", str(module)], check=True)
 

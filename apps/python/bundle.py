@@ -1,5 +1,5 @@
-"""Brings the shared libraries that an extension module needs into its wheel, as auditwheel does: with names of their own, beside the
-package, where the module looks for them first. Needs patchelf and ldd.
+"""Copies the shared libraries that an extension module needs into its wheel, as auditwheel does: with unique names,
+beside the package, where the module searches first. Needs patchelf and ldd.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import uuid
 
-# What every Linux has, by PEP 600.
+# Libraries of every Linux system, by PEP 600.
 OF_THE_SYSTEM = re.compile(r"(libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s|ld-linux.*|linux-vdso)\.so")
 
 
@@ -23,7 +23,7 @@ def can_bundle() -> bool:
 
 
 def platform_tag() -> str:
-    """Of a wheel that stands alone: it needs the C library and libstdc++ that this system has, or newer ones."""
+    """Returns the tag of a self-contained wheel, which needs this system's C library and libstdc++, or newer ones."""
     major, minor = platform.libc_ver()[1].split(".")[:2]
     return f"manylinux_{major}_{minor}_{platform.machine()}"
 
@@ -33,7 +33,8 @@ def output_of(*command: object) -> str:
 
 
 def libraries_of(module: pathlib.Path) -> dict[str, pathlib.Path]:
-    """By the names under which they are needed, directly or not: the files of the libraries that not every system has."""
+    """Returns the files of the libraries that the module needs, directly or not, and that not every system has, by
+    name."""
     found = {}
     for line in output_of("ldd", module).splitlines():
         match = re.match(r"\s*(\S+) => (.*?)(?: \(0x[0-9a-f]+\))?$", line)
@@ -46,7 +47,7 @@ def libraries_of(module: pathlib.Path) -> dict[str, pathlib.Path]:
 
 
 def debian_package(library: pathlib.Path) -> tuple[str, str]:
-    """Name and version of the package that a library is of; of a system without dpkg the library's name and ""."""
+    """Returns name and version of the package of a library; without dpkg, the library's name and ""."""
     try:
         name = output_of("dpkg", "-S", f"*/{library.name}").split(":")[0]
         return name, output_of("dpkg-query", "-W", "-f=${Version}", name)
@@ -55,7 +56,8 @@ def debian_package(library: pathlib.Path) -> tuple[str, str]:
 
 
 def look_in(folder: str, names: dict[str, str], file: pathlib.Path) -> None:
-    """Makes a library or module look there for what it needs, by other names. One change at a time: patchelf 0.14 confuses several."""
+    """Changes the names and the search path of the libraries that a file needs, one at a time, as patchelf 0.14
+    confuses several."""
     needed = output_of("patchelf", "--print-needed", file).split()
     for old, new in names.items():
         if old in needed:
@@ -66,7 +68,8 @@ def look_in(folder: str, names: dict[str, str], file: pathlib.Path) -> None:
 def bundle(module: pathlib.Path, folder: pathlib.Path) -> list[dict[str, str]]:
     """Copies the libraries into the folder, and changes the module so that it finds them in ../<folder's name>.
 
-    Returns what is inside: of each library its "file" there, the "package" and "version" it comes from, and the "license", a text.
+    Returns for each library its "file" in the folder, the "package" and "version" it comes from, and the text of its
+    "license".
     """
     folder.mkdir()
     names, parts = {}, []
@@ -91,7 +94,7 @@ def bundle(module: pathlib.Path, folder: pathlib.Path) -> list[dict[str, str]]:
 
 
 def bill_of_materials(name: str, version: str, parts: list[dict[str, str]]) -> str:
-    """What a wheel contains, as CycloneDX 1.5 (PEP 770)."""
+    """Returns the contents of a wheel as CycloneDX 1.5 (PEP 770)."""
     components = [
         {
             "type": "library",

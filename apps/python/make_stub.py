@@ -1,8 +1,9 @@
-"""Writes the types of the compiled module, from the signatures that pybind11 writes into docstrings, for type checkers and editors:
+"""Writes a stub with the types of the compiled module for type checkers and editors, from the signatures in pybind11's
+docstrings:
 
     python3 make_stub.py _core.cpython-311-x86_64-linux-gnu.so _core.pyi
 
-It needs nothing but Python, and the module is imported without NumPy: so it works wherever pip builds.
+Needs only Python, as the module is imported without NumPy, so that it works in every build by pip.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ import numpy.typing as npt
 from rbpa._input import Indices, Progress
 '''
 
-# Types as pybind11 writes them, and as Python does; in this order.
+# Types as pybind11 writes them, and Python's types; replaced in this order.
 TYPES = [
     (r"numpy\.ndarray\[(?:bool|numpy\.bool_?)\]", "npt.NDArray[np.bool_]"),
     (r"numpy\.ndarray\[numpy\.(\w+)\]", r"npt.NDArray[np.\1]"),
@@ -32,12 +33,12 @@ TYPES = [
     (r"\bTuple\[", "tuple["),
     (r"\bdict\b(?!\[)", "dict[str, Any]"),
     (r"\blist\b(?!\[)", "list[Any]"),
-    # Arguments of which C++ says less than they are.
+    # Arguments whose types are more precise than in C++.
     (r"\bprogress: object", "progress: Progress"),
     (r"\bweight: (function|Callable)", "weight: Callable[[int, int, int], float]"),
     (r"\bpoint_of_vertex: Optional\[list\[int\]\]", "point_of_vertex: Optional[Sequence[int] | Indices]"),
 ]
-SPECIAL = ("__init__", "__neg__", "__add__")  # the others are those of every object
+SPECIAL = ("__init__", "__neg__", "__add__")  # every object has the others
 
 
 def typed(signature: str, classes: dict[str, type]) -> str:

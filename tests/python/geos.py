@@ -32,17 +32,17 @@ def library() -> Any:
 
 
 class Hulls:
-    """Points in GEOS' own memory, and their hulls: so that nothing but the hull is timed."""
+    """Points in GEOS' own memory, and their hulls, so that only the hull is timed."""
 
     def __init__(self, points: np.ndarray) -> None:
         self.geos = library()
         self.context = self.geos.GEOS_init_r()
         points = np.ascontiguousarray(points, dtype=float)
         sequence = self.geos.GEOSCoordSeq_copyFromBuffer_r(self.context, points.ctypes.data, len(points), 0, 0)
-        self.points = self.geos.GEOSGeom_createLineString_r(self.context, sequence)  # its vertices are what counts
+        self.points = self.geos.GEOSGeom_createLineString_r(self.context, sequence)  # only its vertices matter
 
     def hull(self, ratio: float, allow_holes: bool) -> int:
-        """A geometry of GEOS, the caller's to destroy."""
+        """Returns a geometry of GEOS, which the caller must destroy."""
         made: int = self.geos.GEOSConcaveHull_r(self.context, self.points, ratio, int(allow_holes))
         assert made
         return made

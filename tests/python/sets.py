@@ -1,4 +1,4 @@
-"""Point sets of every kind, small ones."""
+"""Small point sets of every kind."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def grid(columns: int) -> np.ndarray:
 
 
 def ring(count: int, seed: int = 1) -> np.ndarray:
-    """Points of a ring, so that there is a hole."""
+    """Returns points of a ring, whose shape has a hole."""
     angle, radius = np.random.default_rng(seed).random((2, count))
     angle, radius = 2 * np.pi * angle, 1 + radius
     return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))

@@ -1,4 +1,4 @@
-"""alpha_shape(): what it says is what the triangles are, however the points are given."""
+"""alpha_shape(): its attributes agree with its triangles, for points in any form."""
 
 import math
 import subprocess
@@ -20,7 +20,7 @@ def squared_circumradius(a, b, c) -> Fraction:
 
 
 def root(square: Fraction) -> float:
-    """Near the square root, also beyond what a double could square."""
+    """Returns about the square root, also of squares beyond the range of a double."""
     scale = 1 << 2200
     return float(Fraction(math.isqrt(int(square * scale * scale)), scale))
 

@@ -1,4 +1,4 @@
-"""concave_hull(): one valid polygon around all points; beside GEOS'."""
+"""concave_hull(): one valid polygon around all points; compared with GEOS."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""rbpa.dask: what workers compute of tiles is what one call computes of all points."""
+"""rbpa.dask: workers compute from tiles the same as one call from all points."""
 
 import os
 import pathlib
@@ -61,7 +61,7 @@ def test_tiles_together_are_the_whole(name, tile_points, tmp_path):
     points = sets.every_kind()[name]
     width = np.ptp(points, axis=0).max() if len(points) > 1 else 1.0
     files = files_of(points, tmp_path, 5)
-    for alpha in (0.03 * width, 0.4 * width):  # which is larger than tiles are
+    for alpha in (0.03 * width, 0.4 * width):  # the second is larger than tiles
         found = rbpa.dask.alpha_shape(files, alpha, storage=tmp_path, tile_points=tile_points, triangles=True)
         check(points, found, alpha)
         assert len(found.triangle_files) >= 1

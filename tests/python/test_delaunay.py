@@ -1,4 +1,4 @@
-"""Delaunay: it stands in for SciPy's."""
+"""Delaunay replaces SciPy's class."""
 
 import pickle
 
@@ -32,7 +32,7 @@ def test_every_attribute_means_what_it_means_in_scipy():
     for name in ("simplices", "neighbors", "convex_hull", "coplanar"):
         a, b = getattr(ours, name), getattr(theirs, name)
         assert a.dtype == b.dtype and a.shape == b.shape and a.flags.c_contiguous
-    for of in (ours, theirs):  # the neighbour across from a corner is the one that does not have it
+    for of in (ours, theirs):  # the neighbor opposite to a corner does not have that corner
         for t, beside in enumerate(of.neighbors):
             for k, n in enumerate(beside):
                 if n >= 0:

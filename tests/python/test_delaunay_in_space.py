@@ -1,4 +1,4 @@
-"""rbpa.Delaunay of points in space, beside SciPy's."""
+"""rbpa.Delaunay of points in space, compared with SciPy's."""
 
 import math
 import pickle

@@ -1,4 +1,4 @@
-"""What pages and help say in Python is what Python does."""
+"""Examples of Python in pages and docstrings give the documented results."""
 
 import ast
 import doctest
@@ -40,7 +40,7 @@ def test_lines_of_pages_run(page, tmp_path, monkeypatch):
         for statement in ast.parse(block).body:
             text = ast.unparse(statement)
             said = block.splitlines()[statement.end_lineno - 1].partition("# -> ")[2]
-            if said:  # what the expression before it is
+            if said:  # the documented value of the expression before it
                 assert repr(eval(text, names)) == said, text
             else:
                 exec(text, names)

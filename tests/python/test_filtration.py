@@ -1,4 +1,4 @@
-"""filtration(): what it says of a radius is what alpha_shape() finds there; persistence is GUDHI's."""
+"""filtration(): it agrees with alpha_shape() at every radius; persistence agrees with GUDHI."""
 
 import math
 import pickle
@@ -24,7 +24,7 @@ def test_every_step_is_the_shape_of_its_radius(name):
         assert f.area[i] == pytest.approx(shape.area, rel=1e-9)
         below = rbpa.alpha_shape(f.points, np.nextafter(f.alpha[i], 0))
         assert len(below.simplices) < len(shape.simplices)
-        # Euler's formula, with edges as the triangles have them
+        # Euler's formula, with the edges of the triangles
         edges = (3 * len(shape.simplices) + len(shape.boundary)) // 2
         assert f.components[i] - f.holes[i] == f.covered[i] - edges + len(shape.simplices)
 

@@ -1,4 +1,4 @@
-"""Arrays can be written where nothing else has their memory; what an object goes on using is read-only."""
+"""Arrays are writable if nothing else uses their memory; arrays that an object keeps using are read-only."""
 
 import numpy as np
 import pytest

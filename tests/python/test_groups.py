@@ -1,4 +1,4 @@
-"""alpha_shapes() and concave_hulls(): each group is what a call with its points alone returns."""
+"""alpha_shapes() and concave_hulls(): each group equals the result of a call with its points alone."""
 
 import json
 import math
@@ -157,7 +157,7 @@ CORNERS = np.array([[0, 0], [1, 0], [0, 1]] * 3, float) + np.repeat([[0, 0], [5,
 
 
 def kinds_of_names():
-    """Groups of three points each, and the name of each group as their owner has it."""
+    """Returns groups of three points each, and the name of each group as given."""
     pandas = pytest.importorskip("pandas")
     days = pandas.Series(pandas.to_datetime(np.repeat(TIMES, 3)))
     some = days.copy()
@@ -194,7 +194,7 @@ def test_names_of_groups_come_back_as_what_they_were():
     for kind, groups, names in kinds_of_names():
         shapes = rbpa.concave_hulls(CORNERS, groups)
         assert list(shapes) == names, kind
-        for given, label in zip(list(groups), shapes.labels):  # each by what its owner has
+        for given, label in zip(list(groups), shapes.labels):  # each by its given name
             if label >= 0:
                 assert shapes[given].area == 0.5 and given in shapes, kind
                 assert shapes.simplices(given).shape == (1, 3)

@@ -1,4 +1,4 @@
-"""What users give: every form of points that says what it means is taken, every other is refused with a sentence."""
+"""Input: every unambiguous form of points is accepted, every other is refused with a sentence."""
 
 import decimal
 import fractions
@@ -97,7 +97,7 @@ def test_other_numbers_are_converted_exactly():
     ],
 )
 def test_what_is_no_points_is_refused(given, sentence):
-    of_the_plane = "this is the plane" in sentence  # of which Delaunay makes tetrahedra
+    of_the_plane = "this is the plane" in sentence  # Delaunay accepts such points, and makes tetrahedra
     for use in (rbpa.alpha_shape, rbpa.filtration if of_the_plane else rbpa.Delaunay):
         with pytest.raises(rbpa.InvalidInput, match=sentence):
             use(given)
@@ -204,7 +204,7 @@ def test_a_handle_is_a_whole_number_and_no_truth_value():
 
 
 class Place:
-    """What Shapely's points have, for machines without it."""
+    """A stand-in for Shapely's points, for machines without Shapely."""
 
     is_empty, has_z, geom_type = False, True, "Point"
 

@@ -1,4 +1,4 @@
-"""pip makes a wheel of the tree and installs it, without a network."""
+"""pip builds a wheel from the tree and installs it without a network."""
 
 import json
 import os
@@ -18,7 +18,7 @@ NO_NETWORK.pop("PYTHONPATH", None)
 
 
 def installed(folder: pathlib.Path, options: list, **environment: str) -> subprocess.CompletedProcess:
-    """What pip says in a new environment."""
+    """Returns the output of pip in a new environment."""
     subprocess.run([sys.executable, "-m", "venv", *options, folder / "new"], check=True)
     command = [folder / "new" / "bin" / "python3", "-m", "pip", "install", ROOT]
     return subprocess.run(command, env={**NO_NETWORK, **environment}, capture_output=True, text=True)
@@ -68,7 +68,7 @@ OF_EVERY_SYSTEM = re.compile(r"(linux-vdso|ld-linux[^/]*|libc|libm|libstdc\+\+|l
 
 @pytest.mark.nightly
 def test_a_wheel_stands_alone(tmp_path):
-    """What it needs of the system is what every system has, also while it works; the pages' examples run with it."""
+    """The wheel needs only libraries of every system, also at run time; the examples of the pages run with it."""
     ran = subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-deps", "-w", tmp_path, ROOT], env=NO_NETWORK, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stdout + ran.stderr
     (wheel,) = tmp_path.glob("rbpa-*.whl")

@@ -1,4 +1,4 @@
-"""Values at points: Delaunay.interpolate(), and SciPy's interpolators on Delaunay.to_scipy()."""
+"""Interpolation: Delaunay.interpolate(), and SciPy's interpolators on Delaunay.to_scipy()."""
 
 import math
 
@@ -13,7 +13,7 @@ RANDOM = np.random.default_rng(5)
 
 
 def some_sets():
-    """Thirty sets that SciPy triangulates, all of whose points it has as vertices."""
+    """Returns thirty sets that SciPy triangulates with all points as vertices."""
     yield from ((f"uniform {n}", uniform(n, n)) for n in (4, 10, 40, 100, 300, 1000, 3000))
     yield from ((f"scaled {e}", uniform(200, e + 50) * 10.0**e) for e in (-9, -6, -3, 3, 6, 9))
     yield from ((f"moved {e}", uniform(200, e) + 10.0**e) for e in (1, 2, 3))
@@ -28,7 +28,7 @@ SETS = dict(some_sets())
 
 
 def queries_for(points):
-    """Inside and outside, points themselves, middles of sides."""
+    """Returns queries inside and outside, at points, and at the middles of sides."""
     low, high = points.min(0), points.max(0)
     between = low + (high - low) * RANDOM.uniform(-0.1, 1.1, (300, 2))
     triangles = rbpa.Delaunay(points).simplices[:50]
@@ -47,7 +47,7 @@ def test_linear_interpolation_is_scipys_to_rounding(name):
     theirs = interpolate.LinearNDInterpolator(spatial.Delaunay(points), values)(at)
     on_ours = interpolate.LinearNDInterpolator(ours.to_scipy(), values)(at)
     found = ours.interpolate(values, at)
-    # On the hull rounding decides whether SciPy finds a triangle; where both do values agree.
+    # On the hull rounding decides whether SciPy finds a triangle; if both find one, values agree.
     for other in (theirs, on_ours):
         both = ~np.isnan(found) & ~np.isnan(other)
         assert both.sum() >= 0.95 * (~np.isnan(found)).sum()
@@ -72,10 +72,10 @@ def test_all_that_scipys_has():
     assert isinstance(ours, spatial.Delaunay)
     for name in ("npoints", "nsimplex", "ndim", "furthest_site"):
         assert getattr(ours, name) == getattr(theirs, name)
-    # Of equal points SciPy's has either.
+    # SciPy may keep either of equal points.
     first, second = ({tuple(sorted(t)) for t in (of.simplices % 500).tolist()} for of in (ours, theirs))
     assert first == second
-    # The planes of the same triangles, of which the lower side is outside, once both are lifted alike.
+    # The planes of the same triangles, lifted alike, are equal; all points are above them.
     lifted = np.column_stack((ours.points, ours.paraboloid_scale * (ours.points**2).sum(1) + ours.paraboloid_shift))
     distance = (ours.equations[:, None, :3] * lifted[ours.simplices]).sum(2) + ours.equations[:, 3:]
     assert np.abs(distance).max() < 1e-12
@@ -149,7 +149,7 @@ def test_natural_neighbours_keep_linear_functions_and_stay_between_the_values(na
     both = triangulation.interpolate(values, at, method="natural")
     assert np.nanmin(both) >= values.min() and np.nanmax(both) <= values.max() + 1e-12
     assert np.array_equal(triangulation.interpolate(values, points, method="natural"), values)
-    if len(points) > 10:  # it is not the linear one
+    if len(points) > 10:  # differs from linear interpolation
         assert np.nanmax(np.abs(both - triangulation.interpolate(values, at))) > 1e-3
     filled = triangulation.interpolate(plane, at, -7.0, method="natural")
     assert np.array_equal(filled == -7.0, np.isnan(found))

@@ -1,4 +1,4 @@
-"""rbpa.meshops: libmeshops as it is, whatever Python does to it."""
+"""rbpa.meshops: the operators of libmeshops, and their misuse from Python."""
 
 import ast
 import pathlib
@@ -23,7 +23,7 @@ def off_faces(name: str) -> np.ndarray:
 
 
 def live(mesh: Mesh) -> list:
-    """All live records, by number."""
+    """Returns all live records, by number."""
     return [
         [(v, mesh.halfedge_of_vertex(v)) for v in mesh.vertices()],
         [(h, mesh.from_vertex(h), mesh.next(h), mesh.prev(h), mesh.face(h)) for h in mesh.halfedges()],
@@ -38,7 +38,7 @@ def counts(mesh: Mesh) -> dict:
 
 
 def checked(mesh: Mesh, operator, *arguments, **options):
-    """What an operator returns, after its delta and the soundness of the mesh were looked at."""
+    """Returns the effect of an operator, after checking its delta and the mesh."""
     before = counts(mesh)
     assert getattr(mesh, operator + "_blocker")(*arguments, **options) is None
     effect = getattr(mesh, operator)(*arguments, **options)

@@ -1,4 +1,4 @@
-"""Tetrahedra of points in a box that repeats."""
+"""Tetrahedra of points in a periodic box."""
 
 import math
 import pathlib
@@ -62,7 +62,7 @@ def test_a_channel_goes_on_in_one_direction():
 
 def test_a_ball_does_not_pass_triangles_without_a_tetrahedron():
     lattice = numpy.array([(x, y, z) for x in range(4) for y in range(4) for z in range(4)], float)
-    window = math.sqrt(0.5)  # of the square between four points; half the diagonal of a cube is 0.866
+    window = math.sqrt(0.5)  # radius at which the square between four points fills; half the diagonal of a cube is 0.866
     for alpha, dimensions in ((window * (1 - 1e-15), [3]), (window * (1 + 1e-15), [0] * 64)):
         assert [void.dimension for void in rbpa.periodic_solid(lattice, 4, alpha).voids] == dimensions
         assert [void.dimension for void in rbpa.periodic_solid(lattice, 4, alpha, complex="solid").voids] == [3]

@@ -1,4 +1,4 @@
-"""Pictures: what is dense is no blot, what is sparse is seen, and axes are named."""
+"""Pictures: dense data are no blot, sparse data are visible, and axes are labeled."""
 
 import math
 
@@ -17,7 +17,7 @@ def closed():
 
 
 def page(draw) -> np.ndarray:
-    """The brightness of each pixel inside the axes, from 0 to 1."""
+    """Returns the brightness of each pixel inside the axes, from 0 to 1."""
     figure = pyplot.figure(figsize=(3, 3), dpi=100)
     axes = figure.add_axes((0, 0, 1, 1))
     draw(axes)

@@ -1,4 +1,4 @@
-"""The outline of a shape, and how other programs take it."""
+"""The outline of a shape, and its conversions for other packages."""
 
 import json
 import math
@@ -42,7 +42,7 @@ def test_polygons_are_a_sequence():
 
 def test_filters_fill_and_drop():
     shape = shape_with_holes()
-    assert shape.filtered(min_hole_area=22).area == 46  # what is as large stays
+    assert shape.filtered(min_hole_area=22).area == 46  # a hole of exactly that area stays
     assert shape.filtered(min_hole_area=22.5).area == 68
     assert len(shape.filtered(min_part_area=4.5)) == 1 and len(shape.filtered(min_part_area=100)) == 0
     for bad in ({"min_hole_area": -1.0}, {"min_part_area": math.nan}):
@@ -119,7 +119,7 @@ def test_plots_show_the_shape():
 
 
 def table_of(features):
-    """The rows that geopandas.GeoDataFrame.from_features() makes."""
+    """Returns the rows that geopandas.GeoDataFrame.from_features() makes."""
     interface = getattr(features, "__geo_interface__", features)
     if isinstance(interface, dict) and interface.get("type") == "FeatureCollection":
         features = interface["features"]

@@ -1,4 +1,4 @@
-"""Points in files are those that the program reads, with its sentences where they are none."""
+"""read_points() reads the same points as the program, and refuses files with the same messages."""
 
 import gzip
 import os
@@ -15,7 +15,8 @@ PLACES = np.array([[0, 0, 0], [100, 0, 10], [100, 100, 20], [0, 100, 30], [50, 5
 
 
 def las(path, places=PLACES, classes=CLASSES, claimed=None):
-    """LAS 1.2 with records of format 2, the colour of a record being 256 times its class; a unit of 0.01 from 500000 on."""
+    """Writes LAS 1.2 with records of format 2: colors are 256 times the class, the scale is 0.01 and the offset
+    500000."""
     record = np.dtype([("at", "<i4", 3), ("intensity", "<u2"), ("returns", "u1"), ("class", "u1"), ("angle", "i1"),
                        ("user", "u1"), ("source", "<u2"), ("color", "<u2", 3)])  # fmt: skip
     records = np.zeros(len(places), record)

@@ -1,4 +1,4 @@
-"""Long runs: Ctrl-C, progress, other threads, children."""
+"""Long runs: Ctrl-C, progress, other threads, child processes."""
 
 import atexit
 import math
@@ -21,7 +21,7 @@ MANY = uniform(300_000)
 
 
 def interrupted_after(seconds: float, run) -> float:
-    """How long the run took to end after Ctrl-C."""
+    """Returns the seconds that the run took to end after Ctrl-C."""
     sent = []
 
     def send() -> None:
@@ -33,7 +33,7 @@ def interrupted_after(seconds: float, run) -> float:
     with pytest.raises(KeyboardInterrupt):
         try:
             run()
-            timer.join()  # the run was shorter: the signal comes now, and nothing was shown
+            timer.join()  # the run ended before: the signal comes now, and nothing is tested
         finally:
             timer.cancel()
     return time.monotonic() - sent[0]
@@ -42,7 +42,7 @@ def interrupted_after(seconds: float, run) -> float:
 @pytest.mark.parametrize("after", [0.05, 0.2, 0.35])
 def test_control_c_ends_a_run(after):
     delay = interrupted_after(after, lambda: [rbpa.alpha_shape(MANY) for _ in range(9)])
-    assert delay < 3  # it is some 0.1 s on a machine that has nothing else to do; this one may have a lot
+    assert delay < 3  # about 0.1 s on an idle machine; this one may be busy
     assert len(rbpa.alpha_shape(MANY[:1000], 0.1).simplices)
 
 
@@ -91,7 +91,7 @@ def test_other_threads_run_on_during_every_long_run(name):
             counted[0] += 1
             time.sleep(0.001)
 
-    LONG_RUNS[name]()  # what is made once is there
+    LONG_RUNS[name]()  # so that one-time setup is done
     thread = threading.Thread(target=count)
     thread.start()
     before = counted[0]
@@ -99,7 +99,7 @@ def test_other_threads_run_on_during_every_long_run(name):
     after = counted[0]
     done.set()
     thread.join()
-    assert after - before > 5  # with the lock kept it would be one or none
+    assert after - before > 5  # if the lock were kept it would be one or none
 
 
 def test_progress_is_told_in_the_calling_thread():
@@ -148,7 +148,7 @@ def test_other_threads_of_python_run_on():
     finally:
         done.set()
         thread.join()
-    assert counted[0] > 50  # with the lock kept it would be none
+    assert counted[0] > 50  # if the lock were kept it would be none
 
 
 def test_several_threads_compute_at_once():

@@ -1,4 +1,4 @@
-"""The alpha complex of points in space at every radius."""
+"""The alpha complex of points in space for every radius."""
 
 import math
 import pickle

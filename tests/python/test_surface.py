@@ -1,4 +1,4 @@
-"""Surfaces of points in space: against SciPy's Delaunay triangulation, and what any surface must obey."""
+"""Surfaces of points in space: compared with SciPy's Delaunay triangulation, and laws of every surface."""
 
 import itertools
 import math
@@ -21,14 +21,14 @@ CAP = BALL[BALL[:, 2] > -0.3]
 
 
 def circumball(corners: np.ndarray) -> tuple:
-    """Centre and radius of the smallest ball on three or four points."""
+    """Returns center and radius of the smallest ball on three or four points."""
     edges = corners[1:] - corners[0]
     centre = np.linalg.lstsq(2 * edges, (edges**2).sum(axis=1), rcond=None)[0]
     return corners[0] + centre, np.linalg.norm(centre)
 
 
 def exposed_by_scipy(points: np.ndarray, radius: float) -> set:
-    """The triangles of the alpha complex, once for each side on which there is no cell of it."""
+    """Returns the triangles of the alpha complex, once for each side without a cell of it."""
     spatial = pytest.importorskip("scipy.spatial")
     found = set()
     cells = spatial.Delaunay(points).simplices

@@ -1,4 +1,4 @@
-"""Holes of surfaces filled, closed surfaces, and their files."""
+"""Filled holes of surfaces, closed surfaces, and their files."""
 
 import json
 import os
@@ -11,7 +11,8 @@ import rbpa
 
 
 def sphere_with_gaps(count=600):
-    """Points of a unit sphere but above 0.9 and near (1, 0, 0), and far from it a triangle, with normals."""
+    """Returns points and normals of a unit sphere, without those above 0.9 and near (1, 0, 0), and of a triangle far
+    away."""
     i = np.arange(count)
     z = 1 - (2.0 * i + 1) / count
     s = np.sqrt(1 - z * z)

@@ -1,4 +1,4 @@
-"""The halfedge mesh of a surface is glued where the surface is, on every scan there is."""
+"""The halfedge mesh of a surface is glued exactly where the surface is, for every scan."""
 
 import json
 import os
@@ -20,7 +20,7 @@ def scan(path: pathlib.Path) -> np.ndarray:
 
 
 def glued_sides(made: rbpa.Surface) -> np.ndarray:
-    """Pairs (3 t + k, 3 u + j) of sides, each across from that corner, that the surface has glued."""
+    """Returns the glued pairs (3 t + k, 3 u + j) of sides, each opposite to corner k of t and j of u."""
     triangles, neighbors = made.triangles, made.neighbors
     t, k = np.nonzero(neighbors >= 0)
     u = neighbors[t, k]
@@ -33,7 +33,7 @@ def glued_sides(made: rbpa.Surface) -> np.ndarray:
 
 
 def fans(made: rbpa.Surface) -> int:
-    """How many there are: corners that hang together through glued sides."""
+    """Returns the number of vertices: sets of corners connected through glued sides."""
     sparse = pytest.importorskip("scipy.sparse")
     csgraph = pytest.importorskip("scipy.sparse.csgraph")
     sides, count = glued_sides(made), 3 * len(made.triangles)
@@ -87,7 +87,7 @@ def test_sheets_that_share_an_edge_are_apart():
         for made in (rbpa.surface(points, "none", 0.25), rbpa.surface(points, radius=[0.2, 0.4])):
             check(made)
             refused += is_refused(made.triangles)
-    assert refused > 10  # by what knows the triangles alone
+    assert refused > 10  # by a mesh that has only the triangles
 
 
 def test_a_mesh_is_new_with_each_call_and_empty_where_the_surface_is():

@@ -1,4 +1,4 @@
-"""Surfaces of triangles that come from elsewhere."""
+"""Surfaces of given triangles."""
 
 import pickle
 

@@ -1,4 +1,4 @@
-"""Surface.refined(): fillings as fine and smooth as the rest, of files as well."""
+"""Surface.refined(): fillings become as fine and smooth as the rest, also on surfaces from files."""
 
 import numpy as np
 import pytest

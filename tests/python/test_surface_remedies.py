@@ -1,4 +1,4 @@
-"""Surface.remedies(): what is named for a hole closes it when it is done; and rbpa.outliers()."""
+"""Surface.remedies(): the suggested repair of a hole closes it; and rbpa.outliers()."""
 
 import numpy as np
 import pytest

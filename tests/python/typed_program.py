@@ -1,4 +1,4 @@
-"""What a user's type checker sees: run by mypy --strict, and never executed."""
+"""A user's program for type checking: checked by mypy --strict, and never executed."""
 
 import numpy as np
 import numpy.typing as npt

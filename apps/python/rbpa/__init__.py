@@ -1,5 +1,5 @@
-"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane, surfaces and solids of points in space:
-exact on any input, and fast.
+"""Alpha shapes, concave hulls and Delaunay triangulations of points in the plane, surfaces and solids of points in
+space: exact for every input, and fast.
 
     >>> import rbpa
     >>> shape = rbpa.alpha_shape([[0, 0], [1, 0], [1, 1], [0, 1], [9, 9]], alpha=1.0)
@@ -11,38 +11,38 @@ exact on any input, and fast.
     >>> shape.to_wkt()
     'MULTIPOLYGON (((0.0 0.0, 1.0 0.0, 1.0 1.0, 0.0 1.0, 0.0 0.0)))'
 
-What there is:
+Contents:
 
     alpha_shape(points, alpha="plateau") the solid alpha complex: triangles, outline, area      -> AlphaShape
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
-    alpha_shapes(points, groups), concave_hulls(points, groups)   the same of many groups       -> AlphaShapes
+    alpha_shapes(points, groups), concave_hulls(points, groups)   for many groups of points     -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
-    Delaunay(points)                     stands in for scipy.spatial.Delaunay, in the plane and in space
-    surface(points, normals, radius)     ball pivoting in space: triangles, holes and why       -> Surface
-    surface_of(points, triangles)        triangles from elsewhere: holes filled, closed, measured   -> Surface
+    Delaunay(points)                     replaces scipy.spatial.Delaunay, in the plane and in space
+    surface(points, normals, radius)     ball pivoting in space: triangles, holes, their causes -> Surface
+    surface_of(points, triangles)        given triangles: fill holes, close, measure            -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
-    periodic_solid(points, box, alpha=inf)   the same in a box that repeats                     -> PeriodicSolid
+    periodic_solid(points, box, alpha=inf)   tetrahedra in a periodic box                       -> PeriodicSolid
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
-    estimate_normals(points)             of points in space that have none
-    outliers(points)                     of points in space those that stand alone
+    estimate_normals(points)             normals of points in space
+    outliers(points)                     isolated points in space
     read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
-    rbpa.meshops                         halfedge meshes that no operator can break, repair
+    rbpa.meshops                         halfedge meshes that stay manifold, and repair
 
 The solid alpha complex of a radius alpha is the set of Delaunay triangles whose circumradius is at most alpha. Alpha is
-a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the package
-alphashape).
+a radius, in the units of the coordinates: never its square (as in CGAL and PostGIS), never its inverse (as in the
+package alphashape).
 
-Points are an array of shape (n, 2), in space (n, 3), or anything that NumPy makes one of; float64 in C order is used without a copy.
-Every decision is exact, also on grids, duplicates, collinear points and extreme coordinates, and the triangles depend on
-the set of points and on alpha alone. Fewer than three points, or points on one line, have no triangle: that is an empty
-result, not an error.
+Points are an array of shape (n, 2), in space (n, 3), or anything that NumPy converts to one; float64 in C order is used
+without a copy. Every decision is exact, also on grids, duplicates, collinear points and extreme coordinates, and the
+triangles depend only on the set of points and on alpha. Fewer than three points, or points on one line, have no
+triangle: that is an empty result, not an error.
 
-Long computations run without Python's global lock on all processors, report their progress (``progress=f`` is called as
-``f(triangles, points)`` every tenth of a second; what it raises, or returning False, ends the run), and end within a
-fraction of a second on Ctrl-C. Points must not be changed while one runs.
+Long computations run on all processors without Python's global lock, report their progress (``progress=f`` is called as
+``f(triangles, points)`` every 0.1 s; an exception, or returning False, ends the run), and end within a fraction of a
+second on Ctrl-C. Points must not be changed during a run.
 
-Errors: ``InvalidInput`` (a ValueError) says which value is not what was expected; ``Cancelled`` (a RuntimeError) that
+Errors: ``InvalidInput`` (a ValueError) names a value that is not as expected; ``Cancelled`` (a RuntimeError) means that
 ``progress`` returned False; ``ContractViolation`` (a ValueError) that arrays do not belong together.
 """
 
@@ -110,7 +110,7 @@ __all__ = [
     "union_of_balls",
 ]
 
-# What users see is rbpa.AlphaShape, wherever it is written.
+# Public names appear as rbpa.AlphaShape and so on, not with the private module that defines them.
 for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons, Representative),
     *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidPlateau),

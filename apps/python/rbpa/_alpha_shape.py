@@ -1,4 +1,4 @@
-"""The solid alpha complex of points in the plane, and the outline of it."""
+"""The solid alpha complex of points in the plane, and its outline."""
 
 from __future__ import annotations
 
@@ -28,30 +28,31 @@ def alpha_shape(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> AlphaShape:
-    """The solid alpha complex of points in the plane: their Delaunay triangles of circumradius at most alpha.
+    """Computes the solid alpha complex of points in the plane: their Delaunay triangles of circumradius at most alpha.
 
     Parameters
     ----------
     points : array_like of shape (n, 2)
-        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
-        is in use; anything else is converted: lists, a pandas DataFrame of two columns (x, then y), the points of a
+        Finite coordinates. A float64 array in C order is used without a copy, and must not be changed while the result
+        is in use. Anything else is converted: lists, a pandas DataFrame of two columns (x, then y), the points of a
         GeoPandas GeoSeries or GeoDataFrame.
     alpha : float, "plateau", "plateau:K", "auto" or "min"
-        A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "plateau" is a radius around
-        which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is the least radius
-        at which every point is in a triangle, "auto" the least at which moreover the triangles form at most `components`
-        pieces. Both are exact, and one outlier decides them unless `cover` is less than 1. The default is "plateau", and "auto"
-        where `cover` or `components` is given. `AlphaShape.alpha` says what was chosen.
+        A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "plateau" is a radius
+        around which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is
+        the least radius at which every point is in a triangle. "auto" is the least radius at which, moreover, the
+        triangles form at most `components` pieces. Both are exact, and one outlier decides them unless `cover` is less
+        than 1. The default is "plateau", or "auto" if `cover` or `components` is given. `AlphaShape.alpha` is the
+        chosen radius.
     cover : float
         For "auto" and "min": the share of the points that must be in triangles, for "auto" in those of the `components`
-        largest pieces. 0.99 leaves one of a hundred points out of account.
+        largest pieces. With 0.99, one of a hundred points may be left out.
     components : int
-        For "auto": at most so many pieces, connected through edges.
+        For "auto": the greatest number of pieces connected through edges.
     threads : int, optional
-        At most so many threads work; all processors by default. The result is the same.
+        The greatest number of threads; all processors by default. The result does not depend on it.
     progress : callable, optional
-        Called as progress(triangles, points) every tenth of a second, in the calling thread, where it takes that long.
-        Returning False ends the run with `Cancelled`, and so does what it raises.
+        Called as progress(triangles, points) every 0.1 s, in the calling thread. Returning False ends the run with
+        `Cancelled`; an exception ends it, too.
 
     Returns
     -------
@@ -60,13 +61,13 @@ def alpha_shape(
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape, a coordinate or alpha that is none; says which.
+        A ValueError that names the fault: points of another shape, an invalid coordinate or alpha.
     Cancelled
         `progress` returned False.
 
     Notes
     -----
-    Time is about linear: a million points take about two tenths of a second, rules that choose alpha five times as long.
+    Time is about linear: a million points take about 0.2 s, and five times as long if a rule chooses alpha.
 
     Examples
     --------
@@ -78,7 +79,7 @@ def alpha_shape(
     workers = as_threads(threads)
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
     radius = _choose(array, or_auto(alpha, share, pieces), share, pieces, workers, progress)
-    # Where no radius covers the points they are on a line, and there is no triangle at any.
+    # If no radius covers the points, they are on a line, and there is no triangle at any radius.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
     return AlphaShape(array, radius, made)
 
@@ -86,7 +87,7 @@ def alpha_shape(
 def _choose(
     points: Floats, alpha: Alpha, cover: float, components: int, threads: int, progress: Progress
 ) -> Optional[float]:
-    """The radius; None where no radius satisfies the rule, as there is no triangle at any."""
+    """Returns the radius; None if no radius satisfies the rule, as there is no triangle at any radius."""
     rule = as_rule(alpha, cover, components)
     if rule == "auto" or rule == "min":
         return _core.least_alpha(points, cover, components if rule == "auto" else None, threads, progress)
@@ -96,7 +97,7 @@ def _choose(
         if found and rank > len(found):
             raise InvalidInput(f"alpha: found {shown(alpha)}, expected a plateau that there is: there are {len(found)}")
         return Plateau(*found[rank - 1]).alpha if found else None
-    return as_radius(alpha)  # type: ignore[arg-type]  # which refuses other words
+    return as_radius(alpha)  # type: ignore[arg-type]  # refuses other words
 
 
 def concave_hull(
@@ -109,21 +110,21 @@ def concave_hull(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Polygons:
-    """The outline of points in the plane: the polygons of their alpha shape, holes filled.
+    """Computes the outline of points in the plane: the polygons of their alpha shape, with holes filled.
 
     Parameters
     ----------
     points, alpha, cover, components, threads, progress
-        As for `alpha_shape`. By default alpha is the least radius at which one polygon holds every point; infinity gives
-        the convex hull.
+        As for `alpha_shape`. By default alpha is the least radius at which one polygon contains every point; infinity
+        gives the convex hull.
     allow_holes : bool
-        Keeps the holes.
+        Keep the holes.
 
     Returns
     -------
     Polygons
-        One polygon where alpha is "auto" and all is covered, and none where points are on one line or fewer than three. Else as many as there
-        are pieces at that radius; points in none of them are outside.
+        One polygon if alpha is "auto" and all points are covered; none if the points are on one line or fewer than
+        three. Otherwise one polygon for each piece at that radius; points in no piece are outside.
 
     Raises
     ------
@@ -143,24 +144,24 @@ def concave_hull(
 
 
 class AlphaShape(Outlined, Triangles):
-    """The solid alpha complex of points: what `alpha_shape` returns. Arrays are read-only.
+    """The solid alpha complex of points, as returned by `alpha_shape`. Arrays are read-only.
 
     Attributes
     ----------
     points : float64 array of shape (n, 2)
-        The points that were given, the same array where nothing had to be converted. Indices are into it.
+        The given points, the same array if nothing had to be converted. All indices refer to it.
     alpha : float or None
-        The radius, given or chosen; None where none could be chosen, as the points are on one line or fewer than three.
+        The radius, given or chosen; None if none could be chosen, as the points are on one line or fewer than three.
     simplices : int32 array of shape (m, 3)
-        The corners of each triangle, counter-clockwise, the smallest index first, in lexicographic order.
+        The corners of each triangle, counter-clockwise, the smallest index first; triangles are in lexicographic order.
     neighbors : int32 array of shape (m, 3)
-        Number k of a triangle is the one across from its corner k, or -1.
+        Column k is the triangle opposite to corner k, or -1.
     boundary : int32 array of shape (k, 2)
-        The edges with a triangle on one side, which is the left one.
+        The edges with a triangle on their left side only.
     isolated : int32 array of shape (i,)
         Distinct points in no triangle, ascending.
     duplicates : int32 array of shape (d, 2)
-        Points equal to one before them, and that one, which stands for them everywhere.
+        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
     """
 
     alpha: Optional[float]
@@ -172,14 +173,14 @@ class AlphaShape(Outlined, Triangles):
 
     @cached_property
     def polygons(self) -> Polygons:
-        """The outline: a polygon with holes for each piece that is connected through edges. Computed at the first access."""
+        """The outline: a polygon with holes for each piece connected through edges. Computed at the first access."""
         return self.filtered()
 
     def filtered(self, *, min_hole_area: float = 0.0, min_part_area: float = 0.0) -> Polygons:
-        """The outline without what is too small to matter, in squared units of the points.
+        """Returns the outline without small holes and parts; areas are in squared units of the points.
 
-        Holes whose ring encloses less than `min_hole_area` are filled, with what lies in them; polygons of less than
-        `min_part_area` are dropped.
+        Holes whose ring encloses less than `min_hole_area` are filled, with everything inside. Polygons with an area
+        below `min_part_area` are dropped.
         """
         self._require_unchanged()
         areas = as_area(min_hole_area, "min_hole_area"), as_area(min_part_area, "min_part_area")
@@ -192,17 +193,17 @@ class AlphaShape(Outlined, Triangles):
         Parameters
         ----------
         ax : matplotlib axes, optional
-            Where to draw; the current axes by default.
+            The axes to draw into; the current axes by default.
         triangles : bool
-            Draws the triangles' sides too: the paler the shorter they are on the page, and not at all where they would be a
-            blot. Zoom by the limits of `ax`, set before.
+            Draw the sides of the triangles, too: paler if they are short on the page, and not at all if they would be a
+            blot. To zoom, set the limits of `ax` before.
         points : bool
-            Draws the points, isolated ones in red; the smaller and paler the denser they are.
+            Draw the points, isolated ones in red; smaller and paler if they are dense.
         style
-            Of the polygons, for matplotlib.patches.PathPatch.
+            Arguments of matplotlib.patches.PathPatch for the polygons.
         """
         ax = self.polygons.plot(ax, **style)
-        if points:  # the view is to have all of them
+        if points:  # the view must include all of them
             ax.update_datalim(self.points)
             ax.autoscale_view()
         scale = page_scale(ax)

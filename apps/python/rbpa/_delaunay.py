@@ -1,4 +1,4 @@
-"""The Delaunay triangulation under SciPy's names."""
+"""The Delaunay triangulation with SciPy's names."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ from rbpa._result import Triangles, freeze
 class Delaunay(Triangles):
     """The Delaunay triangulation of points in the plane or in space, with the attributes of scipy.spatial.Delaunay.
 
-    What is different from SciPy: points with no triangle (fewer than three, or on one line) give an empty triangulation
-    instead of an error; every decision is exact, so that every point is a vertex, however near to others it lies; points on
-    a common circle are triangulated in one definite way that does not depend on their order; arrays are read-only.
+    Differences from SciPy: points without a triangle (fewer than three, or on one line) give an empty triangulation
+    instead of an error; every decision is exact, so that every point is a vertex, however near to others it is; the
+    triangulation of points on a common circle does not depend on their order; arrays are read-only.
 
     Parameters
     ----------
     points, threads, progress
-        As for `alpha_shape`; or points of shape (n, 3), of which it is a `DelaunayInSpace`.
+        As for `alpha_shape`; points of shape (n, 3) give a `DelaunayInSpace`.
 
     Attributes
     ----------
     points : float64 array of shape (n, 2)
     simplices : int32 array of shape (m, 3)
-        The corners of each triangle, counter-clockwise, the smallest index first, in lexicographic order.
+        The corners of each triangle, counter-clockwise, the smallest index first; triangles are in lexicographic order.
     neighbors : int32 array of shape (m, 3)
-        Number k of a triangle is the one across from its corner k, or -1.
+        Column k is the triangle opposite to corner k, or -1.
     convex_hull : int32 array of shape (k, 2)
         The edges of the convex hull, each counter-clockwise around it.
     duplicates : int32 array of shape (d, 2)
-        Points equal to one before them, and that one, which stands for them everywhere.
+        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
     npoints, nsimplex, ndim : int
     min_bound, max_bound : float64 array of shape (2,)
-        The box of the points.
+        The corners of the points' bounding box.
 
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape, or a coordinate that is not finite; says which.
+        A ValueError that names the fault: points of another shape, or a coordinate that is not finite.
 
     Examples
     --------
@@ -58,7 +58,7 @@ class Delaunay(Triangles):
 
     ndim = 2
     convex_hull: Indices
-    _index: Any  # of pandas, that values go by
+    _index: Any  # pandas index of the points, by which values are aligned
 
     def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
         if cls is Delaunay and _are_in_space(points):
@@ -73,19 +73,19 @@ class Delaunay(Triangles):
         super().__init__(made, points=array)
 
     def find_simplex(self, xi: npt.ArrayLike, bruteforce: bool = False, tol: Optional[float] = None) -> Any:
-        """The triangle in which each point lies, exactly.
+        """Finds the triangle that contains each point, exactly.
 
         Parameters
         ----------
         xi : array_like of shape (..., 2)
         bruteforce, tol
-            Taken as SciPy takes them, and without effect: there is nothing to tolerate.
+            Accepted for SciPy's signature, without effect.
 
         Returns
         -------
         int32 array of shape (...)
-            Sides and corners belong to triangles; of several the first. -1 outside of the convex hull, and where a
-            coordinate is not finite.
+            The triangle of each point; triangles include their sides and corners, and the first of several counts. -1
+            outside of the convex hull, and if a coordinate is not finite.
         """
         self._require_unchanged()
         queries = as_array(xi, "xi")
@@ -93,7 +93,7 @@ class Delaunay(Triangles):
         return found.reshape(queries.shape[:-1])
 
     def _as_queries(self, xi: npt.NDArray[Any]) -> Floats:
-        """In rows."""
+        """Returns queries as an array of rows."""
         if xi.ndim == 0 or xi.shape[-1] != self.ndim:
             raise _core.InvalidInput(f"xi: found an array of shape {xi.shape}, expected (..., {self.ndim})")
         return as_points(xi.reshape(-1, self.ndim), "xi", columns=self.ndim)
@@ -107,35 +107,37 @@ class Delaunay(Triangles):
         method: Literal["linear", "natural"] = "linear",
         outside: Literal["nan", "nearest"] = "nan",
     ) -> Any:
-        """Values at any points: linear in each triangle, as scipy.interpolate.LinearNDInterpolator has them; or Sibson's, by the
-        areas that natural neighbours lose to a point.
+        """Interpolates values: linearly in each triangle, as scipy.interpolate.LinearNDInterpolator; or by Sibson's
+        method, with the areas that natural neighbors lose to a point as weights.
 
         Parameters
         ----------
         values : array_like of shape (n, ...)
-            One or several numbers for each of the points, real or complex. Of equal points the first counts. Where points and values
-            are both of pandas, they go by index.
+            One or several numbers for each of the points, real or complex. The value of the first of equal points
+            counts. Values and points of pandas are aligned by index.
         xi : array_like of shape (..., 2)
             Where values are wanted.
         fill_value : float
-            Outside of the convex hull, unless `outside` says otherwise, and where a coordinate is not finite.
+            The value outside of the convex hull, unless `outside` is "nearest", and for coordinates that are not
+            finite.
         method : "linear" or "natural"
-            By natural neighbours values are smooth but at the points themselves, and no triangle shows. Both keep linear functions
-            and stay between the values of the points.
+            With natural neighbors, values are smooth except at the points themselves, and triangles do not show. Both
+            methods reproduce linear functions, and stay between the values of the points.
         outside : "nan" or "nearest"
-            "nearest": outside of the convex hull the value at its nearest point, so that values are continuous. As every point is
-            looked up exactly, a third to two thirds of all points that were computed to be on a side of the hull are outside by a rounding.
+            "nearest": outside of the convex hull, the value at its nearest point, so that values are continuous. As
+            every point is located exactly, rounding puts a third to two thirds of points computed on a side of the hull
+            outside.
 
         Returns
         -------
-        array of the shape of `xi` without its last dimension, and that of `values` without its first
-            At a point of the triangulation its own value, to the last bit, also where there is no triangle, as points are on a line.
-            Every point is looked up exactly.
+        array of the shape of `xi` without its last dimension, followed by that of `values` without its first
+            At a point of the triangulation its own value, to the last bit, even if there is no triangle, as points are
+            on a line. Every point is located exactly.
 
         Raises
         ------
         InvalidInput
-            Values that are not one for each point, or no numbers; a method that is none.
+            Values that are not one for each point, or are no numbers; an unknown method.
 
         Examples
         --------
@@ -178,7 +180,8 @@ class Delaunay(Triangles):
     def _interpolate_beside(
         self, rows: Floats, at: Floats, outside: npt.NDArray[np.intp], found: Floats, all_of_them: bool
     ) -> npt.NDArray[np.intp]:
-        """Values at some of the queries, outside: of all, or of those that are points. Returns those that have none."""
+        """Sets the values of queries outside, of all or only of those at points. Returns the queries that have no
+        value."""
         finite = outside[np.isfinite(at[outside]).all(axis=1)] if self.npoints else outside[:0]
         corners, weights = self._nearest(at[finite])
         if not all_of_them:
@@ -190,7 +193,7 @@ class Delaunay(Triangles):
         return left
 
     def _nearest(self, at: Floats) -> tuple[Indices, Floats]:
-        """The nearest points of the convex hull: corners of what they are on, and the weights of these."""
+        """Returns the nearest points of the convex hull, as corners of their facet and the weights of these."""
         if len(at) == 0:
             return np.empty((0, 3), np.int32), np.empty((0, 3))
         facets, places = self._rim
@@ -199,14 +202,15 @@ class Delaunay(Triangles):
 
     @cached_property
     def _rim(self) -> tuple[Indices, Any]:
-        """What the convex hull is made of: triangles, edges as triangles with two equal corners, or a point; and where it is nearest."""
+        """The facets of the convex hull: triangles, edges as triangles with two equal corners, or a point; and a search
+        tree of them."""
         points = _in_space(self.points)
         facets = self.convex_hull
         if self.nsimplex == 0:
             flat = _core.solid_filtration(points, as_threads(None), None)
             facets = flat["triangles"] if len(flat["triangles"]) else flat["edges"]
         if len(facets) == 0:
-            facets = np.zeros((1, 1), np.int32)  # all are equal
+            facets = np.zeros((1, 1), np.int32)  # all points are equal
         facets = np.ascontiguousarray(facets[:, [*range(facets.shape[1]), *[-1] * (3 - facets.shape[1])]])
         return facets, _core.NearestPlaces(points, facets)
 
@@ -215,11 +219,11 @@ class Delaunay(Triangles):
         return values
 
     def to_scipy(self) -> Any:
-        """A scipy.spatial.Delaunay of these triangles, for what asks for one: scipy.interpolate.LinearNDInterpolator and
-        CloughTocher2DInterpolator above all. Needs the package scipy.
+        """Returns a scipy.spatial.Delaunay of these triangles, for functions that require one, such as
+        scipy.interpolate.LinearNDInterpolator and CloughTocher2DInterpolator. Needs the package scipy.
 
-        Nothing is triangulated anew. It has all that SciPy's has, but for `add_points`. Its `find_simplex` is SciPy's, which is
-        not exact.
+        Nothing is triangulated again. The object has all members of SciPy's except `add_points`. Its `find_simplex` is
+        SciPy's, which is not exact.
 
         Raises
         ------
@@ -236,29 +240,30 @@ class Delaunay(Triangles):
         made._points = self.points
         made.npoints, made.nsimplex = self.npoints, self.nsimplex
         made.min_bound, made.max_bound = self.min_bound, self.max_bound
-        # SciPy's own code is compiled for arrays that can be written.
+        # SciPy's compiled code requires writable arrays.
         made.simplices, made.neighbors, made.coplanar = self.simplices.copy(), self.neighbors.copy(), self.coplanar.copy()
         made.paraboloid_scale, made.paraboloid_shift, made.equations = scale, shift, equations
         made.good = np.ones(self.nsimplex, np.intc)
-        if hasattr(made, "_vertices"):  # of versions in which simplices have a second name
+        if hasattr(made, "_vertices"):  # in versions in which simplices have a second name
             made._vertices = made.simplices
         made._transform = made._vertex_to_simplex = made._vertex_neighbor_vertices = None
         return made
 
     def _lifted(self) -> tuple[float, float, Floats]:
-        """The scale and the shift of the paraboloid, and the points on it."""
+        """Returns the scale and the shift of the paraboloid, and the points lifted to it."""
         squares = (self.points**2).sum(axis=1)
         lowest, span = squares.min(), squares.max() - squares.min()
-        # As Qhull has it, z is as large as x and y.
+        # As in Qhull, z is scaled to the size of x and y.
         scale = float(np.abs(self.points).max() / span) if span > 0 else 1.0
         shift = float(-lowest * scale)
         return scale, shift, np.column_stack((self.points, scale * squares + shift))
 
     def _lifted_planes(self) -> tuple[float, float, Floats]:
-        """The lower planes through the corners of each triangle, lifted to z = scale (x² + y²) + shift: (nx, ny, nz, offset)."""
+        """Returns the planes through the corners of each triangle, lifted to z = scale (x² + y²) + shift, with normals
+        that point down: (nx, ny, nz, offset)."""
         scale, shift, lifted = self._lifted()
         a, b, c = np.moveaxis(lifted[self.simplices], 1, 0)
-        normals = np.cross(c - a, b - a)  # corners are counter-clockwise, and it points down
+        normals = np.cross(c - a, b - a)  # points down, as corners are counter-clockwise
         with np.errstate(invalid="ignore", divide="ignore"):
             normals /= np.linalg.norm(normals, axis=1)[:, None]
         return scale, shift, np.column_stack((normals, -(normals * a).sum(axis=1)))
@@ -269,14 +274,14 @@ class Delaunay(Triangles):
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
-        """(indptr, indices): the neighbours of point k are indices[indptr[k]:indptr[k + 1]], ascending."""
+        """(indptr, indices): the neighbors of point k are indices[indptr[k]:indptr[k + 1]], ascending."""
         lists = _core.vertex_neighbors(self.simplices, len(self.points))
         freeze(*lists)
         return lists
 
     @cached_property
     def vertex_to_simplex(self) -> Indices:
-        """Of each point some simplex of which it is a corner, or -1; int32 of shape (n,)."""
+        """Some simplex that has each point as a corner, or -1; int32 of shape (n,)."""
         of = np.full(len(self.points), -1, dtype=np.int32)
         for corner in range(self.ndim + 1):
             of[self.simplices[:, corner]] = np.arange(len(self.simplices), dtype=np.int32)
@@ -285,7 +290,8 @@ class Delaunay(Triangles):
 
     @cached_property
     def coplanar(self) -> Indices:
-        """Points that are no vertices, here the duplicates: rows of point, a triangle that it is on, the vertex it is equal to.
+        """Points that are no vertices, here the duplicates: rows of the point, a triangle that contains it, and the
+        equal vertex.
 
         Int32 of shape (d, 3).
         """
@@ -321,7 +327,8 @@ class Delaunay(Triangles):
 
 
 class DelaunayInSpace(Delaunay):
-    """The Delaunay triangulation of points in space: what `Delaunay` is of points of shape (n, 3). As in the plane, but for:
+    """The Delaunay triangulation of points in space, which `Delaunay` returns for points of shape (n, 3). As in the
+    plane, except:
 
     Attributes
     ----------
@@ -345,7 +352,7 @@ class DelaunayInSpace(Delaunay):
         Triangles.__init__(self, made, points=array)
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
+        """Returns a meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
         import meshio
 
         return meshio.Mesh(self.points, [("tetra", self.simplices)])
@@ -360,7 +367,7 @@ class DelaunayInSpace(Delaunay):
         if self.nsimplex == 0:
             return np.full((len(at), rows.shape[1]), np.nan)
         found = self._locator.find(at)
-        corners = self.points[self.simplices[found]]  # of those outside anything
+        corners = self.points[self.simplices[found]]  # any corners for queries outside
         edges, to = corners[:, 1:] - corners[:, :1], at - corners[:, 0]
         normals = np.cross(np.roll(edges, -1, axis=1), np.roll(edges, -2, axis=1))
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -373,7 +380,8 @@ class DelaunayInSpace(Delaunay):
         return _weighted(weights, rows[self.simplices[found]])
 
     def _lifted_planes(self) -> tuple[float, float, Floats]:
-        """The same by the minors of four lifted corners."""
+        """Returns the planes through the corners of each tetrahedron, lifted likewise; the normals are minors of the
+        corners."""
         scale, shift, lifted = self._lifted()
         corners = lifted[self.simplices]
         edges = corners[:, 1:] - corners[:, :1]
@@ -385,7 +393,7 @@ class DelaunayInSpace(Delaunay):
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
-        """As in the plane."""
+        """(indptr, indices): the neighbors of point k are indices[indptr[k]:indptr[k + 1]], ascending."""
         a, b = np.nonzero(~np.eye(4, dtype=bool))
         pairs = np.unique(self.simplices[:, [a, b]].transpose(0, 2, 1).reshape(-1, 2), axis=0)
         starts: Indices = np.searchsorted(pairs[:, 0], np.arange(self.npoints + 1)).astype(np.int32)
@@ -398,12 +406,13 @@ class DelaunayInSpace(Delaunay):
 
 
 def _in_space(points: Floats) -> Floats:
-    """In the plane z = 0 where they are of the plane."""
+    """Returns points in space; points of the plane get z = 0."""
     return points if points.shape[1] == 3 else np.column_stack((points, np.zeros(len(points))))
 
 
 def _weighted(weights: Floats, values: Floats) -> Floats:
-    """Sums of the values of corners by their weights. A weight of zero is of no value, not even of infinity."""
+    """Returns the weighted sums of the corners' values. A value of weight zero does not count, even if it is
+    infinite."""
     terms = np.zeros(values.shape)
     np.multiply(weights[:, :, None], values, out=terms, where=weights[:, :, None] != 0)
     mean: Floats = terms.sum(axis=1)
@@ -413,6 +422,6 @@ def _weighted(weights: Floats, values: Floats) -> Floats:
 def _are_in_space(points: npt.ArrayLike) -> bool:
     try:
         shape = np.shape(points)
-    except ValueError:  # ragged: as_points says so
+    except ValueError:  # ragged: as_points() refuses it
         return False
     return len(shape) == 2 and shape[1] == 3

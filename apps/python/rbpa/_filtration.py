@@ -19,11 +19,11 @@ class Plateau(NamedTuple):
 
     start: float
     end: Optional[float]
-    """None: it is the last, and has no end."""
+    """None for the last plateau, which has no end."""
     alpha: float
-    """The radius to choose in it. What follows is of the shape at this radius."""
+    """The radius to choose in it. The attributes below describe the shape at this radius."""
     ratio: float
-    """end / start, its persistence; of the last, to half the diagonal of the points' box, at least 1."""
+    """end / start, its persistence; for the last plateau end is half the diagonal of the points' box. At least 1."""
     triangles: int
     solid_components: int
     components: int
@@ -31,37 +31,39 @@ class Plateau(NamedTuple):
     covered: int
     area: float
     effective_parts: float
-    """How many parts there are, each as heavy as it has points: 2 for two halves, little more than 1 with dust beside it."""
+    """The number of parts, weighted by their points: 2 for two halves, little more than 1 for one part with dust beside
+    it."""
     hole_share: float
-    """The area of the holes / that of triangles and holes."""
+    """The area of the holes divided by that of triangles and holes."""
     kind: str
-    """"structured", with several parts or holes of weight, or "one piece"."""
+    """"structured", with several large parts or holes, or "one piece"."""
     is_long: bool
-    """Its ratio is more than points without any structure reach by chance."""
+    """Whether its ratio exceeds what points without any structure reach by chance."""
 
 
 class Representative(NamedTuple):
-    """Where a pair of a persistence diagram is: a hole as polygons, a component by the edge at which it ends."""
+    """The location of a pair of a persistence diagram: a hole as polygons, a component by the edge at which it ends."""
 
     dimension: int
     birth: float
     death: float
-    """Infinity: it never dies."""
+    """Infinity if it never dies."""
     joined_at: Optional[tuple[int, int]]
-    """Dimension 0: the two points at whose edge it meets an older component; None where it never dies."""
+    """Dimension 0: the two points of the edge at which it meets an older component; None if it never dies."""
     at_birth: list[Indices]
-    """Dimension 1: rings of points around the hole at its birth, the outer one first, then those around what is in it."""
+    """Dimension 1: rings of points around the hole at its birth, the outer one first, then those around islands in
+    it."""
     before_death: list[Indices]
-    """The same of what is left just before its death: a triangle, or several of one circle."""
+    """Rings of the remaining hole just before its death: a triangle, or several with one circumcircle."""
     area: float
-    """Of the hole at its birth."""
+    """The area of the hole at its birth."""
 
     def __repr__(self) -> str:
         return short_repr(self)
 
 
 def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:
-    """The solid alpha complex of points in the plane at every radius: what there is to choose from.
+    """Computes the solid alpha complex of points in the plane for every radius.
 
     Parameters
     ----------
@@ -75,7 +77,7 @@ def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape, or a coordinate that is not finite; says which.
+        A ValueError that names the fault: points of another shape, or a coordinate that is not finite.
 
     Examples
     --------
@@ -90,7 +92,7 @@ def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress
 
 
 class Filtration(Result):
-    """The solid alpha complex at every radius: what `filtration` returns. Arrays are read-only.
+    """The solid alpha complex for every radius, as returned by `filtration`. Arrays are read-only.
 
     All arrays have an entry for each critical radius, a radius at which the complex changes; entry i holds for
     alpha[i] <= radius < alpha[i + 1]. Below the first there is no triangle.
@@ -98,17 +100,19 @@ class Filtration(Result):
     Attributes
     ----------
     alpha : float64 array
-        The critical radii, ascending, in the units of the points: each the least double at which the complex is this.
+        The critical radii, ascending, in the units of the points: the least doubles at which the complex has this
+        state.
     triangles : int64 array
-        Triangles so far.
+        The number of triangles.
     solid_components : int64 array
-        Pieces connected through edges.
+        The number of pieces connected through edges.
     components, holes : int64 arrays
-        The Betti numbers of the union: pieces connected through points, and bounded pieces of what is left of the plane.
+        The Betti numbers of the union: pieces connected through points, and bounded components of the rest of the
+        plane.
     covered : int64 array
-        Distinct points in triangles.
+        The number of distinct points in triangles.
     area : float64 array
-        Of the triangles so far, in squared units of the points; rounded.
+        The area of the triangles, in squared units of the points; rounded.
     distinct : int
         The number of distinct points.
     points : float64 array of shape (n, 2)
@@ -128,14 +132,14 @@ class Filtration(Result):
         super().__init__(steps, points=points)
 
     def smallest_covering(self, components: Optional[int] = None, *, cover: float = 1.0) -> Optional[float]:
-        """The least radius at which a share `cover` of the points is in triangles.
+        """Returns the least radius at which a share `cover` of the points is in triangles.
 
-        With `components`: of those of so many pieces, the largest; the other points are left out of account. None where there is
-        no such radius, as the points are on one line or fewer than three.
+        With `components`, only the triangles of that many pieces, the largest ones, count. None if there is no such
+        radius, as the points are on one line or fewer than three.
         """
         share = as_share(cover, "cover")
         pieces = None if components is None else as_count(components, "components", 1)
-        if pieces is not None and share < 1:  # which pieces are large is not in the columns
+        if pieces is not None and share < 1:  # the columns do not have the sizes of pieces
             self._require_unchanged()
             return _core.least_alpha(self.points, share, pieces, as_threads(None), None)
         good = self.covered / max(self.distinct, 1) >= share
@@ -144,26 +148,26 @@ class Filtration(Result):
         return float(self.alpha[good.argmax()]) if good.any() else None
 
     def plateaus(self) -> list[Plateau]:
-        """Ranges of radii over which parts and holes of the shape hardly change, the best first, at most eight.
+        """Returns ranges of radii over which parts and holes of the shape hardly change, the best first, at most eight.
 
-        Long and structured ones come first; each has the radius to choose in it. Computed anew with each call; it takes about
-        twice the time of `filtration`.
+        Long and structured ones come first; each has the radius to choose in it. Every call computes them again, in
+        about twice the time of `filtration`.
         """
         self._require_unchanged()
         return [Plateau(*found) for found in _core.plateaus(self.points, as_threads(None), None)]
 
     @property
     def auto(self) -> Optional[float]:
-        """What alpha="auto" chooses: the least radius that covers every point in one piece."""
+        """The radius of alpha="auto": the least that covers every point in one piece."""
         return self.smallest_covering(1)
 
     @property
     def min(self) -> Optional[float]:
-        """What alpha="min" chooses: the least radius that covers every point."""
+        """The radius of alpha="min": the least that covers every point."""
         return self.smallest_covering()
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
-        """(components, holes) at a radius, or at each of an array of radii: the Betti numbers b0 and b1."""
+        """Returns (components, holes), the Betti numbers b0 and b1, at a radius or at each of an array of radii."""
         radii = as_numbers(alpha, "alpha", "radii")
         if np.isnan(radii).any():
             raise _core.InvalidInput("alpha: found nan, expected radii")
@@ -172,24 +176,25 @@ class Filtration(Result):
         return (int(components), int(holes)) if step.ndim == 0 else (components, holes)
 
     def persistence(self, dimension: int, *, complex: str = "solid") -> Floats:
-        """Births and deaths of components (dimension 0) or holes (dimension 1) while the radius grows.
+        """Returns births and deaths of components (dimension 0) or holes (dimension 1) as the radius grows.
 
         Parameters
         ----------
         dimension : 0 or 1
         complex : "solid" or "full"
-            The triangles with their edges and corners, or the alpha complex: also every point from radius 0 on, and every
-            edge whose ends a disc of the radius can touch with no point inside. Of the full one these are the square roots
-            of what GUDHI's AlphaComplex gives.
+            The triangles with their edges and corners; or the full alpha complex, which also has every point from
+            radius 0 on, and every edge whose ends a disc of the radius can touch with no point inside. For the full
+            one, values are the square roots of those of GUDHI's AlphaComplex.
 
         Returns
         -------
         float64 array of shape (k, 2)
-            Birth and death of each, sorted; a death of infinity is none. Of two that meet the younger dies.
+            Birth and death of each, sorted; infinity means that it never dies. When two components meet, the younger
+            one dies.
 
         Notes
         -----
-        Computed anew with each call; it takes about twice the time of `filtration`.
+        Every call computes the pairs again, in about twice the time of `filtration`.
         """
         if dimension not in (0, 1):
             raise _core.InvalidInput(f"dimension: found {shown(dimension)}, expected 0 for components or 1 for holes")
@@ -206,13 +211,16 @@ class Filtration(Result):
         top: Optional[int] = None,
         levels: Union[npt.ArrayLike, int, None] = None,
     ) -> list[Representative]:
-        """Where the pairs of `persistence` are, in its order: of those with death - birth at least `min_persistence`, and of each dimension
-        at most the `top` that last longest.
+        """Returns the locations of the pairs of `persistence`, in its order.
 
-        Of all sets of triangles that enclose a hole at its birth, the rings are around the one of least area. Computed anew with each call.
+        Includes pairs with death - birth at least `min_persistence`, and of each dimension at most the `top` that last
+        longest. Of all sets of triangles that enclose a hole at its birth, the rings are around the one of least area.
+        Every call computes them again.
 
-        With `levels`, ascending radii, or an integer for those of the hierarchical algorithm with leaves of so many points, only what is at some of them: births
-        and deaths are levels then, and a hole is as it is at the first and at the last level that has it. What is left at the last level has a death of infinity.
+        `levels` are ascending radii, or an integer for the radii of the hierarchical algorithm with leaves of that many
+        points. With them, only pairs that exist at some level are returned: births and deaths are levels, and a hole is
+        as it is at the first and at the last level that has it. A pair that exists at the last level has a death of
+        infinity.
         """
         if complex not in ("solid", "full"):
             raise _core.InvalidInput(f"complex: found {shown(complex)}, expected 'solid' or 'full'")
@@ -234,21 +242,24 @@ class Filtration(Result):
         return [Representative(*one) for one in found]
 
     def plot(self, ax: Any = None) -> Any:
-        """Draws components and holes against the radius with matplotlib, on logarithmic scales, and returns the axes."""
+        """Draws components and holes against the radius with matplotlib, on logarithmic scales, and returns the
+        axes."""
         ax = axes_or_current(ax)
         for of, label in ((self.components, "components"), (self.holes, "holes")):
             ax.step(self.alpha, of, where="post", label=label, linewidth=1)
         ax.set_xscale("log")
         ax.set_yscale("symlog", linthresh=1)
-        ax.set_ylim(bottom=-0.1)  # so that a line at 0 is seen
+        ax.set_ylim(bottom=-0.1)  # so that a line at 0 is visible
         label_axes(ax, "alpha (a radius, in the units of the points)", "number")
         ax.legend()
         return ax
 
     def plot_persistence(self, ax: Any = None, *, complex: str = "solid") -> Any:
-        """Draws the persistence diagram with matplotlib, and returns the axes: a dot for each component and hole, born at x
-        and dying at y, on logarithmic scales. The farther from the diagonal the longer it lives; on the line at the top are
-        those that never die, on the left edge those that are there from radius 0 on. `complex` as in `persistence`.
+        """Draws the persistence diagram with matplotlib, and returns the axes.
+
+        Each component and hole is a dot at (birth, death), on logarithmic scales; the farther from the diagonal, the
+        longer it lives. Those that never die are on the line at the top, those that exist from radius 0 on at the left
+        edge. `complex` as in `persistence`.
         """
         ax = axes_or_current(ax)
         pairs = [self.persistence(dimension, complex=complex) for dimension in (0, 1)]

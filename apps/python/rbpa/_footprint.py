@@ -1,4 +1,4 @@
-"""What is known of a complex whose points are not in memory."""
+"""The outline and counts of a complex whose points are not in memory."""
 
 from __future__ import annotations
 
@@ -14,23 +14,24 @@ Flat = Dict[str, Any]
 
 
 class Footprint(Outlined):
-    """The solid alpha complex of points that are elsewhere: what `rbpa.dask.alpha_shape` returns.
+    """The solid alpha complex of points that are not in memory, as returned by `rbpa.dask.alpha_shape`.
 
     Attributes
     ----------
     alpha : float
         The radius.
     polygons : Polygons
-        A polygon with holes for each piece that is connected through edges. Their indices are int64: places in the sources one
-        after the other.
+        A polygon with holes for each piece connected through edges. Indices are int64 and number the points of all
+        sources one after the other.
     points, duplicates, isolated : int
-        Of the points: how many, how many equal one before them, how many distinct ones are in no triangle.
+        The number of points, of those equal to an earlier one, and of distinct points in no triangle.
     vertices, edges, triangles : int
-        Of the complex.
+        The numbers of simplices of the complex.
     solid_components, components, holes, boundary_curves : int
-        Pieces that are connected through edges, and through points; holes of the latter; curves of the boundary.
+        The numbers of pieces connected through edges, of pieces connected through points, of holes, and of boundary
+        curves.
     triangle_files : list of str
-        Where the triangles are, if they were requested.
+        The files of the triangles, if they were requested.
     """
 
     alpha: float
@@ -54,7 +55,7 @@ class Footprint(Outlined):
         self.__dict__.update(counts)
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draws the polygons with matplotlib, as `Polygons.plot`. Returns the axes."""
+        """Draws the polygons with matplotlib, as `Polygons.plot`, and returns the axes."""
         return self.polygons.plot(ax, **style)
 
     def __repr__(self) -> str:
@@ -62,7 +63,7 @@ class Footprint(Outlined):
 
 
 class _Places:
-    """Coordinates by indices that are far apart."""
+    """Coordinates of points with sparse indices."""
 
     def __init__(self, indices: Integers, coordinates: Floats) -> None:
         self._indices, first = np.unique(indices, return_index=True)
@@ -74,7 +75,8 @@ class _Places:
 
 
 def gathered(files: Sequence[str], rest: Flat) -> Polygons:
-    """The polygons of files and the others, in the order of their shells' first points, then of the second."""
+    """Returns the polygons of files and the rest, ordered by the first points of their shells, then by the second
+    ones."""
     flats = [rest]
     for path in files:
         with np.load(path) as file:
@@ -85,7 +87,7 @@ def gathered(files: Sequence[str], rest: Flat) -> Polygons:
 
 
 def _sum(values: Floats) -> float:
-    """The exact sum, rounded once; infinite beyond the range of double."""
+    """Returns the exact sum, rounded once; infinity beyond the range of float64."""
     try:
         return math.fsum(values)
     except OverflowError:
@@ -123,7 +125,7 @@ def _sorted(flat: Flat) -> Flat:
 
 
 def _ranges(begin: Integers, order: Integers) -> tuple[Integers, Integers]:
-    """The items of some ranges one after the other, and where each range begins then, with the end."""
+    """Returns the items of ranges in the given order, and the new begins of the ranges, with the end."""
     sizes = np.diff(begin)[order]
     new_begin = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     return np.arange(new_begin[-1]) + np.repeat(begin[:-1][order] - new_begin[:-1], sizes), new_begin

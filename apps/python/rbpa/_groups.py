@@ -1,4 +1,4 @@
-"""Many sets of points in one call: the outline of each group."""
+"""Alpha shapes of many groups of points in one call."""
 
 from __future__ import annotations
 
@@ -31,28 +31,30 @@ def alpha_shapes(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> AlphaShapes:
-    """The solid alpha complex of each group of the points by itself, and its outline.
+    """Computes the solid alpha complex of each group of points separately, and its outline.
 
     Parameters
     ----------
     points : array_like of shape (n, 2)
-        As for `alpha_shape`, which has the same of one group.
+        As for `alpha_shape`, which computes the same for one group.
     groups : array_like of shape (n,), or str
-        The group of each point: numbers, texts, dates, or anything that can be compared with itself. None and NaN: in no group. A str
-        is the name of a column of `points`, a GeoDataFrame. Where points and groups are both of pandas, they go by index.
+        The group of each point: numbers, texts, dates, or any values that can be compared for equality. Points with
+        None or NaN are in no group. A str is the name of a column of `points`, a GeoDataFrame. Points and groups of
+        pandas are aligned by index.
     alpha : as for `alpha_shape`, or array_like of a radius for each group, or a mapping from groups to radii
-        A rule chooses by the points of each group. "plateau:K" chooses the last plateau where there are fewer.
-        An array is in the order of `AlphaShapes.names`, which is that of numpy.unique; a pandas Series has the groups as its index.
+        A rule chooses a radius for each group. "plateau:K" chooses the last plateau of a group that has fewer. An array
+        is in the order of `AlphaShapes.names`, which is that of numpy.unique; a pandas Series has the groups as its
+        index.
     cover, components, threads
         As for `alpha_shape`.
     progress : callable, optional
-        Called as progress(groups that are done, groups), else as for `alpha_shape`.
+        Called as progress(finished groups, groups), otherwise as for `alpha_shape`.
 
     Returns
     -------
     AlphaShapes
-        With a group that has no polygon, as it is on one line or has a coordinate that is not finite, nothing is raised:
-        `AlphaShapes.problems` has the reason.
+        A group without a polygon, as its points are on one line or have a coordinate that is not finite, raises
+        nothing: `AlphaShapes.problems` has the reason.
 
     Raises
     ------
@@ -80,8 +82,10 @@ def concave_hulls(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> AlphaShapes:
-    """The outline of each group of the points, holes filled: `alpha_shapes` as `concave_hull` is to `alpha_shape`, by
-    default one polygon for each group."""
+    """Computes the outline of each group of points with holes filled, by default one polygon for each group.
+
+    Parameters are those of `alpha_shapes`, and `allow_holes` of `concave_hull`.
+    """
     least_hole = 0.0 if allow_holes else math.inf
     return _shapes(points, groups, alpha, least_hole, cover, components, threads, progress)
 
@@ -104,7 +108,7 @@ def _shapes(
     plateau = 0 if rule is None else as_plateau(rule) or 0
     radii = _radii(alpha, keys, names) if rule is None else np.empty(0)
     if rule not in (None, "auto", "min") and not plateau:
-        as_radius(rule)  # type: ignore[arg-type]  # which refuses other words
+        as_radius(rule)  # type: ignore[arg-type]  # refuses other words
     made = _core.shapes_of_groups(
         array, labels, len(keys), radii, share, pieces if rule == "auto" else None, plateau, min_hole_area, 0.0,
         as_threads(threads), progress,
@@ -113,7 +117,7 @@ def _shapes(
 
 
 def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArray[Any], Indices]:
-    """The groups as their owner has them, and as an array, and the number of that of each point, -1 for none."""
+    """Returns the groups as given, and as an array, and the number of each point's group, -1 for none."""
     if isinstance(groups, str):
         try:
             groups = points[groups]
@@ -135,7 +139,7 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArra
     labels = np.full(count, -1, np.int32)
     try:
         names, first, labels[is_in] = np.unique(array[is_in], return_index=True, return_inverse=True)
-    except TypeError:  # values of kinds that cannot be sorted, as numbers and texts: in the order in which they come
+    except TypeError:  # values that cannot be sorted, such as numbers and texts: in the order of their first occurrence
         seen: dict[Any, int] = {}
         labels[is_in] = [seen.setdefault(value, len(seen)) for value in array[is_in]]
         names = np.empty(len(seen), object)
@@ -147,13 +151,14 @@ def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArra
 def _as_values(groups: Any) -> npt.NDArray[Any]:
     array: npt.NDArray[Any] = groups.to_numpy() if hasattr(groups, "to_numpy") else np.asarray(groups)
     if array.dtype.kind in "US" and not hasattr(groups, "dtype") and not all(isinstance(value, (str, bytes)) for value in groups):
-        array = np.empty(len(groups), object)  # NumPy makes texts of all that is among texts
+        array = np.empty(len(groups), object)  # NumPy would convert all values to texts if some are
         array[:] = list(groups)
     return array
 
 
 def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp]) -> list[Any]:
-    """Names as Python has them. Times as they came: NumPy makes numbers of those that datetime has no type for."""
+    """Returns names as Python objects. Times stay as given, as NumPy makes numbers of those that datetime cannot
+    represent."""
     values: list[Any] = names.tolist()
     if names.dtype.kind not in "mM":
         return values
@@ -164,25 +169,26 @@ def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp])
 
 
 def _is_value(value: Any) -> bool:
-    """Whether it is neither None nor NaN, nor what pandas has for a value that is missing."""
+    """Whether a value is neither None nor NaN, nor a missing value of pandas."""
     try:
         return value is not None and bool(value == value)
-    except TypeError:  # pandas.NA is neither equal to itself nor not
+    except TypeError:  # pandas.NA == pandas.NA is neither true nor false
         return False
 
 
 def _as_time(value: Any, names: npt.NDArray[Any]) -> Any:
-    """A time, of whatever type, in that of the names, as types of time have different hashes; anything else as it is."""
+    """Converts a time of any type to the type of the names, as hashes differ between types; returns other values as
+    they are."""
     try:
         time = (np.datetime64 if names.dtype.kind == "M" else np.timedelta64)(value)
     except (TypeError, ValueError):
         return value
     cast = time.astype(names.dtype)
-    return cast if cast == time else value  # and not cut off
+    return cast if cast == time else value  # unless the conversion would truncate it
 
 
 def _radii(alpha: Any, keys: list[Any], names: npt.NDArray[Any]) -> Floats:
-    """One radius for all groups, or one for each."""
+    """Returns one radius for all groups, or one for each."""
     index = index_of(alpha)
     if index is not None:
         if not index.is_unique:
@@ -203,30 +209,30 @@ def _radii(alpha: Any, keys: list[Any], names: npt.NDArray[Any]) -> Floats:
         return np.array([as_radius(alpha)])
     if radii.shape != (len(keys),):
         raise InvalidInput(f"alpha: found an array of shape {radii.shape}, expected a radius for each of the {len(keys)} groups")
-    # A single group has one radius as well, and what is wrong with it is a problem of the group.
+    # An array for a single group is not checked here: a wrong radius is a problem of the group.
     return radii
 
 
 class AlphaShapes(Result, Mapping[Any, Polygons]):
-    """Alpha shapes of groups of points: what `alpha_shapes` returns. A mapping from each group to its `Polygons`.
+    """Alpha shapes of groups of points, as returned by `alpha_shapes`: a mapping from each group to its `Polygons`.
 
     Attributes
     ----------
     points : float64 array of shape (n, 2)
-        The points that were given. Indices are into it.
+        The given points. All indices refer to it.
     labels : int32 array of shape (n,)
-        Of each point the number of its group in `names`, or -1.
+        The number of each point's group in `names`, or -1.
     names : array of shape (g,)
-        The groups, ascending where they can be compared, as everything below is in their order. The keys of the mapping are as they
-        were given: timestamps of pandas too.
+        The groups, ascending if they can be compared; the arrays below are in their order. The keys of the mapping are
+        the groups as given, including timestamps of pandas.
     counts : int64 array of shape (g,)
-        How many points are in each group.
+        The number of points in each group.
     alphas : float64 array of shape (g,)
-        The radius, given or chosen; NaN where none could be chosen.
+        The radius, given or chosen; NaN if none could be chosen.
     areas, perimeters : float64 arrays of shape (g,)
-        Of all polygons of the group together: exact sums, rounded once.
+        The sums over all polygons of the group: exact, rounded once.
     problems : dict
-        Of each group without a polygon, why there is none.
+        For each group without a polygon, the reason.
     """
 
     names: npt.NDArray[Any]
@@ -268,14 +274,15 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         return g
 
     def simplices(self, name: Any) -> Indices:
-        """The triangles of a group: int32 array of shape (m, 3), as `AlphaShape.simplices`, holes or not."""
+        """Returns the triangles of a group: int32 array of shape (m, 3), as `AlphaShape.simplices`; holes are not
+        filled."""
         g, begin = self._number_of(name), self._simplex_begin
         triangles: Indices = self._simplices[begin[g] : begin[g + 1]]
         return triangles
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        """A FeatureCollection, of a MultiPolygon for each group: geopandas.GeoDataFrame.from_features() takes it."""
+        """A FeatureCollection with a MultiPolygon for each group, for geopandas.GeoDataFrame.from_features()."""
         features = []
         for g, name in enumerate(self._keys):
             polygons = self[name]
@@ -292,9 +299,11 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         return {"type": "FeatureCollection", "features": features}
 
     def to_geojson(self) -> str:
-        """The text of a GeoJSON FeatureCollection: a feature for each group, with its number of points, alpha and area.
+        """Returns the text of a GeoJSON FeatureCollection: a feature for each group, with its number of points, alpha
+        and area.
 
-        Every coordinate reads back to the same double. Groups that JSON has no value for are written as text, times by ISO 8601.
+        Every coordinate reads back to the same double. Groups that JSON cannot represent are written as text, times by
+        ISO 8601.
         """
 
         def as_json(value: Any) -> Any:

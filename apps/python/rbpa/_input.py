@@ -1,4 +1,4 @@
-"""What users give, as the compiled part takes it; and what is wrong with it, in a sentence."""
+"""Checks and conversion of arguments for the compiled part; errors are one sentence."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ Progress = Optional[Callable[[int, int], Optional[bool]]]
 Alpha = Union[float, str]
 
 RULES = "'auto', 'min', 'plateau' or 'plateau:K'"
-_EXACT = 2**53  # doubles have every integer up to it
-_LONG = 80  # characters of a value in a message
+_EXACT = 2**53  # float64 represents every integer up to it
+_LONG = 80  # greatest length of a value in a message
 
 
 def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> Floats:
-    """An array of shape (n, columns), float64, in C order: the same object where it is one already."""
+    """Returns a float64 array of shape (n, columns) in C order: the same object if it is one already."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
         raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
     array = as_array(points, name, columns)
@@ -44,7 +44,7 @@ def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> 
 
 
 def as_array(points: npt.ArrayLike, name: str, columns: int = 2) -> npt.NDArray[Any]:
-    """What NumPy makes of it; of points of GeoPandas and Shapely, which it makes nothing of, their coordinates."""
+    """Converts points to an array by NumPy; takes the coordinates of points of GeoPandas and Shapely."""
     geometry: Any = getattr(points, "geometry", points)  # of a GeoDataFrame
     if hasattr(geometry, "geom_type") and hasattr(geometry, "to_numpy"):
         try:
@@ -75,7 +75,7 @@ def _coordinates(items: Any, name: str, columns: int) -> npt.NDArray[Any]:
 
 
 def shown(value: Any) -> str:
-    """What a message says was found: a value in short, and of arrays and long texts what they are."""
+    """Returns a value as text for messages: in short, and arrays by their shape."""
     value = as_scalar(value)
     if hasattr(value, "shape") and not isinstance(value, np.generic):
         kind = "a table" if hasattr(value, "columns") else "an array"
@@ -87,14 +87,14 @@ def shown(value: Any) -> str:
 
 
 def index_of(points: Any) -> Any:
-    """The index of a pandas object; None of anything else."""
+    """Returns the index of a pandas object; None for anything else."""
     index = getattr(points, "index", None)
     return index if hasattr(index, "get_indexer") else None
 
 
 def aligned(values: Any, index: Any, name: str) -> Any:
-    """Values of points that have this index, in the order of the points: a pandas object goes by its own index, anything
-    else by position."""
+    """Returns values in the order of the points, whose pandas index is `index`: a pandas object is aligned by its own
+    index, anything else by position."""
     of_values = index_of(values)
     if index is None or of_values is None or of_values.equals(index):
         return values
@@ -134,18 +134,18 @@ def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str, columns: in
 
 
 def as_scalar(value: Any) -> Any:
-    """Of a 0-d array the number in it; anything else as it is."""
+    """Returns the number in a 0-d array; anything else as it is."""
     return value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
 
 def is_number(value: Any) -> bool:
-    """Real, also exact (Fraction, Decimal) and NumPy's; no truth value and no text."""
+    """Whether a value is a real number, also Fraction, Decimal or NumPy's, but not bool or str."""
     kinds = (numbers.Real, decimal.Decimal, np.floating, np.integer)
     return isinstance(value, kinds) and not isinstance(value, (bool, np.bool_))
 
 
 def as_number(value: Any, name: str, expected: str) -> float:
-    """A float64, also infinite or NaN."""
+    """Converts a number to float, perhaps infinite or NaN."""
     number = as_scalar(value)
     if not is_number(number):
         raise InvalidInput(f"{name}: found {shown(number)}, expected {expected}")
@@ -156,7 +156,7 @@ def as_number(value: Any, name: str, expected: str) -> float:
 
 
 def as_numbers(values: Any, name: str, expected: str) -> Floats:
-    """An array of any shape, float64."""
+    """Converts numbers to a float64 array of any shape."""
     if is_number(as_scalar(values)):
         return np.array(as_number(values, name, expected))
     try:
@@ -171,24 +171,25 @@ def as_numbers(values: Any, name: str, expected: str) -> Floats:
 
 
 def as_radius(alpha: float, expected: str = f"a radius (a number > 0, or inf), {RULES}") -> float:
-    """A number; whether it is a radius is for the library to say."""
+    """Converts a number; the library checks whether it is a radius."""
     return as_number(alpha, "alpha", expected)
 
 
 class _NotGiven(str):
-    """What an argument is unless others say otherwise."""
+    """A default value that other arguments may replace."""
 
 
 PLATEAU = _NotGiven("plateau")
 
 
 def or_auto(alpha: Any, cover: float, components: int) -> Any:
-    """The alpha that was given or is the default; "auto" where none was, but what that is about."""
+    """Returns alpha; "auto" if alpha is not given, but `cover` or `components` is."""
     return "auto" if alpha is PLATEAU and (cover != 1 or components != 1) else alpha
 
 
 def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
-    """The rule by which points choose alpha, or None where it is given. Refuses what the rule does not take."""
+    """Returns the rule that chooses alpha, or None if alpha is a radius. Refuses arguments that the rule does not
+    use."""
     rule = alpha if isinstance(alpha, str) else None
     if components != 1 and rule != "auto":
         raise InvalidInput(f"components: found alpha={shown(alpha)}, expected alpha='auto', which is what it is about")
@@ -198,12 +199,12 @@ def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
 
 
 def as_plateau(rule: str) -> Optional[int]:
-    """The rank of a rule "plateau" or "plateau:K"; None of others."""
+    """Returns the rank of a rule "plateau" or "plateau:K"; None for other rules."""
     return int(rule.partition(":")[2] or 1) if re.fullmatch("plateau(:[1-9][0-9]*)?", rule) else None
 
 
 def as_area(area: float, name: str) -> float:
-    """A number; whether it is an area is for the library to say."""
+    """Converts a number; the library checks whether it is an area."""
     return as_number(area, name, "an area, 0 or more")
 
 
@@ -211,7 +212,7 @@ def as_count(value: int, name: str, least: int) -> int:
     value = as_scalar(value)
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
         raise InvalidInput(f"{name}: found {shown(value)}, expected a whole number, {least} or more")
-    return min(int(value), 2**31 - 1)  # as good as any larger number
+    return min(int(value), 2**31 - 1)  # equivalent to any larger number
 
 
 def as_share(value: float, name: str) -> float:
@@ -229,11 +230,11 @@ def as_pair_choice(min_persistence: float, top: int | None) -> tuple[float, int 
 
 
 def as_threads(threads: int | None) -> int:
-    """0 for all processors."""
+    """Returns the number of threads; 0 stands for all processors."""
     return _default_threads if threads is None else as_count(threads, "threads", 1)
 
 
-# A forked child has none of its parent's worker threads, and must not wait for them.
+# A forked child does not have its parent's worker threads, and must not wait for them.
 _default_threads = 0
 
 

@@ -1,4 +1,4 @@
-"""The solid alpha complex of points in a box that repeats."""
+"""The solid alpha complex of points in a periodic box."""
 
 from __future__ import annotations
 
@@ -25,20 +25,22 @@ def periodic_solid(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> PeriodicSolid:
-    """The tetrahedra of points in a box that repeats along its sides, as under periodic boundary conditions, whose circumradius is at
-    most alpha. At infinity, all tetrahedra: they fill the box.
+    """Computes the tetrahedra of circumradius at most alpha of points in a periodic box.
+
+    The box repeats along its sides (periodic boundary conditions). With alpha infinity, the tetrahedra fill the box.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
-        As for `solid`. They count modulo the box, wherever they are.
+        As for `solid`. Coordinates are taken modulo the box.
     box : float or three floats
-        The sides.
+        The lengths of the sides, in the units of the points.
     alpha : float, "auto" or "min"
-        As for `solid`; below half of the least side, unless there is no empty ball of that radius.
+        As for `solid`; below half of the least side, unless no ball of that radius is empty.
     complex : "full" or "solid"
-        Whose voids and Betti numbers the result has. A ball of radius alpha cannot pass the triangles of the full alpha complex, of which some are
-        in no tetrahedron: what is closed, and in how many directions a channel percolates, is asked of "full". "solid" has tetrahedra alone for walls.
+        The complex whose voids and Betti numbers the result has. A ball of radius alpha cannot pass the triangles of
+        the full alpha complex, some of which are in no tetrahedron: use "full" to see which voids are closed, and in
+        how many directions a channel percolates. The walls of "solid" are tetrahedra only.
     threads, progress
         As for `solid`.
 
@@ -49,7 +51,7 @@ def periodic_solid(
     Raises
     ------
     InvalidInput, Cancelled
-        As `solid`; also where alpha is half of the least side or more and a ball of that size is empty.
+        As `solid`; also if alpha is half of the least side or more and a ball of that radius is empty.
 
     Examples
     --------
@@ -82,20 +84,22 @@ def _as_sides(box: Union[float, npt.ArrayLike]) -> tuple[float, float, float]:
 
 
 class PeriodicPart(NamedTuple):
-    """A piece of a solid that is connected through triangles, or a void.
+    """A piece of a solid connected through triangles, or a void.
 
     Attributes
     ----------
     tetrahedra : int
-        How many it consists of; of a void, tetrahedra greater than alpha.
+        The number of its tetrahedra; in a void, tetrahedra with a circumradius above alpha.
     points : int32 array of shape (p,)
         Corners of the triangles that bound it, ascending.
     volume, area : float
-        In one box. Of a void, the volume of its tetrahedra, between the points.
+        Volume and area of the boundary in one box. The volume of a void is that of its tetrahedra.
     dimension : int
-        In how many independent directions it reaches images of itself: of a void, 0 is closed, 1 a channel, 2 a layer, 3 a network.
+        The number of independent directions in which it percolates, that is, reaches images of itself. For a void, 0
+        means closed, 1 a channel, 2 a layer, 3 a network.
     outside_balls : float or None
-        Of a void of the full complex, the volume within it that is at least alpha from every point: where the center of a ball may be.
+        For a void of the full complex, the volume within it that is at least alpha from every point, where the center
+        of a ball may be.
     """
 
     tetrahedra: int
@@ -110,33 +114,33 @@ class PeriodicPart(NamedTuple):
 
 
 class PeriodicSolid(Result):
-    """Tetrahedra in a box that repeats: what `periodic_solid` returns. Arrays are read-only.
+    """Tetrahedra in a periodic box, as returned by `periodic_solid`. Arrays are read-only.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        The points that were given.
+        The given points.
     box : float64 array of shape (3,)
-        The sides, rounded to 51 bits so that images are exact.
+        The lengths of the sides, rounded to 51 bits so that images are exact.
     alpha : float
-        The radius that was given, or chosen.
+        The radius, given or chosen.
     complex : str
-        Whose voids and Betti numbers these are: "full" or "solid".
+        The complex of `voids` and `betti`: "full" or "solid".
     vertices : float64 array of shape (v, 3)
-        Corners of tetrahedra: points modulo the box, and images of them.
+        Corners of tetrahedra: points modulo the box, and their images.
     vertex_points : int32 array of shape (v,)
         The point of each vertex.
     vertex_offsets : int8 array of shape (v, 3)
-        How many boxes away from it each vertex is.
+        The number of boxes between each vertex and its point modulo the box, along x, y and z.
     simplices : int32 array of shape (m, 4)
-        The corners of each tetrahedron as vertices, positively oriented; it comes once, that corner with the least point
-        being in the box.
+        The corners of each tetrahedron as vertices, positively oriented. Of the images of a tetrahedron, the one whose
+        corner with the least point is in the box is listed.
     neighbors : int32 array of shape (m, 4)
-        Number k of a tetrahedron is the one that has an image across from its corner k, or -1.
+        Column k is the tetrahedron that has an image opposite to corner k, or -1.
     boundary : int32 array of shape (b, 3)
         The triangles with a tetrahedron on one side only, as vertices, counter-clockwise seen from outside.
     duplicates : int32 array of shape (d, 2)
-        Points equal to one before them modulo the box, and that one, which stands for them everywhere.
+        Points that are equal to an earlier one modulo the box, and that earlier one, which represents them everywhere.
     isolated : int32 array of shape (i,)
         Distinct points in no tetrahedron.
     """
@@ -169,44 +173,45 @@ class PeriodicSolid(Result):
 
     @property
     def betti(self) -> tuple[int, int, int, int]:
-        """Betti numbers of the complex as a part of the torus that the box is: (1, 3, 3, 1) where it fills the box. Computed at the first access,
-        with all that follows, from a triangulation of its own.
+        """Betti numbers of the complex in the torus of the box: (1, 3, 3, 1) if it fills the box.
+
+        The first access to this or one of the attributes below computes all of them, with another triangulation.
 
         Raises
         ------
         InvalidInput
-            A ball of half of the box is empty, so that tetrahedra do not fill the box.
+            A ball with a radius of half the least side is empty, so that tetrahedra do not fill the box.
         """
         return self._topology["betti"]  # type: ignore[no-any-return]
 
     @property
     def volume(self) -> float:
-        """Of all tetrahedra."""
+        """The volume of all tetrahedra, in one box."""
         return float(self._topology["volume"])
 
     @property
     def area(self) -> float:
-        """Of the boundary."""
+        """The area of the boundary, in one box."""
         return float(self._topology["area"])
 
     @property
     def solid_components(self) -> list[PeriodicPart]:
-        """The pieces that are connected through triangles, the largest volume first."""
+        """The pieces connected through triangles, the largest volume first."""
         return self._topology["solid_components"]  # type: ignore[no-any-return]
 
     @property
     def voids(self) -> list[PeriodicPart]:
-        """The components of what is outside of the complex, the largest volume first."""
+        """The components of the complement of the complex, the largest volume first."""
         return self._topology["voids"]  # type: ignore[no-any-return]
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh of the vertices and the tetrahedra. Needs the package meshio."""
+        """Returns a meshio.Mesh of the vertices and the tetrahedra. Needs the package meshio."""
         import meshio
 
         return meshio.Mesh(self.vertices, [("tetra", self.simplices)])
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draws the boundary with matplotlib in three dimensions, as `Solid.plot`."""
+        """Draws the boundary with matplotlib in three dimensions, as `Solid.plot`, and returns the axes."""
         return draw_triangles(ax, self.vertices, self.boundary, style)
 
     def __repr__(self) -> str:

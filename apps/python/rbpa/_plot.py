@@ -1,6 +1,7 @@
-"""What is drawn with matplotlib: how thick and how dark strokes and dots are, so that as many as there may be are no blot; triangles in space.
+"""Drawing with matplotlib: width and opacity of strokes and dots, so that many of them are no blot; triangles in space.
 
-Lengths are in points of the page, 1/72 inch. What is denser than the page can show is drawn thinner and then paler, sides of triangles at last not at all.
+Lengths are in typographic points, 1/72 inch. Strokes and dots that are too dense for the page become thinner, then
+paler; sides of triangles are finally left out.
 """
 
 from __future__ import annotations
@@ -13,10 +14,10 @@ import numpy as np
 from rbpa._input import Floats, Indices
 
 _INK = 0.3  # the share of the page that strokes or dots cover where they are dense
-_PALEST = 0.05  # so that a dot apart from the others is seen
-_LINE = 0.4  # the width of a side where there is room
-_CELL = 8.0  # in which points are counted
-_LEAST_SIDE = 1.5  # triangles with shorter sides cannot be seen singly
+_PALEST = 0.05  # least opacity, so that a single dot is visible
+_LINE = 0.4  # the width of a side if there is room
+_CELL = 8.0  # side of the cells in which points are counted
+_LEAST_SIDE = 1.5  # triangles with shorter sides cannot be distinguished
 
 
 def axes_or_current(ax: Any) -> Any:
@@ -26,7 +27,7 @@ def axes_or_current(ax: Any) -> Any:
 
 
 def label_axes(ax: Any, x: str, y: str) -> None:
-    """Those that the user has set stay."""
+    """Labels the axes, except where the user has set a label."""
     if not ax.get_xlabel():
         ax.set_xlabel(x)
     if not ax.get_ylabel():
@@ -34,28 +35,28 @@ def label_axes(ax: Any, x: str, y: str) -> None:
 
 
 def page_scale(ax: Any) -> float:
-    """How long a unit of the data is on the page, in axes of equal aspect as they are now."""
+    """Returns the length of a data unit on the page, in axes of equal aspect with their current limits."""
     ax.apply_aspect()
     pixels = np.diff(ax.transData.transform([(0.0, 0.0), (1.0, 0.0)]), axis=0)[0, 0]
     return float(abs(pixels) * 72 / ax.figure.dpi)
 
 
 def median_side(points: Floats, simplices: Indices) -> float:
-    """The median, which few far points do not change."""
+    """Returns the median length of the triangles' sides, which few far points do not change."""
     corners = points[simplices]
     sides = corners - np.roll(corners, 1, axis=1)
     return float(np.median(np.hypot(sides[..., 0], sides[..., 1])))
 
 
 def spacing_on_page(points: Floats, scale: float) -> float:
-    """How far from each other points lie around the median one."""
+    """Returns the distance between points on the page, around the median point."""
     cells = np.floor(points * (scale / _CELL)) @ [1, 1j]
     _, cell_of, counts = np.unique(cells, return_inverse=True, return_counts=True)
     return float(_CELL / math.sqrt(np.median(counts[cell_of])))
 
 
 def side_style(length: float) -> dict[str, float] | None:
-    """Of the sides of triangles that are so long on the page; None where they would be a blot."""
+    """Returns the style of triangles' sides by their length on the page; None if they would be a blot."""
     if length < _LEAST_SIDE:
         return None
     covered = 2 * math.sqrt(3) * _LINE / length  # of a page of equilateral triangles
@@ -63,7 +64,7 @@ def side_style(length: float) -> dict[str, float] | None:
 
 
 def dot_style(distance: float, diameter: float) -> dict[str, float]:
-    """Of dots that are so far from each other on the page."""
+    """Returns the style of dots by their distance on the page."""
     size = min(diameter, max(0.6 * distance, 0.5))
     alpha = min(1.0, _INK * (distance / size) ** 2) if size < diameter else 1.0
     return {"markersize": size, "markeredgewidth": 0.0, "alpha": max(_PALEST, alpha)}
@@ -75,12 +76,12 @@ def draw_dots(ax: Any, points: Floats, scale: float, diameter: float, color: str
 
 
 def outline_width(length: float, page: float) -> float:
-    """Of outlines that are so long on so large a page."""
+    """Returns the width of outlines by their length and the area of the page."""
     return min(1.0, _INK * page / length) if length > 0 else 1.0
 
 
 def draw_triangles(ax: Any, points: Floats, triangles: Indices, style: dict[str, Any]) -> Any:
-    """Triangles in space, lit from above, in axes of equal scale; those of a new figure where there are none."""
+    """Draws triangles in space, lit from above, in axes of equal scale; without `ax`, in those of a new figure."""
     import matplotlib.pyplot as plt
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
 

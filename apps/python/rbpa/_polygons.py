@@ -1,4 +1,4 @@
-"""Polygons with holes, and how other programs take them."""
+"""Polygons with holes, and their conversions for other packages."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 
 class Geometry(Dict[str, Any]):
-    """A GeoJSON geometry that is taken as a feature too, with properties: geopandas.GeoDataFrame.from_features() asks each
-    item for both."""
+    """A GeoJSON geometry that also works as a feature with properties: geopandas.GeoDataFrame.from_features() needs
+    both."""
 
     def __init__(self, kind: str, coordinates: list[Any], properties: dict[str, Any]) -> None:
         super().__init__(type=kind, coordinates=coordinates)
@@ -38,7 +38,7 @@ class Geometry(Dict[str, Any]):
 
 
 def number_or_none(value: float) -> Optional[float]:
-    """JSON has no infinity."""
+    """Returns a number for JSON, which has no infinity; None if it is not finite."""
     return float(value) if np.isfinite(value) else None
 
 
@@ -49,12 +49,12 @@ class Polygon:
     ----------
     shell : int32 array of shape (k,)
         Indices of the points along the outer ring, counter-clockwise; the first is not repeated.
-    holes : list of such arrays
-        The rings of the holes, clockwise.
+    holes : list of int32 arrays
+        Indices of the points along the ring of each hole, clockwise.
     area : float
-        Of the shell less the holes, in squared units of the points: the exact number, rounded once.
+        Area of the shell without the holes, in squared units of the points: the exact number, rounded once.
     perimeter : float
-        Length of all rings.
+        Length of all rings, in units of the points.
     """
 
     def __init__(self, points: Floats, shell: Indices, holes: list[Indices], area: float, perimeter: float) -> None:
@@ -66,7 +66,8 @@ class Polygon:
 
     @property
     def exterior(self) -> Floats:
-        """Coordinates along the outer ring, closed: float64 of shape (k + 1, 2), the last row being the first."""
+        """Coordinates along the outer ring, closed: float64 array of shape (k + 1, 2), whose last row repeats the
+        first."""
         return self._coordinates(self.shell)
 
     @property
@@ -92,12 +93,12 @@ class Polygon:
 
 
 class Polygons(Sequence[Polygon]):
-    """The polygons of a shape, one for each solid component, and their totals. A sequence of `Polygon`.
+    """The polygons of a shape, one for each solid component, and their totals: a sequence of `Polygon`.
 
     Attributes
     ----------
     area, perimeter : float
-        The exact sums of the polygons' own, rounded once.
+        The exact sums of the polygons' areas and perimeters, rounded once.
     """
 
     def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
@@ -111,7 +112,7 @@ class Polygons(Sequence[Polygon]):
         return len(self._flat["areas"])
 
     def part(self, first: int, last: int, area: float, perimeter: float) -> Polygons:
-        """Polygons first to last - 1, whose totals are known. Arrays are shared."""
+        """Returns polygons first to last - 1, with their totals. Arrays are shared."""
         flat = {name: self._flat[name][first:last] for name in ("areas", "perimeters")}
         flat["polygon_begin"] = self._flat["polygon_begin"][first : last + 1]
         return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter})
@@ -137,12 +138,13 @@ class Polygons(Sequence[Polygon]):
 
     @property
     def __geo_interface__(self) -> Geometry:
-        """As GeoPandas, Shapely and others take it: a MultiPolygon."""
+        """A MultiPolygon for GeoPandas, Shapely and others."""
         properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(self)}
         return Geometry("MultiPolygon", [p.__geo_interface__["coordinates"] for p in self], properties)
 
     def to_geojson(self) -> str:
-        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter and number of holes.
+        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
+        of holes.
 
         Every coordinate reads back to the same double.
         """
@@ -151,7 +153,7 @@ class Polygons(Sequence[Polygon]):
         return json.dumps({"type": "FeatureCollection", "features": features})
 
     def to_wkt(self) -> str:
-        """The text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
+        """Returns the text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
 
         def ring(coordinates: Floats) -> str:
             return "(" + ", ".join(f"{x!r} {y!r}" for x, y in coordinates.tolist()) + ")"
@@ -162,14 +164,14 @@ class Polygons(Sequence[Polygon]):
         return "MULTIPOLYGON (" + ", ".join(polygon(p) for p in self) + ")" if len(self) else "MULTIPOLYGON EMPTY"
 
     def to_shapely(self) -> Any:
-        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
+        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
         from shapely.geometry import MultiPolygon
 
         return MultiPolygon([(p.exterior, p.interiors) for p in self])
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draws the polygons with matplotlib, outlines the thinner the more there is of them. `style` goes to
-        matplotlib.patches.PathPatch. Returns the axes."""
+        """Draws the polygons with matplotlib, and returns the axes. `style` are arguments of
+        matplotlib.patches.PathPatch; by default outlines are thinner the longer they are in total."""
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -195,22 +197,24 @@ class Polygons(Sequence[Polygon]):
 
 
 class Outlined:
-    """What has polygons, and is taken by other programs as these are."""
+    """Base of results with polygons, which other packages accept in place of polygons."""
 
     polygons: Any  # Polygons
 
     def __iter__(self) -> Iterator[Polygon]:
-        """The polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with its area, perimeter and number of holes."""
+        """Iterates over the polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with area, perimeter
+        and number of holes."""
         return iter(self.polygons)
 
     @property
     def area(self) -> float:
-        """Of all triangles together, in squared units of the points: the polygons' areas added exactly, rounded once."""
+        """The area of all triangles, in squared units of the points: the exact sum of the polygons' areas, rounded
+        once."""
         return float(self.polygons.area)
 
     @property
     def perimeter(self) -> float:
-        """The length of the boundary."""
+        """The length of the boundary, in units of the points."""
         return float(self.polygons.perimeter)
 
     @property
@@ -220,13 +224,14 @@ class Outlined:
         return interface
 
     def to_geojson(self) -> str:
-        """The text of a GeoJSON FeatureCollection: a feature for each polygon, with its area, perimeter, number of holes."""
+        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
+        of holes."""
         return str(self.polygons.to_geojson())
 
     def to_wkt(self) -> str:
-        """The text of an OGC MULTIPOLYGON."""
+        """Returns the text of an OGC MULTIPOLYGON."""
         return str(self.polygons.to_wkt())
 
     def to_shapely(self) -> Any:
-        """A shapely.geometry.MultiPolygon. Needs the package shapely."""
+        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
         return self.polygons.to_shapely()

@@ -1,4 +1,4 @@
-"""Points in files."""
+"""Reading points from files."""
 
 from __future__ import annotations
 
@@ -24,29 +24,31 @@ def read_points(
     skip_invalid: bool = False,
     vertices: bool = False,
 ) -> PointFile:
-    """The points of a file, as the program `rbpa` reads them: LAS, tables in text, PLY, OFF, .npy, GeoJSON, well-known text,
-    the figure of an image; in space PCD and OBJ as well. Files packed by gzip are unpacked.
+    """Reads points from a file, as the program `rbpa` does: LAS, tables in text, PLY, OFF, .npy, GeoJSON, well-known
+    text, the foreground of an image; in space also PCD, OBJ and molecules. Files compressed by gzip are decompressed.
 
     Parameters
     ----------
     path : path
     space : bool
-        Points of space with their normals and colours, for `surface`; else of the plane, for all others.
+        Read points in space with their normals and colors, for `surface`; otherwise points in the plane.
     fields : sequence of str, or mapping of str to float or str
-        Names of what is beside the points and wanted too: "intensity" and others of LAS, properties of PLY, fields of
-        PCD, columns of a table with a header, and of molecules serial, chain, resseq, icode, resname, name, element, altloc, occupancy
-        and bfactor. A column of a table whose first value is no number is one of texts; ``{"plot": str}`` says so.
+        Names of fields to read beside the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
+        columns of a table with a header; of molecules serial, chain, resseq, icode, resname, name, element, altloc,
+        occupancy and bfactor. A column of a table is one of texts if its first value is no number, or if the mapping
+        has str: ``{"plot": str}``.
     where : str, optional
-        Which points count, by such numbers: "classification == 2 and not overlap", as in ``--where`` of the program.
+        A condition on such fields that selects points: "classification == 2 and not overlap", as in ``--where`` of the
+        program.
     columns : str, optional
-        Of a table: "X,Y", in space "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a name or a number from 1. By default what the header
-        names, else the first.
+        Columns of a table: "X,Y", in space "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a name or a number from 1. By default
+        those that the header names, or the first ones.
     format : str, optional
-        "las", "text", ...; by default what the ending of the path says.
+        "las", "text", ...; by default according to the ending of the path.
     skip_invalid : bool
-        Leaves out lines of text, and records of LAS, that are no point; `PointFile.remarks` counts them.
+        Leave out lines of text, and records of LAS, that are no points; `PointFile.remarks` counts them.
     vertices : bool
-        Takes the vertices of lines and polygons as points.
+        Take the vertices of lines and polygons as points.
 
     Returns
     -------
@@ -55,10 +57,10 @@ def read_points(
     Raises
     ------
     InvalidInput
-        A ValueError with the sentence of the program: a file that is not what it should be, naming the line or the point; an
-        argument that is not about this format.
+        A ValueError with the message of the program: an invalid file, with the line or the point; an argument that does
+        not apply to the format.
     OSError
-        There is no such file, or reading breaks off.
+        There is no such file, or reading fails.
 
     Examples
     --------
@@ -80,7 +82,7 @@ def read_points(
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None
-        if where is None:  # fields are looked for in the same way
+        if where is None:  # fields are found by the same code as --where
             raise InvalidInput(str(error).replace("--where", "fields")) from None
         raise
     read["fields"] = dict(zip(wanted, map(_field, read["fields"])))
@@ -88,7 +90,7 @@ def read_points(
 
 
 def _field(values: Any) -> Any:
-    """Numbers as they are; texts by their numbers."""
+    """Returns numbers as they are, and texts by their numbers."""
     if not isinstance(values, tuple):
         return values
     numbers, texts = values
@@ -96,7 +98,7 @@ def _field(values: Any) -> Any:
 
 
 class PointFile:
-    """What a file has: what `read_points` returns. Arrays are yours to write into.
+    """The content of a file, as returned by `read_points`. Arrays are writable.
 
     Attributes
     ----------
@@ -106,11 +108,11 @@ class PointFile:
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
     fields : dict of arrays of shape (n,), float64 or of str
-        By the requested names. Of molecules, what the file does not have is NaN, or an empty text.
+        The requested fields by name. A missing value of a molecule is NaN, or an empty text.
     crs : str, or None
-        The system of the coordinates, such as "EPSG:28992", where the file names one.
+        The system of the coordinates, such as "EPSG:28992", if the file names one.
     remarks : list of str
-        What was left out, or might be meant otherwise: a sentence each.
+        Warnings, one sentence each: data that were left out, and guesses that may be wrong.
     """
 
     points: Floats
@@ -126,7 +128,8 @@ class PointFile:
 
     @property
     def index(self) -> npt.NDArray[np.int64]:
-        """Of each point among all of the file, from 0; those that `where` or `skip_invalid` leaves out count too."""
+        """The number of each point among all points of the file, from 0, including those that `where` or `skip_invalid`
+        leaves out."""
         return np.arange(len(self.points)) if self._selected is None else self._selected
 
     def __repr__(self) -> str:

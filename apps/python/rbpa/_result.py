@@ -1,4 +1,4 @@
-"""What functions return: arrays that are read-only, of points that must not be changed while it is in use."""
+"""Base classes of results: read-only arrays computed from points that must not change while the result is in use."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
 
 
 def short_repr(row: Any) -> str:
-    """That of a named tuple, with the shapes of arrays and the lengths of lists in place of what is in them."""
+    """Returns the repr of a named tuple with the shapes of arrays and the lengths of lists in place of their
+    contents."""
 
     def short(value: Any) -> str:
         if isinstance(value, np.ndarray):
@@ -29,7 +30,7 @@ def short_repr(row: Any) -> str:
 
 
 class Result:
-    """What was computed of some arrays. A pickle leaves out what is computed at the first access."""
+    """A result computed from arrays. Pickles leave out attributes that are computed at the first access."""
 
     def __init__(self, made: dict[str, Any], **given: Optional[Floats]) -> None:
         self.__dict__.update(given)
@@ -38,11 +39,11 @@ class Result:
         self._freeze()
 
     def _freeze(self) -> None:
-        """All but what was given."""
+        """Makes all arrays read-only, except the given ones."""
         freeze(*(value for name, value in vars(self).items() if isinstance(value, np.ndarray) and name not in self._before))
 
     def _require_unchanged(self) -> None:
-        """Of an array that was changed behind its back nothing can be computed any more."""
+        """Raises InvalidInput if a given array has been changed."""
         for name, before in self._before.items():
             if fingerprint(getattr(self, name)) != before:
                 raise InvalidInput("points: they were changed after this was computed; compute it anew, or from a copy")
@@ -53,7 +54,7 @@ class Result:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._freeze()  # which pickles forget
+        self._freeze()  # pickles do not keep the read-only flag
 
 
 class Triangles(Result):
@@ -65,7 +66,7 @@ class Triangles(Result):
     duplicates: Indices
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh of all points and the triangles. Needs the package meshio."""
+        """Returns a meshio.Mesh of all points and the triangles. Needs the package meshio."""
         import meshio
 
         return meshio.Mesh(self.points, [("triangle", self.simplices)])

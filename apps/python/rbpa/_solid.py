@@ -24,22 +24,24 @@ def solid(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Solid:
-    """The tetrahedra of points in space whose circumradius is at most alpha: the solid alpha complex. At infinity, the Delaunay
-    triangulation.
+    """Computes the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha.
+    With alpha infinity, the Delaunay triangulation.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
-        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        Finite coordinates. A float64 array in C order is used without a copy, and must not be changed while the result
         is in use; anything else is converted.
     alpha : float, "auto", "min" or "plateau"
-        A radius in the units of the points, never its square. "min" is the least at which every point is in a tetrahedron, "auto"
-        the least at which one solid component has every point, "plateau" a radius around which parts and voids hardly change
-        (`solid_filtration(points).plateaus()`). Infinity where there is no tetrahedron.
+        A radius in the units of the points, never its square. "min" is the least radius at which every point is in a
+        tetrahedron, "auto" the least at which one solid component has every point, "plateau" a radius around which
+        parts and voids hardly change (`solid_filtration(points).plateaus()`). A rule gives infinity if there is no
+        tetrahedron.
     cover : float
-        Share of the points that "auto" and "min" are about, such as 0.99, so that single ones do not decide them.
+        For "auto" and "min": the share of the points that must be covered, such as 0.99, so that single points do not
+        decide.
     threads, progress
-        As for `alpha_shape`; `progress` is called with the number of points done in place of triangles.
+        As for `alpha_shape`; `progress` is called with the number of finished points in place of triangles.
 
     Returns
     -------
@@ -48,7 +50,7 @@ def solid(
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape, a coordinate or alpha that is none; says which.
+        A ValueError that names the fault: points of another shape, an invalid coordinate or alpha.
     Cancelled
         `progress` returned False.
 
@@ -77,7 +79,8 @@ def solid(
 
 
 class BallUnion(NamedTuple):
-    """What `union_of_balls` returns."""
+    """Volume and area of a union of balls, as returned by `union_of_balls`, in cubed and squared units of the
+    points."""
 
     volume: float
     area: float
@@ -90,14 +93,14 @@ def union_of_balls(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> BallUnion:
-    """Volume and surface area of the union of equal balls around points in space.
+    """Computes volume and surface area of the union of equal balls around points in space.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
-        As for `solid`; they may all be in a plane or on a line. Equal ones have one ball.
+        As for `solid`; they may all be in a plane or on a line. Equal points have one ball.
     radius : float
-        Of every ball.
+        The radius of every ball, in the units of the points.
     threads, progress
         As for `solid`.
 
@@ -118,7 +121,10 @@ def union_of_balls(
 
 
 class DanglingFaces(NamedTuple):
-    """What the full alpha complex has beyond the solid: `Solid.dangling`. Arrays are read-only, rows ascending and in lexicographic order."""
+    """Simplices of the full alpha complex in no larger simplex: `Solid.dangling`.
+
+    Arrays are read-only, with ascending rows in lexicographic order.
+    """
 
     triangles: Indices
     edges: Indices
@@ -134,17 +140,18 @@ class SolidVoid:
     Attributes
     ----------
     volume, area : float
-        Without what floats in it, between the points; of all of its boundary.
+        The volume between the points, without islands, and the area of the whole boundary.
     outside_balls : float or None
-        Of a void of the full complex, the volume within it that is at least alpha from every point: where the center of a ball may be.
+        For a void of the full complex, the volume within it that is at least alpha from every point, where the center
+        of a ball may be.
     box : float64 array of shape (2, 3)
         The least and the greatest coordinates.
     islands : int
-        How many pieces of the solid float in it.
+        The number of pieces of the solid that are inside.
     triangles : int32 array of shape (k,)
-        The triangles around it, by their numbers in `Solid.boundary`.
+        The triangles of its boundary, by their numbers in `Solid.boundary`.
     points : int32 array of shape (p,)
-        The points around it, ascending.
+        The points of its boundary, ascending.
     """
 
     def __init__(
@@ -190,17 +197,18 @@ def _voids_of(of: dict[str, Any]) -> list[SolidVoid]:
 
 
 class FullComplex(NamedTuple):
-    """The topology of a full alpha complex: what `Solid.full` returns. Arrays are read-only.
+    """The topology of a full alpha complex, as returned by `Solid.full`. Arrays are read-only.
 
     Attributes
     ----------
     betti : tuple of int
         Components, tunnels and voids of the complex.
     voids : list of SolidVoid
-        The bounded components of what is outside of its tetrahedra and triangles, the largest volume first. Their triangles are numbers
-        in `triangles`; an island is a piece of triangles.
+        The bounded components of the complement of tetrahedra and triangles, the largest volume first. Their triangles
+        are numbers in `triangles`; an island is a connected set of triangles.
     triangles : int32 array of shape (k, 3)
-        Around the voids, counter-clockwise seen from within; one with a void on both sides comes twice.
+        The boundary triangles of the voids, counter-clockwise seen from within; one with a void on both sides comes
+        twice.
     """
 
     betti: tuple[int, int, int]
@@ -212,20 +220,21 @@ class FullComplex(NamedTuple):
 
 
 class Solid(Result):
-    """Tetrahedra of points in space: what `solid` returns. Arrays are read-only.
+    """The solid alpha complex of points in space, as returned by `solid`. Arrays are read-only.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        The points that were given, the same array where nothing had to be converted. Indices are into it.
+        The given points, the same array if nothing had to be converted. All indices refer to it.
     alpha : float
-        The radius that was given, or chosen.
+        The radius, given or chosen.
     simplices : int32 array of shape (m, 4)
-        The corners of each tetrahedron, positively oriented, the smallest index first, in lexicographic order.
+        The corners of each tetrahedron, positively oriented, the smallest index first; tetrahedra are in lexicographic
+        order.
     neighbors : int32 array of shape (m, 4)
-        Number k of a tetrahedron is the one across from its corner k, or -1.
+        Column k is the tetrahedron opposite to corner k, or -1.
     duplicates : int32 array of shape (d, 2)
-        Points equal to one before them, and that one, which stands for them everywhere.
+        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
     isolated : int32 array of shape (i,)
         Distinct points in no tetrahedron.
     """
@@ -242,15 +251,16 @@ class Solid(Result):
 
     @cached_property
     def radii(self) -> Floats:
-        """The circumradius of each tetrahedron, rounded up: it is in the solid of alpha exactly if this is at most alpha."""
+        """The circumradius of each tetrahedron, rounded up: the tetrahedron is in the solid of alpha exactly if it is
+        at most alpha."""
         self._require_unchanged()
         found: Floats = _core.circumradii(self.points, self.simplices, 0)
         freeze(found)
         return found
 
     def within(self, alpha: float) -> Solid:
-        """The solid of a smaller alpha, or of the same: ``solid(points).within(alpha)`` is ``solid(points, alpha)``, and costs
-        little after the first call, which computes `radii`.
+        """Returns the solid of a smaller or equal alpha: ``solid(points).within(alpha)`` equals ``solid(points,
+        alpha)``. The first call computes `radii`; further calls are cheap.
 
         Raises
         ------
@@ -269,8 +279,8 @@ class Solid(Result):
 
     @cached_property
     def dangling(self) -> DanglingFaces:
-        """Triangles in no tetrahedron, edges in no triangle and points in no edge of the full alpha complex: what a ball of radius at most alpha
-        rests on that has no point inside. Costs a triangulation.
+        """Triangles in no tetrahedron, edges in no triangle and points in no edge of the full alpha complex, on which
+        an empty ball of radius at most alpha rests. Costs a triangulation.
         """
         self._require_unchanged()
         found = DanglingFaces(*_core.solid_dangling(self.points, self.alpha))
@@ -279,8 +289,8 @@ class Solid(Result):
 
     @cached_property
     def full(self) -> FullComplex:
-        """Betti numbers and voids of the full alpha complex, whose triangles without a tetrahedron part voids too. Costs a triangulation.
-        """
+        """Betti numbers and voids of the full alpha complex, in which dangling triangles separate voids, too. Costs a
+        triangulation."""
         self._require_unchanged()
         made = _core.solid_full(self.points, self.alpha)
         freeze(made["triangles"])
@@ -295,62 +305,64 @@ class Solid(Result):
 
     @property
     def boundary(self) -> Indices:
-        """The triangles with a tetrahedron on one side only, an array of shape (b, 3), counter-clockwise seen from outside.
-        Computed at the first access, with all that follows from it."""
+        """The triangles with a tetrahedron on one side only: int32 array of shape (b, 3), counter-clockwise seen from
+        outside. The first access to this or one of the attributes below computes all of them."""
         return self._voids["triangles"]  # type: ignore[no-any-return]
 
     @property
     def boundary_neighbors(self) -> Indices:
-        """Number k of a triangle of the boundary is the one across from its corner k; there always is one, on the same wedge
-        of the solid where several meet at an edge."""
+        """The boundary triangle opposite to each corner, an array of shape (b, 3). It always exists; if several wedges
+        of the solid meet at an edge, it is on the same wedge."""
         return self._voids["neighbors"]  # type: ignore[no-any-return]
 
     @property
     def boundary_simplices(self) -> Indices:
-        """The tetrahedron behind each triangle of the boundary, an array of shape (b,)."""
+        """The tetrahedron of each boundary triangle, an array of shape (b,)."""
         return self._voids["tetrahedra"]  # type: ignore[no-any-return]
 
     @property
     def betti(self) -> tuple[int, int, int]:
-        """Components, tunnels and voids of the solid as a space: pieces that touch in a point are one."""
+        """The numbers of components, tunnels and voids of the solid as a space, in which pieces that touch in a point
+        are one."""
         return self._voids["betti"]  # type: ignore[no-any-return]
 
     @property
     def solid_components(self) -> int:
-        """How many pieces there are that hang together through triangles."""
+        """The number of pieces connected through triangles."""
         return int(self._voids["solid_components"])
 
     @property
     def volume(self) -> float:
-        """Of all tetrahedra."""
+        """The volume of all tetrahedra."""
         return float(self._voids["volume"])
 
     @property
     def area(self) -> float:
-        """Of the boundary."""
+        """The area of the boundary."""
         return float(self._voids["area"])
 
     @cached_property
     def voids(self) -> list[SolidVoid]:
-        """The bounded components of what is outside, the largest volume first."""
+        """The bounded components of the complement of the solid, the largest volume first."""
         return _voids_of(self._voids)
 
     def boundary_mesh(self) -> meshops.Mesh:
-        """A halfedge mesh of the boundary, a new one with each call: face i is triangle i of `boundary`, and goes on where
-        `boundary_neighbors` says. Always closed; where the solid touches itself each side has vertices of its own.
-        ``mesh.point_of_vertex`` says on which point each stands."""
+        """Returns a new halfedge mesh of the boundary: face i is triangle i of `boundary`, with the neighbors of
+        `boundary_neighbors`. It is always closed; where the solid touches itself, each side has vertices of its own.
+        ``mesh.point_of_vertex`` has the point of each vertex."""
         made = meshops.Mesh()
         _core.surface_mesh(made, self.points, self.boundary, self.boundary_neighbors)
         return made
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
+        """Returns a meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
         import meshio
 
         return meshio.Mesh(self.points, [("tetra", self.simplices)])
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draws the boundary with matplotlib in three dimensions, lit from above, and returns the axes: as `Surface.plot`."""
+        """Draws the boundary with matplotlib in three dimensions, lit from above, as `Surface.plot`, and returns the
+        axes."""
         return draw_triangles(ax, self.points, self.boundary, style)
 
     def __repr__(self) -> str:

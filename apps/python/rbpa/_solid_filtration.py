@@ -1,4 +1,4 @@
-"""The alpha complex of points in space at every radius."""
+"""The alpha complex of points in space for every radius."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from rbpa._result import Result, freeze, short_repr
 
 
 def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> SolidFiltration:
-    """The alpha complex of points in space at every radius: which simplices there are from which radius on, and the births and deaths of
-    components, tunnels and voids.
+    """Computes the alpha complex of points in space for every radius: the radius of each simplex, and the births and
+    deaths of components, tunnels and voids.
 
     Parameters
     ----------
@@ -46,25 +46,27 @@ def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, pr
 
 
 class SolidRepresentative(NamedTuple):
-    """Where a pair of a persistence diagram in space is: a cycle around a tunnel, the surface around a void, the edge at which a component ends."""
+    """The location of a pair of a persistence diagram in space: a cycle around a tunnel, the surface around a void, or
+    the edge at which a component ends."""
 
     dimension: int
     birth: float
     death: float
-    """Infinity: it never dies."""
+    """Infinity if it never dies."""
     edges: Indices
-    """Dimension 1: of the cycle, as rows of two points, one after the other. Dimension 0: the edge, if any."""
+    """Dimension 1: the edges of the cycle in their order, as rows of two points. Dimension 0: the edge, if any."""
     triangles: Indices
-    """Dimension 2: around the void, as rows of three points, counter-clockwise seen from around."""
+    """Dimension 2: the triangles around the void, as rows of three points, counter-clockwise seen from outside the
+    void."""
     simplices: Indices
     """Dimension 2: the numbers of the tetrahedra in it."""
     length: float
-    """Of the edges."""
+    """The length of the edges."""
     area: float
     volume: float
-    """Of the triangles, and of the void at its birth."""
+    """The area of the triangles, and the volume of the void at its birth."""
     is_shortest: bool
-    """Dimension 1: no shorter cycle is there at its birth and becomes a boundary exactly at its death."""
+    """Dimension 1: whether no shorter cycle exists at its birth and becomes a boundary exactly at its death."""
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -75,40 +77,40 @@ class SolidPlateau(NamedTuple):
 
     start: float
     end: Optional[float]
-    """None: it is the last, and has no end."""
+    """None for the last plateau, which has no end."""
     alpha: float
-    """The radius to choose in it. What follows is of the solid at this radius."""
+    """The radius to choose in it. The attributes below describe the solid at this radius."""
     ratio: float
-    """end / start, its persistence; of the last, to half the diagonal of the points' box, at least 1."""
+    """end / start, its persistence; for the last plateau end is half the diagonal of the points' box. At least 1."""
     tetrahedra: int
     components: int
     """Pieces of the tetrahedra connected through points."""
     covered: int
     volume: float
     effective_parts: float
-    """How many parts there are, each as heavy as it has points."""
+    """The number of parts, weighted by their points."""
     void_share: float
-    """The volume of the voids / that of tetrahedra and voids."""
+    """The volume of the voids divided by that of tetrahedra and voids."""
     kind: str
-    """"structured", with several parts or voids of weight, or "one piece"."""
+    """"structured", with several large parts or voids, or "one piece"."""
     is_long: bool
-    """Its ratio is more than points without any structure reach by chance."""
+    """Whether its ratio exceeds what points without any structure reach by chance."""
 
 
 class VoidTree(NamedTuple):
-    """All voids at every radius, ascending by `closes`: what `SolidFiltration.void_tree` returns. Arrays are read-only, and
-    have an entry for each void.
+    """All voids at every radius, ascending by `closes`, as returned by `SolidFiltration.void_tree`. Arrays are
+    read-only, and have an entry for each void.
 
     Attributes
     ----------
     closes : float64 array of shape (k,)
         The radius from which on it is a void; below, it is a pocket.
     filled : float64 array of shape (k,)
-        The radius from which on nothing is left of it.
+        The radius from which on it is completely filled.
     volume : float64 array of shape (k,)
         Its volume when it closes.
     parent : int32 array of shape (k,)
-        The number of the void that it is parted from when it closes; -1: the outside.
+        The number of the void from which it separates when it closes; -1 for the outside.
     mouth : int32 array of shape (k, 3)
         The points of the triangle that closes it.
     """
@@ -124,27 +126,29 @@ class VoidTree(NamedTuple):
 
 
 class SolidFiltration(Result):
-    """The alpha complex in space at every radius: what `solid_filtration` returns. Arrays are read-only.
+    """The alpha complex in space for every radius, as returned by `solid_filtration`. Arrays are read-only.
 
-    A simplex is in the full alpha complex of a radius exactly if its own, which is rounded up, is at most that. Points in a
-    plane or on a line have no tetrahedra, but the triangles and edges of their Delaunay triangulation there.
+    A simplex is in the full alpha complex of a radius exactly if the simplex's own radius, which is rounded up, is at
+    most that. Points in a plane or on a line have no tetrahedra, but the triangles and edges of their Delaunay
+    triangulation there.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
     edges, triangles, simplices : int32 arrays of shape (e, 2), (t, 3), (m, 4)
-        Edges, triangles and tetrahedra of the Delaunay triangulation, in an order in which neighbours are near each other. Corners of edges and
-        triangles ascend.
+        Edges, triangles and tetrahedra of the Delaunay triangulation, in an order in which neighbors are close to each
+        other. The corners of edges and triangles ascend.
     neighbors : int32 array of shape (m, 4)
-        Of each tetrahedron those across from its corners, -1 for none.
+        The tetrahedra opposite to each corner of a tetrahedron, -1 for none.
     edges_of, triangles_of : int32 arrays of shape (t, 3), (m, 4)
-        Of each triangle its edges, and of each tetrahedron its triangles, each across from the corner of that column: the boundary matrices.
-    edge_alpha, triangle_alpha, simplex_alpha : float64 arrays
-        The radius from which on each is in the complex.
+        The edges of each triangle, and the triangles of each tetrahedron, opposite to the corner of the same column:
+        the boundary matrices.
+    edge_alpha, triangle_alpha, simplex_alpha : float64 arrays of shape (e,), (t,), (m,)
+        The radius from which on each simplex is in the complex.
     distinct : int
         The number of distinct points.
     min, auto : float
-        The radii that alpha="min" and alpha="auto" of `solid` choose; infinity where there is no tetrahedron.
+        The radii of alpha="min" and alpha="auto" of `solid`; infinity if there is no tetrahedron.
     """
 
     points: Floats
@@ -171,26 +175,31 @@ class SolidFiltration(Result):
         freeze(*self._persistence, *self._pairs)
 
     def persistence(self, dimension: int) -> Floats:
-        """Births and deaths of components (dimension 0), tunnels (1) or voids (2) while the radius grows.
+        """Returns births and deaths of components (dimension 0), tunnels (1) or voids (2) as the radius grows.
 
         Returns
         -------
         float64 array of shape (k, 2)
-            Birth and death of each, sorted; a death of infinity is none. These are the square roots of what GUDHI's AlphaComplex gives.
+            Birth and death of each, sorted; infinity means that it never dies. The values are the square roots of those
+            of GUDHI's AlphaComplex.
         """
         return self._persistence[_checked(dimension)]
 
     def pairs(self, dimension: int) -> Indices:
-        """The simplices that make and end what `persistence` has, row by row: of dimension 0 a point and an edge, of dimension 1 an edge and a triangle, of
-        dimension 2 a triangle and a tetrahedron, by their numbers; -1 for none. An array of shape (k, 2)."""
+        """Returns the numbers of the simplices that begin and end each row of `persistence`, -1 for none: int32 array
+        of shape (k, 2).
+
+        They are a point and an edge in dimension 0, an edge and a triangle in dimension 1, a triangle and a tetrahedron
+        in dimension 2.
+        """
         return self._pairs[_checked(dimension)]
 
     def representatives(self, dimension: int, *, min_persistence: float = 0.0, top: Optional[int] = None) -> list[SolidRepresentative]:
-        """Where the pairs of one dimension are, in the order of `persistence`: of those with death - birth at least `min_persistence` at most the
-        `top` that last longest.
+        """Returns the locations of the pairs of one dimension, in the order of `persistence`.
 
-        A cycle is in the complex at its birth, has the edge that makes it, and becomes a boundary exactly at its death. Computed anew with each call, in
-        about twice the time of `solid_filtration`.
+        Includes pairs with death - birth at least `min_persistence`, at most the `top` that last longest. A cycle is in
+        the complex at its birth, contains the edge that begins it, and becomes a boundary exactly at its death. Every
+        call computes them again, in about twice the time of `solid_filtration`.
         """
         least, most = as_pair_choice(min_persistence, top)
         checked = _checked(dimension)
@@ -198,16 +207,19 @@ class SolidFiltration(Result):
         return [SolidRepresentative(*one) for one in _core.solid_representatives(self.points, checked, least, most, as_threads(None), None)]
 
     def plateaus(self) -> list[SolidPlateau]:
-        """Ranges of radii over which parts and voids of the solid hardly change, the best first, at most eight. Computed anew with each call."""
+        """Returns ranges of radii over which parts and voids of the solid hardly change, the best first, at most eight.
+        Every call computes them again."""
         self._require_unchanged()
         found = _core.solid_plateaus(self.points, self.simplices, self.neighbors, self.simplex_alpha, self.distinct)
         return [SolidPlateau(*one) for one in found]
 
     def void_tree(self, walls: str = "full") -> VoidTree:
-        """All voids, each with the radius at which it closes and the one at which it is filled, and what it is parted from.
+        """Returns all voids, each with the radii at which it closes and is filled, and the void from which it
+        separates.
 
-        `walls` is "full", where triangles of the alpha complex part voids as well, or "solid", where only tetrahedra do. At a radius the voids are those with
-        closes <= radius < filled, and pockets those with radius < closes. Computed anew with each call.
+        With `walls` "full", triangles of the alpha complex separate voids as well; with "solid", only tetrahedra do. At
+        a radius, voids are those with closes <= radius < filled, and pockets those with radius < closes. Every call
+        computes them again.
         """
         if walls not in ("solid", "full"):
             raise InvalidInput(f"walls: found {shown(walls)}, expected 'solid' or 'full'")
@@ -217,7 +229,8 @@ class SolidFiltration(Result):
         return VoidTree(*(made[name] for name in VoidTree._fields))
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
-        """(components, tunnels, voids) at a radius, or at each of an array of radii: the Betti numbers b0, b1 and b2 of the full complex."""
+        """Returns (components, tunnels, voids), the Betti numbers b0, b1 and b2 of the full complex, at a radius or at
+        each of an array of radii."""
         radii = as_numbers(alpha, "alpha", "radii")
         if np.isnan(radii).any():
             raise InvalidInput("alpha: found nan, expected radii")
@@ -230,8 +243,11 @@ class SolidFiltration(Result):
         return (numbers[0], numbers[1], numbers[2])
 
     def plot_persistence(self, ax: Any = None) -> Any:
-        """Draws the persistence diagram with matplotlib, and returns the axes: a dot for each tunnel and void, born at x and dying at y, on logarithmic
-        scales. The farther from the diagonal the longer it lives. Components, which are all there from 0 on, are on the left edge."""
+        """Draws the persistence diagram with matplotlib, and returns the axes.
+
+        Each tunnel and void is a dot at (birth, death), on logarithmic scales; the farther from the diagonal, the
+        longer it lives. Components, which all exist from radius 0 on, are at the left edge.
+        """
         ax = axes_or_current(ax)
         radii = np.concatenate([np.ravel(of) for of in self._persistence])
         radii = radii[np.isfinite(radii) & (radii > 0)]

@@ -1,4 +1,4 @@
-"""Points in space before they have a surface: their normals, which of them stand alone, and noise."""
+"""Preparation of points in space for a surface: normals, outliers and noise."""
 
 from __future__ import annotations
 
@@ -45,32 +45,33 @@ def estimate_normals(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Union[Floats, tuple[Floats, Floats]]:
-    """Normals of points in space that have none: of planes through the nearest points, all turned to one side.
+    """Estimates normals of points in space from planes through the nearest points, consistently turned to one side.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
         Finite coordinates.
     neighbors : int
-        A plane is fitted to each point and so many others, the nearest. Fewer follow the noise, more round off edges.
+        A plane is fitted to each point and that many nearest others. Fewer follow the noise, more round off edges.
     viewpoint : array_like of shape (3,) or (n, 3), optional
-        Where all points, or each, were seen from: normals are turned toward it, and no side has to be guessed.
+        The position from which all points, or each point, were seen: normals are turned toward it, so that no side is
+        guessed.
     certainty : bool
-        Also how sure each normal is.
+        Also return the confidence in each normal.
     threads, progress
-        As in `surface`; `progress` is called with no triangles.
+        As in `surface`; `progress` is called with 0 triangles.
 
     Returns
     -------
     float64 array of shape (n, 3), or with `certainty` a tuple of it and one of shape (n,)
-        Unit vectors; equal points have equal ones. The sign is a guess: in each piece one normal, of an extreme point, is
-        turned outward (a plane's or a terrain's upward), and carried from neighbour to neighbour along a spanning tree. Each
-        step on which the planes of neighbours do not determine which side is which, as at sharp edges, may turn all that follow
-        to the wrong side, on closed surfaces too. Of thin bodies a ball outside decides. Where the side matters give normals
-        of your own. The arrays are yours to write into.
+        Unit vectors; equal points have equal ones. The sign is a guess: in each piece the normal of an extreme point is
+        turned outward (upward on a plane or a terrain), and the side is passed from neighbor to neighbor along a
+        spanning tree. A step at which the planes of neighbors do not determine the side, as at sharp edges, may turn
+        all later normals to the wrong side, also on closed surfaces. On thin bodies a ball outside decides. If the side
+        matters, give your own normals. The arrays are writable.
 
-        A certainty is in [0, 1], and below a half the normal is in doubt: the nearest points determine no plane, or votes of
-        neighbours whether it is on the side of the others contradict each other (docs/surface.md, section 3).
+        Confidences are in [0, 1]. Below 0.5 the normal is in doubt: the nearest points determine no plane, or neighbors
+        disagree about its side (docs/surface.md, section 3).
 
     Raises
     ------
@@ -101,33 +102,33 @@ def scale_space(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Floats:
-    """Noisy points moved onto the surface that they are scattered about: in each step each to the plane that fits it and its
-    nearest others.
+    """Moves noisy points toward the surface that they are scattered about: in each step to the plane fitted to each
+    point and its nearest others.
 
-    The surface of the moved points, `surface(scale_space(points))`, has triangles between points by their numbers, so they are
-    as well triangles of the points as they came (Digne et al., Scale space meshing, 2011).
+    The triangles of the moved points, `surface(scale_space(points))`, are numbers of points, and so also triangles of
+    the original points (Digne et al., Scale space meshing, 2011).
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
         Finite coordinates.
     steps : int or "auto"
-        How many; "auto": until one moves the median point otherwise than its neighbours by less than a tenth of the distance
-        between them, at most 8. Curved surfaces shrink a little in each step.
+        The number of steps; "auto": until a step moves the median point, relative to its neighbors, by less than a
+        tenth of the distance between them, at most 8. Curved surfaces shrink a little in each step.
     neighbors : int
-        A plane is fitted to each point and so many others, the nearest.
+        A plane is fitted to each point and that many nearest others.
     threads, progress
         As in `estimate_normals`.
 
     Returns
     -------
     float64 array of shape (n, 3)
-        Yours to write into. Equal points stay equal.
+        The moved points, a writable array. Equal points stay equal.
 
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape or not finite, no number of steps.
+        A ValueError: points of another shape or not finite, an invalid number of steps.
     Cancelled
         `progress` returned False.
 
@@ -152,24 +153,26 @@ def outliers(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Indices:
-    """Points in space that stand alone: much farther from their nearest others than most points are.
+    """Finds outliers among points in space: points much farther from their nearest others than most points are.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
         Finite coordinates.
     factor : float
-        An outlier is more than so many times as far from its last neighbor as the median point is; at least 1.
+        An outlier is more than `factor` times as far from its last neighbor as the median point is; at least 1.
     neighbors : int
-        The distance is that to this nearest other point: fewer than so many outliers that lie close together are found.
+        The rank of the last neighbor among the nearest other points. Groups of fewer than `neighbors` outliers that lie
+        close together are found.
     threads, progress
         As in `estimate_normals`.
 
     Returns
     -------
     int32 array of shape (k,)
-        Indices, ascending; `np.delete(points, rbpa.outliers(points), axis=0)` is without them. One distance is meant for all:
-        of a scan whose parts differ in density by more than the factor, the sparse parts are found as well.
+        Indices, ascending; `np.delete(points, rbpa.outliers(points), axis=0)` removes these points. One distance
+        applies to all points: if parts of a scan differ in density by more than the factor, the sparse parts are found
+        as well.
 
     Raises
     ------

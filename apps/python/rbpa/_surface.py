@@ -1,4 +1,4 @@
-"""The surface of points in space, by a ball that rolls over them."""
+"""Surfaces of points in space, by ball pivoting."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
-# By the numbers that the library has for them.
+# In the order of the library's numbers.
 _UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
 
 
@@ -33,22 +33,24 @@ def surface(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Surface:
-    """The surface of points in space: the triangles on which a ball comes to rest when it rolls over them.
+    """Computes the surface of points in space: the triangles on which a ball rests as it rolls over them.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
-        Finite coordinates. Float64 in C order is used as it is, without a copy, and must not be changed while the result
+        Finite coordinates. A float64 array in C order is used without a copy, and must not be changed while the result
         is in use; anything else is converted.
     normals : array_like of shape (n, 3), "estimate" or "none"
-        A vector at each point that points outward, of any length but 0; the ball rolls on that side. By default they are
-        estimated, as by `estimate_normals`. "none" gives the triangles on all sides that a ball can reach: a closed surface.
+        A vector at each point that points outward, of any length but 0; the ball rolls on that side. By default they
+        are estimated, as by `estimate_normals`. "none" gives the triangles on all sides that a ball can reach: a closed
+        surface.
     radius : float, several, or "auto"
-        Of the ball, in the units of the points: about one to four times the distance of neighbours. Of several, ascending,
-        each closes what the ones before left open; what they made stays. "auto" chooses up to four from the gaps between
-        neighbours, with normals="none" the largest of them. `Surface.radii` says which.
+        The radius of the ball, in the units of the points: about one to four times the distance between neighbors.
+        Several, ascending: each closes gaps that the smaller ones left, whose triangles stay. "auto" chooses up to four
+        from the gaps between neighbors, or with normals="none" the largest of these. `Surface.radii` has the chosen
+        radii.
     max_radius : float
-        Larger ones of "auto" become this one.
+        The greatest radius of "auto": larger ones become this one.
     threads, progress
         As for `alpha_shape`.
 
@@ -59,7 +61,7 @@ def surface(
     Raises
     ------
     InvalidInput
-        A ValueError: points of another shape, a coordinate, normal or radius that is none; says which.
+        A ValueError that names the fault: points of another shape, an invalid coordinate, normal or radius.
     Cancelled
         `progress` returned False.
 
@@ -98,32 +100,33 @@ def surface(
 def surface_of(
     points: npt.ArrayLike, triangles: npt.ArrayLike, normals: Optional[npt.ArrayLike] = None
 ) -> Surface:
-    """A surface of triangles that come from elsewhere: from a file, another program, an edit of your own.
+    """Makes a surface of given triangles: from a file, another program, or your own edit.
 
-    It has what a surface of `surface` has but for the ball: components with area and volume, boundary curves, `fill_holes`,
-    `watertight`, `refined`, `keep`, `mesh`, `save`.
+    The result has everything that does not depend on a ball: components with area and volume, boundary curves,
+    `fill_holes`, `watertight`, `refined`, `keep`, `mesh`, `save`.
 
     Parameters
     ----------
     points : array_like of shape (n, 3)
         Finite coordinates.
     triangles : array_like of int, of shape (m, 3)
-        Of each its corners, as numbers of points, counter-clockwise seen from outside. Corners at one place are one point, so that
-        those of an .stl file need not be merged.
+        The corners of each triangle, as numbers of points, counter-clockwise seen from outside. Corners at equal
+        positions are one point, so that those of an .stl file need not be merged.
     normals : array_like of shape (n, 3), optional
-        A vector at each point: `refined` gives the points that it adds the mean of those around them.
+        A vector at each point: `refined` gives an added point the mean of the vectors around it.
 
     Returns
     -------
     Surface
-        Of the same triangles, in its order; ``given[t]`` is the number of triangle t among those that were given. Two triangles that
-        run along an edge in opposite directions are glued there; where more meet, those that face each other are. Without radii;
-        its holes have no causes.
+        The same triangles, in the order of `Surface`; ``given[t]`` is the given number of triangle t. Two triangles
+        that traverse an edge in opposite directions are glued there; if more meet, those that face each other are.
+        There are no radii, and its holes have no causes.
 
     Raises
     ------
     InvalidInput
-        Another shape, a coordinate that is none, a corner that is no point, a triangle with two corners at one place; says which.
+        A ValueError that names the fault: another shape, an invalid coordinate, a corner that is no point, a triangle
+        with two corners at equal positions.
 
     Examples
     --------
@@ -151,12 +154,13 @@ def surface_of(
 
 
 def _not_empty(radii: Floats) -> Floats:
-    """Where none can be chosen the points are on a line or fewer than three, and there is no triangle at any."""
+    """Returns radii, or any radius if none could be chosen, as the points are on a line or fewer than three: no radius
+    gives a triangle then."""
     return radii if len(radii) else np.ones(1)
 
 
 def _as_radii(radius: Any) -> Floats:
-    """An array of shape (k,); whether they are radii is for the library to say."""
+    """Returns an array of shape (k,); the library checks whether the numbers are radii."""
     expected = "a number > 0, several, ascending, or 'auto'"
     array = np.atleast_1d(as_numbers(radius, "radius", expected))
     if array.ndim != 1 or array.size == 0:
@@ -165,34 +169,35 @@ def _as_radii(radius: Any) -> Floats:
 
 
 class NotWatertight(RuntimeError):
-    """A surface that `Surface.watertight` could not close; says what is left."""
+    """Raised by `Surface.watertight` for a surface that it could not close; names the remaining defects."""
 
 
 class Surface(Result):
-    """The surface of points in space: what `surface` and `surface_of` return. Arrays are read-only.
+    """The surface of points in space, as returned by `surface` and `surface_of`. Arrays are read-only.
 
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        The points that were given, the same array where nothing had to be converted. Indices are into it.
+        The given points, the same array if nothing had to be converted. All indices refer to it.
     normals : float64 array of shape (n, 3), or None
-        Those that were given or estimated; None for "none".
+        The given or estimated normals; None for "none".
     radii : float64 array of shape (k,)
-        Those that were given or chosen; none where none could be, as the points are on a line or fewer than three, and none of
-        `surface_of`.
+        The given or chosen radii; empty if none could be chosen, as the points are on a line or fewer than three, and
+        for `surface_of`.
     given : int32 array of shape (m,), or None
-        Of `surface_of` the number of each triangle among those that were given.
+        For `surface_of`, the given number of each triangle.
     triangles : int32 array of shape (m, 3)
-        The corners of each triangle, counter-clockwise seen from outside, the smallest index first, in lexicographic order.
+        The corners of each triangle, counter-clockwise seen from outside, the smallest index first; triangles are in
+        lexicographic order.
     neighbors : int32 array of shape (m, 3)
-        Number k of a triangle is the one across from its corner k, or -1. Two sheets may share an edge between two points;
-        these say which triangles go on in which.
+        Column k is the triangle opposite to corner k, or -1. Two sheets may share an edge between two points; their
+        neighbors tell them apart.
     levels : int32 array of shape (m,)
-        The number of the radius that made each triangle; -1 where `fill_holes` or `watertight` did.
+        The number of the radius that made each triangle; -1 if `fill_holes` or `watertight` made it.
     boundary : int32 array of shape (b, 2)
-        The sides without a neighbour, the triangle on the left.
+        The sides without a neighbor, with the triangle on the left.
     duplicates : int32 array of shape (d, 2)
-        Points equal to one before them, and that one, which stands for them everywhere.
+        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
     """
 
     points: Floats
@@ -204,9 +209,9 @@ class Surface(Result):
     boundary: Indices
     duplicates: Indices
     given: Optional[Indices] = None
-    # Of a part: the surface that it is of, and which triangles of that it has.
+    # For a part of a surface: the whole surface, and the flags of the triangles that were kept.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
-    # With holes filled: the surface without, and where its triangles are here, or -1.
+    # With filled holes: the surface before, and the new number of each of its triangles, or -1.
     _filled_from: Optional[tuple[Surface, Indices]] = None
 
     def __init__(self, points: Floats, normals: Optional[Floats], radii: Floats, made: dict[str, Any]) -> None:
@@ -218,8 +223,8 @@ class Surface(Result):
 
     @cached_property
     def holes(self) -> list[SurfaceHole]:
-        """The boundary curves, of holes and of the rim of it all, each with the cause of every edge. Computed when first
-        asked for."""
+        """The boundary curves, of holes and of rims, each with the cause of every edge. Computed at the first
+        access."""
         if self._kept_from is not None:
             whole, kept = self._kept_from
             return [hole._renumbered(np.cumsum(kept, dtype=np.int32) - 1) for hole in whole.holes if kept[hole.triangles[0]]]
@@ -229,7 +234,7 @@ class Surface(Result):
             left = [hole for hole in whole.holes if all((b, a) in open_sides for a, b in hole.edges.tolist())]
             return [hole._renumbered(place) for hole in left]
         if self.given is None:
-            if self.normals is None:  # closed
+            if self.normals is None:  # the surface is closed
                 return []
             of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
         else:
@@ -240,7 +245,8 @@ class Surface(Result):
         return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
 
     def remedies(self, *, threads: Optional[int] = None, progress: Progress = None) -> list[Optional[SurfaceRemedy]]:
-        """What closes each of `holes`, as it was tried: normals that are to be turned, a larger ball, or a filling.
+        """Returns the suggested repair of each of `holes`, verified by trying it: turned normals, a larger ball, or a
+        filling.
 
         Parameters
         ----------
@@ -250,12 +256,12 @@ class Surface(Result):
         Returns
         -------
         list
-            Of each of `holes`; None where one is of another kind than "hole".
+            The suggested repair of each of `holes`; None for a curve of another kind than "hole".
 
         Raises
         ------
         InvalidInput
-            A surface of which components are dropped or holes filled: it is no more what the ball made.
+            Components of the surface were dropped or holes filled, or its triangles were given.
         """
         if self._kept_from is not None or self._filled_from is not None or self.given is not None:
             raise InvalidInput("remedies: found a surface that was changed or given, expected what surface() made")
@@ -269,7 +275,7 @@ class Surface(Result):
 
     @cached_property
     def components(self) -> list[SurfaceComponent]:
-        """The pieces that are glued together, the largest area first. Computed at the first access."""
+        """The components connected through glued sides, the largest area first. Computed at the first access."""
         self._require_unchanged()
         of = _core.surface_components(self.points, self.triangles, self.neighbors)
         order = np.argsort(of["number"], kind="stable").astype(np.int32)
@@ -283,32 +289,32 @@ class Surface(Result):
 
     @property
     def area(self) -> float:
-        """Of all triangles, in squared units of the points."""
+        """The area of all triangles, in squared units of the points."""
         return sum(component.area for component in self.components)
 
     @property
     def volume(self) -> Optional[float]:
-        """What a closed surface encloses: the sum of its components' volumes. None where it has a boundary."""
+        """The volume that a closed surface encloses: the sum of its components' volumes. None if it has a boundary."""
         volumes = [component.volume for component in self.components]
         return None if None in volumes else sum(volumes)  # type: ignore[arg-type]
 
     def keep(self, components: Sequence[bool]) -> Surface:
-        """The surface of some of its components.
+        """Returns the surface of some of its components.
 
         Parameters
         ----------
         components : sequence of bool
-            For each of `components`, whether it is kept.
+            For each of `components`, whether to keep it.
 
         Returns
         -------
         Surface
-            Its `holes` are those that are left; its `unused` points are those of this surface.
+            Its `holes` are those of the kept components; its `unused` points are those of this surface.
 
         Raises
         ------
         InvalidInput
-            Not one for each component.
+            The number of flags is not that of the components.
         """
         flags = np.asarray(components, dtype=bool)
         if flags.shape != (len(self.components),):
@@ -316,7 +322,7 @@ class Surface(Result):
         kept = np.zeros(len(self.triangles), dtype=bool)
         for component, flag in zip(self.components, flags):
             kept[component.triangles] = flag
-        place = np.append(np.cumsum(kept, dtype=np.int32) - 1, np.int32(-1))  # of -1: no neighbour
+        place = np.append(np.cumsum(kept, dtype=np.int32) - 1, np.int32(-1))  # of -1: no neighbor
         neighbors = place[self.neighbors[kept]]
         triangles = self.triangles[kept]
         at, across = np.nonzero(neighbors < 0)
@@ -339,17 +345,17 @@ class Surface(Result):
         return part
 
     def keep_largest(self, count: int = 1) -> Surface:
-        """The surface of so many components, those of the largest area."""
+        """Returns the surface of the `count` components with the largest areas."""
         largest = as_count(count, "count", 1)
         return self.keep([i < largest for i in range(len(self.components))])
 
     def drop_small(self, *, triangles: int = 0, area: float = 0.0) -> Surface:
-        """The surface of the components with at least so many triangles and at least that area."""
+        """Returns the surface of the components with at least `triangles` triangles and at least the area `area`."""
         return self.keep([len(c.triangles) >= triangles and c.area >= area for c in self.components])
 
     def outer_shells(self) -> Surface:
-        """Of a surface with normals="none" the closed shells that the ball touches from outside everything: of a scan of a
-        closed object its watertight surface, without what is inside."""
+        """Returns the closed shells of a surface with normals="none" that the ball touches from the outside of
+        everything: for a scan of a closed object, its watertight surface without anything inside."""
         if self.normals is not None or self.given is not None:
             raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:
@@ -359,7 +365,7 @@ class Surface(Result):
         return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
 
     def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_]) -> Surface:
-        """The same with new triangles, and without those that are not kept."""
+        """Returns the surface with new triangles, and without those that are not kept."""
         old = of["is_new"] == 0
         levels = np.full(len(old), -1, dtype=np.int32)
         levels[old] = self.levels[kept]
@@ -374,24 +380,24 @@ class Surface(Result):
     def fill_holes(
         self, *, max_edges: Optional[int] = None, max_length: float = math.inf, rims: bool = False, threads: Optional[int] = None
     ) -> Surface:
-        """The surface with its holes filled by triangles between their points.
+        """Returns the surface with its holes filled by triangles between their points.
 
-        Of all triangulations of a hole it is the one that turns least over its worst edge, then the one of least area, of those
-        that cross nothing, which is decided exactly. A hole without one stays open.
+        The filling is the triangulation of the hole that turns least over its worst edge, then the one of least area,
+        among those that intersect nothing, which is decided exactly. A hole without such a triangulation stays open.
 
         Parameters
         ----------
         max_edges, max_length
-            Only holes of at most so many edges, and at most that long, in the units of the points.
+            Fill only holes with at most that many edges, and at most that length, in the units of the points.
         rims : bool
-            The rims of sheets and of islands as well.
+            Also fill the rims of sheets and of islands.
         threads
             As for `surface`.
 
         Returns
         -------
         Surface
-            Where `levels` is -1 a triangle is new. Its `holes` are those that are left.
+            New triangles have -1 in `levels`. Its `holes` are those that remain.
         """
         self._require_unchanged()
         most = len(self.boundary) if max_edges is None else as_count(max_edges, "max_edges", 3)
@@ -401,19 +407,20 @@ class Surface(Result):
         return self._with_filled(of, np.ones(len(self.triangles), dtype=bool))
 
     def watertight(self, *, threads: Optional[int] = None) -> Surface:
-        """The surface closed: without open islands, all holes and rims filled, verified to have no triangles that cross.
+        """Returns the closed surface: without open islands, with all holes and rims filled, and verified to have no
+        intersecting triangles.
 
-        Where holes cannot be filled otherwise, triangles around them are given up, at most a twentieth.
+        Triangles around holes that cannot be filled otherwise are removed, at most a twentieth of all.
 
         Returns
         -------
         Surface
-            Every side has a neighbour; `volume` is a number.
+            Every side has a neighbor; `volume` is a number.
 
         Raises
         ------
         NotWatertight
-            A boundary curve is left, or triangles cross; says how many.
+            Boundary curves remain, or triangles intersect; the message has their numbers.
         """
         largest = max((component.area for component in self.components), default=0.0)
         is_island = [component.boundary_curves > 0 and component.area < 0.01 * largest for component in self.components]
@@ -429,16 +436,18 @@ class Surface(Result):
         return whole._with_filled(of, of["kept"] != 0)
 
     def refined(self, *, threads: Optional[int] = None, progress: Progress = None) -> Surface:
-        """The surface with what `fill_holes` or `watertight` filled as fine and as smooth as the rest: points are added inside.
+        """Returns the surface with the fillings of `fill_holes` or `watertight` made as fine and smooth as the rest, by
+        added points.
 
-        Triangles that are large for the edges around the hole are split, and the new points moved to where the surface bends
-        least. Nothing new crosses anything: a filling that would stays where it was, or as it was.
+        Triangles that are large compared with the edges around the hole are split, and the new points are moved so that
+        the surface bends least. No new triangle intersects anything: a filling that would do so stays flat, or
+        unchanged.
 
         Returns
         -------
         Surface
-            Of more points: those that are added come last, with the mean normals of the points around them. Its `unused` points
-            are those of this surface.
+            A surface with more points: the added points come last, with the mean normals of the points around them. Its
+            `unused` points are those of this surface.
         """
         self._require_unchanged()
         new = self.levels < 0
@@ -483,28 +492,29 @@ class Surface(Result):
         manifold: bool = True,
         shift: Union[Literal["auto"], Sequence[float], None] = None,
     ) -> None:
-        """Writes it as a mesh, by the ending: .ply, .off, .obj, .stl, .glb, .vtu; .npy has the triangles alone.
+        """Writes the surface as a mesh in the format of the ending: .ply, .off, .obj, .stl, .glb, .vtu; .npy has the
+        triangles only.
 
         Parameters
         ----------
         path
             The file, which appears whole or not at all.
         manifold : bool
-            A vertex for each sheet at a point, so that edges have one or two triangles; .ply and .vtu have the index of the point of
-            each as `point`. False: the vertices are the points, all of them, so that an index means the same in both; .glb
-            always has a vertex for each sheet.
+            Write a vertex for each sheet at a point, so that edges have one or two triangles; .ply and .vtu have the
+            index of each vertex's point as `point`. If False, the vertices are all points, so that their indices are
+            the same; .glb always has a vertex for each sheet.
         shift : "auto" or three numbers, optional
-            What is subtracted from all coordinates of .stl and .glb, which have single precision: "auto" for the middle of their
-            box. It stands in the header of .stl; .glb keeps the place, as its node is moved back, and shifts by itself where
-            rounding would change coordinates.
+            The offset to subtract from all coordinates of .stl and .glb, which have single precision: "auto" for the
+            center of their box. It is in the header of .stl; .glb keeps the position, as its node is moved back, and is
+            shifted automatically if rounding would change coordinates.
 
         Raises
         ------
         InvalidInput
-            Another ending; a coordinate too large for .stl or .glb; triangles without area, or vertices at one place, that single
-            precision would make.
+            Another ending; a coordinate too large for .stl or .glb; triangles without area, or vertices at equal
+            positions, that single precision would cause.
         OSError
-            It cannot be written.
+            The file cannot be written.
         """
         self._require_unchanged()
         by = shift if shift is None or isinstance(shift, str) else ",".join(repr(float(x)) for x in shift)
@@ -513,7 +523,8 @@ class Surface(Result):
         )
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh: the points, the triangles by input index, and the normals, if any, as point data `Normals`."""
+        """Returns a meshio.Mesh of the points, the triangles by input index, and the normals, if any, as point data
+        `Normals`."""
         import meshio
 
         data = {} if self.normals is None else {"Normals": self.normals}
@@ -525,26 +536,27 @@ class Surface(Result):
         Parameters
         ----------
         ax : matplotlib axes with projection "3d", optional
-            Where to draw; those of a new figure by default.
+            The axes to draw into; those of a new figure by default.
         style
-            For mpl_toolkits.mplot3d.art3d.Poly3DCollection. matplotlib draws some ten thousand triangles in a second.
+            Arguments of mpl_toolkits.mplot3d.art3d.Poly3DCollection. matplotlib draws some ten thousand triangles per
+            second.
         """
         return draw_triangles(ax, self.points, self.triangles, style)
 
     def mesh(self) -> meshops.Mesh:
-        """A halfedge mesh of it, a new one with each call: face i is triangle i, and goes on where `neighbors` says.
+        """Returns a new halfedge mesh of the surface: face i is triangle i, with the neighbors of `neighbors`.
 
-        Always an oriented manifold: sheets that have a point or an edge in common and do not go on in each other have vertices
-        of their own there. ``mesh.point_of_vertex`` says on which point each stands; unused points have none. The triangles
-        alone do not say which sheet goes on in which: ``rbpa.meshops.Mesh(surface.triangles)`` refuses such edges.
+        The mesh is always an oriented manifold: sheets that share a point or an edge without being neighbors have
+        separate vertices there. ``mesh.point_of_vertex`` has the point of each vertex; unused points have no vertex.
+        The triangles alone do not tell such sheets apart: ``rbpa.meshops.Mesh(surface.triangles)`` refuses their edges.
         """
         made = meshops.Mesh()
         _core.surface_mesh(made, self.points, self.triangles, self.neighbors)
         return made
 
     def report(self) -> meshops.Report:
-        """The topology of `mesh()`, in total and per component: sheets that only touch are apart. The same as
-        ``surface.mesh().report()``; with ``mesh.point_of_vertex`` what touches in a point hangs together."""
+        """Returns the topology of `mesh()`, in total and per component, in which sheets that only touch are separate.
+        Equals ``surface.mesh().report()``; with ``mesh.point_of_vertex`` sheets that touch in a point are connected."""
         return self.mesh().report()
 
     @property
@@ -554,9 +566,9 @@ class Surface(Result):
 
     @property
     def unused_causes(self) -> list[str]:
-        """Why each of `unused` is in none. "no ball rests": the others are too far, or on a line. "hidden": every ball that
-        touches it holds others. "normals disagree" with every triangle there. "blocked" by what smaller radii made. Of `surface_of`
-        none has a cause, and there is no entry."""
+        """The reason why each of `unused` is in no triangle. "no ball rests": other points are too far, or on a line.
+        "hidden": every ball that touches the point contains others. "normals disagree": with every triangle there.
+        "blocked": by triangles of smaller radii. Empty for `surface_of`."""
         return [_UNUSED_CAUSES[cause] for cause in self._unused[1]]
 
     def __repr__(self) -> str:

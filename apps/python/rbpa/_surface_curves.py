@@ -1,4 +1,4 @@
-"""Boundary curves of a surface, what closes them, and its components."""
+"""Boundary curves of a surface, their suggested repairs, and components."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from rbpa._input import Floats, Indices
 from rbpa._result import freeze
 
-# By the numbers that the library has for them.
+# In the order of the library's numbers.
 _RIM_CAUSES = ("nothing within reach", "normals disagree", "blocked")
 _CURVE_KINDS = ("rim", "hole", "island")
 _REMEDIES = ("none", "turn normals", "larger ball", "filling")
@@ -19,29 +19,31 @@ _REASONS = {1: "crosses", 2: "edge taken", 3: "no area"}
 
 
 class SurfaceHole:
-    """A boundary curve of a surface, and why it ends there, edge by edge: one of `Surface.holes`. Arrays are read-only.
+    """A boundary curve of a surface, with the cause of each edge: one of `Surface.holes`. Arrays are read-only.
 
     Attributes
     ----------
     edges : int32 array of shape (k, 2)
-        From point to point along the curve, the surface on the right; each begins where the one before ends.
+        The edges along the curve, as pairs of points, with the surface on the right; each begins at the end of the one
+        before.
     length : float
-        Of all edges, in the units of the points.
+        The length of all edges, in the units of the points.
     kind : str
-        "rim": where a sheet ends; "island": around a component of less than a hundredth of the largest one's area; "hole":
-        any other.
+        "rim": the end of a sheet; "island": around a component with less than a hundredth of the largest one's area;
+        "hole": any other curve.
     causes : list of str
-        Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back.
-        "normals disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would
-        touch the inside of what smaller radii have made. None of a surface of given triangles; neither `levels`, `next`, `corners`.
+        Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back. "normals
+        disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would touch
+        the inside of what smaller radii have made. None of a surface of given triangles; neither `levels`, `next`,
+        `corners`.
     triangles : int32 array of shape (k,)
-        The triangles of the surface along the curve.
+        The triangle of the surface at each edge.
     levels : int32 array of shape (k,)
-        The number of the radius of the ball that is meant.
+        The number of the radius of the ball at each edge.
     next : int32 array of shape (k, 3)
-        The triangle to which the ball comes, the smallest index first.
+        The corners of the triangle to which the ball rolls, the smallest index first.
     corners : bool array of shape (k, 3)
-        At which corners of it a normal disagrees; or, if blocked, which are inside.
+        The corners of that triangle whose normals disagree; or, if blocked, which are inside the surface.
     """
 
     def __init__(self, of: dict[str, Any], begin: int, end: int, length: float, kind: int) -> None:
@@ -57,7 +59,7 @@ class SurfaceHole:
         freeze(self.edges)
 
     def _renumbered(self, place: Indices) -> SurfaceHole:
-        """The same, with triangle t at place[t]."""
+        """Returns the same curve with triangle t renumbered as place[t]."""
         other = copy.copy(self)
         other.triangles = place[self.triangles]
         freeze(other.triangles)
@@ -69,20 +71,20 @@ class SurfaceHole:
 
 
 class SurfaceComponent:
-    """A piece of a surface that is glued together: one of `Surface.components`. Arrays are read-only.
+    """A component of a surface, connected through glued sides: one of `Surface.components`. Arrays are read-only.
 
     Attributes
     ----------
     triangles : int32 array of shape (k,)
         Its triangles, by their numbers in the surface.
     area : float
-        In squared units of the points.
+        The area, in squared units of the points.
     volume : float, or None
-        What it encloses, negative where its triangles face it; None where it is not closed.
+        The enclosed volume, negative if its triangles face inward; None if it is not closed.
     box : float64 array of shape (2, 3)
         The least and the greatest coordinates.
     boundary_curves : int
-        How many there are; 0: it is closed.
+        The number of boundary curves; 0 if it is closed.
     """
 
     def __init__(self, triangles: Indices, area: float, volume: float, box: Floats, boundary_curves: int) -> None:
@@ -99,19 +101,21 @@ class SurfaceComponent:
 
 
 class SurfaceRemedy:
-    """What closes a hole: one of `Surface.remedies()`. The array is read-only.
+    """The suggested repair of a hole: one of `Surface.remedies()`. The array is read-only.
 
     Attributes
     ----------
     kind : str
-        "turn normals": with the normals at `points` turned around the surface of the same radii is closed there. "larger ball":
-        with `radius` as one more radius it is. "filling": `Surface.fill_holes` closes it. "none": nothing that was tried does.
+        "turn normals": with the normals at `points` turned around the surface of the same radii is closed there.
+        "larger ball": with `radius` as one more radius it is. "filling": `Surface.fill_holes` closes it. "none":
+        nothing that was tried does.
     radius : float, or None
-        Of a larger ball, in the units of the points.
+        The radius of a larger ball, in the units of the points.
     points : int32 array of shape (k,)
-        Where normals are to be turned, ascending.
+        The points whose normals should be turned, ascending.
     reason : str, or None
-        Of "none", why no filling closes it: it "crosses" the surface, has an "edge taken" by another triangle, or "no area".
+        For "none", why no filling closes the hole: it "crosses" the surface, has an "edge taken" by another triangle,
+        or "no area".
     """
 
     def __init__(self, of: dict[str, Any], k: int) -> None:

@@ -1,4 +1,4 @@
-"""How points are counted in cells, and the plane is cut into tiles of about as many points each."""
+"""Counts of points in cells, and tiles of the plane with about equally many points."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ Bounds = Tuple[float, float, float, float]
 
 _FAR = float("inf")
 _PLANE: Bounds = (-_FAR, -_FAR, _FAR, _FAR)
-_MAX_CELLS = 1 << 20  # of all points together; what the client holds of them
-_INDEX_BITS = 30  # of a cell's place along an axis
-_LEAST = -1074  # the last bit of a double
+_MAX_CELLS = 1 << 20  # of all points together, which the client holds in memory
+_INDEX_BITS = 30  # bits of a cell's index along an axis
+_LEAST = -1074  # the exponent of the last bit of a double
 
 
 @dataclass
 class Cells:
-    """Numbers of points in squares whose sides are 2**exponent long, corners at multiples of it."""
+    """Counts of points in squares with sides of length 2**exponent and corners at multiples of that."""
 
     exponent: int
     at: Integers  # (m, 2)
     counts: Integers
 
     def coarsened(self, exponent: int) -> Cells:
-        """In squares of 2**exponent, which is not less."""
+        """Returns the counts in larger squares, with sides of length 2**exponent."""
         at = self.at >> min(exponent - self.exponent, 63)
         if len(at) == 0:
             return Cells(exponent, at, self.counts)
@@ -41,7 +41,7 @@ class Cells:
 
 
 def cells_of(points: Floats) -> Cells:
-    """Cells so small that none has most of the points, but where these are nearly one."""
+    """Counts points in cells so small that none has most of the points, unless these are nearly equal."""
     wrong = np.flatnonzero(~np.isfinite(points).all(axis=1))
     if len(wrong):
         raise InvalidInput(f"points: found {points[wrong[0]].tolist()} in row {wrong[0]}, expected finite coordinates")
@@ -61,7 +61,7 @@ def _counted(points: Floats, exponent: int) -> Cells:
 
 
 def united(parts: Sequence[Cells]) -> Cells:
-    """All together, in cells as large as the largest, or larger where there would be too many."""
+    """Adds up counts, in cells of the size of the largest, or larger ones if there would be too many."""
     filled = [part for part in parts if len(part.counts)]
     if not filled:
         return Cells(0, np.empty((0, 2), np.int64), np.empty(0, np.int64))
@@ -76,7 +76,7 @@ def united(parts: Sequence[Cells]) -> Cells:
 
 @dataclass
 class Tile:
-    """A part of the plane, a half-open box, and the box of what is within 2 alpha of it; whole, or in two halves."""
+    """A part of the plane, a half-open box, and the box of all within 2 alpha of it; undivided, or in two halves."""
 
     number: int
     region: Bounds
@@ -84,7 +84,7 @@ class Tile:
     halves: Optional[Tuple[Tile, Tile]] = None
 
     def parted(self, points: Floats) -> Iterator[Tuple[int, Integers]]:
-        """Of each whole tile that has points in its halo, or its own: its number, and which points these are."""
+        """Yields for each undivided tile with points in it or in its halo its number and these points."""
         return self._parted(points, np.arange(len(points)))
 
     def _parted(self, points: Floats, some: Integers) -> Iterator[Tuple[int, Integers]]:
@@ -100,12 +100,12 @@ class Tile:
             yield from half._parted(points, inside)
 
     def __len__(self) -> int:
-        """How many whole tiles."""
+        """The number of undivided tiles."""
         return 1 if self.halves is None else sum(len(half) for half in self.halves)
 
 
 def halved(cells: Cells, max_points: int, alpha: float) -> Tile:
-    """The plane, halved along lines between cells until a part has at most so many points, or is one cell."""
+    """Halves the plane along lines between cells until each part has at most `max_points` points, or is one cell."""
     tiles = 0
 
     def tile(region: Bounds, at: Integers, counts: Integers) -> Tile:
@@ -116,7 +116,7 @@ def halved(cells: Cells, max_points: int, alpha: float) -> Tile:
             return Tile(tiles - 1, region, around)
         axis = int(np.argmax(at.max(axis=0) - at.min(axis=0)))
         steps, where = np.unique(at[:, axis], return_inverse=True)
-        before = np.cumsum(np.bincount(where, weights=counts))[:-1]  # of each step but the first, all points before it
+        before = np.cumsum(np.bincount(where, weights=counts))[:-1]  # number of points before each step but the first
         cut = steps[1 + int(np.argmin(np.abs(before - counts.sum() / 2)))]
         line = float(np.ldexp(float(cut), cells.exponent))
         left, right = list(region), list(region)

@@ -1,16 +1,17 @@
-"""Alpha shapes of more points than one machine holds, on the workers of a Dask cluster.
+"""Alpha shapes of more points than one machine can hold, on the workers of a Dask cluster.
 
     >>> import rbpa.dask                                                         # doctest: +SKIP
     >>> footprint = rbpa.dask.alpha_shape("tiles/*.npy", 1.0, storage="/shared")  # doctest: +SKIP
     >>> footprint.area, len(footprint.polygons)                                  # doctest: +SKIP
 
-The points are counted in cells, cut into tiles by these counts, and every tile is a task: of its own points and those within
-2 alpha around it, it computes what it has of the complex, and what is open along its rim. Two results merge into one, in
-any order, and the last one is the whole. What comes out is what `rbpa.alpha_shape` gives for all points together, to the
-last bit, whatever the tiles, the workers, and how many of them were lost on the way.
+The points are counted in cells and divided into tiles by these counts. Every tile is a task: from its own points and
+those within 2 alpha around it, it computes its part of the complex, and the open part along its rim. Two results are
+merged into one, in any order, until one is left. The result equals that of `rbpa.alpha_shape` for all points together,
+to the last bit, for all tiles and workers, even if workers were lost.
 
-Points do not pass through the scheduler or the client. They lie in files in `storage`, a folder that all workers see, from when
-they are cut until the tile is done; tasks hand on what is open, and write the polygons that are finished there too.
+Points do not pass through the scheduler or the client. They are in files in `storage`, a folder that all workers can
+access, from when they are divided until their tile is finished. Tasks pass on the open parts, and write finished
+polygons there, too.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 _RECORD = np.dtype([("x", np.float64), ("y", np.float64), ("index", np.uint64)])
 _SOURCES = "paths of files, a dask.array or a dask.dataframe"
-_BLOCK_BYTES = 64 << 20  # of a raw file or .npy that one task reads
+_BLOCK_BYTES = 64 << 20  # part of a raw file or .npy that one task reads
 
 
 def alpha_shape(
@@ -55,31 +56,35 @@ def alpha_shape(
     reader: Optional[Reader] = None,
     threads: int = 1,
 ) -> Footprint:
-    """The solid alpha complex of points in files or Dask collections: its polygons, counts, and triangles in files.
+    """Computes the solid alpha complex of points in files or Dask collections: polygons, counts, and files of
+    triangles.
 
     Parameters
     ----------
     sources
-        Files (a path, a pattern such as "tiles/*.npy", or a list of these, which are read in that order), a dask.array of
-        shape (n, 2), or a dask.dataframe of two columns. Files are .npy of shape (n, 2), .f64xy (pairs of native float64) or
-        what `rbpa.read_points` reads, such as LAS and tables; `reader` reads any others. Points are numbered through, in the order of the sources.
+        Files (a path, a pattern such as "tiles/*.npy", or a list of these, which are read in that order), a dask.array
+        of shape (n, 2), or a dask.dataframe of two columns. Files are .npy of shape (n, 2), .f64xy (pairs of native
+        float64) or any format of `rbpa.read_points`, such as LAS and tables; `reader` reads any others. Points are
+        numbered consecutively, in the order of the sources.
     alpha : float
-        A finite radius above 0. Infinity is refused, as no part of the points determines a part of the result then: take a
-        radius above all that matter, or `rbpa.Delaunay`. `rbpa.alpha_shape` of a sample finds one.
+        A finite radius above 0. Infinity is refused, as no part of the points determines a part of the result then: use
+        a sufficiently large radius, or `rbpa.Delaunay`. `rbpa.alpha_shape` of a sample finds a radius.
     client : distributed.Client, optional
-        Where tasks run; by default wherever Dask runs them.
+        The client that runs the tasks; by default Dask's current scheduler.
     storage : path, optional
-        A folder that all workers can read and write, by default one for temporary files: good on one machine. It takes about
-        24 bytes a point and more for halos until the end.
+        A folder that all workers can read and write; by default the folder for temporary files, which suffices on one
+        machine. It holds about 24 bytes per point, and more for halos, until the end.
     tile_points : int
-        At most about so many points a tile, halos not counted; more where they are too near each other to be distinguished.
-        A task needs about 230 bytes for each of them and of its halo.
+        The approximate greatest number of points in a tile, without halos; more if they are too close to be separated.
+        A task needs about 230 bytes for each point of the tile and its halo.
     triangles : bool
-        Writes the triangles: int64 files of shape (m, 3) in `storage`, one for each tile, named in `Footprint.triangle_files`.
+        Write the triangles: int64 files of shape (m, 3) in `storage`, one for each tile, listed in
+        `Footprint.triangle_files`.
     reader : callable, optional
-        reader(path) returns the points of a file, of shape (n, 2). Twice the same, or that is noticed and refused.
+        reader(path) returns the points of a file, of shape (n, 2). It must return the same points twice; otherwise the
+        run fails.
     threads : int
-        Of each task.
+        The number of threads of each task.
 
     Returns
     -------
@@ -88,7 +93,7 @@ def alpha_shape(
     Raises
     ------
     InvalidInput
-        Sources that are no points; says which, and what was expected. Files that changed between two readings.
+        A ValueError that names the fault: sources that are no points; files that changed between two readings.
     """
     radius = as_radius(alpha, "a finite radius (a number > 0)")
     if not np.isfinite(radius):
@@ -121,7 +126,7 @@ def alpha_shape(
 
 
 class _Run:
-    """Dask's tasks of one call, with names that say what they do."""
+    """Dask's tasks of one call, named after their work."""
 
     def __init__(self, client: Any, token: str) -> None:
         self._client = client
@@ -138,15 +143,15 @@ class _Run:
 
 @dataclass
 class _File:
-    """Some of the points of a file."""
+    """A range of the points of a file."""
 
     path: str
     reader: Optional[Reader]
     first: int = 0
-    count: Optional[int] = None  # to the end
+    count: Optional[int] = None  # None: up to the end
 
     def read(self) -> tuple[Floats, Optional[str]]:
-        """The points, and the name of their system of coordinates where the file has one."""
+        """Returns the points, and the name of their system of coordinates if the file has one."""
         if self.reader is None and not self.path.endswith((".npy", ".f64xy")):
             file = read_points(self.path)
             return file.points, file.crs
@@ -163,7 +168,7 @@ class _File:
 
 
 def _chunks(sources: Any, reader: Optional[Reader]) -> list[Any]:
-    """What one task reads each: files, parts of files, or blocks of a collection."""
+    """Returns the units that one task reads: files, parts of files, or blocks of a collection."""
     if hasattr(sources, "to_delayed"):
         if len(getattr(sources, "shape", (0, 2))) != 2 or sources.shape[1] != 2:
             raise InvalidInput(f"sources: found a collection of shape {sources.shape}, expected (n, 2)")
@@ -189,7 +194,7 @@ def _kind(value: Any) -> str:
 
 
 def _files(path: str, reader: Optional[Reader]) -> Sequence[str]:
-    """Those that a pattern stands for; a name that only the reader understands is one."""
+    """Returns the files of a pattern; a name that only the reader understands stands for itself."""
     found = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not found and reader is None:
         raise InvalidInput(f"{path}: found no such file, expected points")
@@ -214,7 +219,7 @@ def _count(chunk: Any) -> tuple[int, Cells, Optional[str]]:
 
 
 def _require_one_crs(chunks: Sequence[Any], systems: Sequence[Optional[str]]) -> None:
-    """Coordinates of two systems have nothing in common; a reader answers for its own."""
+    """Raises InvalidInput if files name different systems of coordinates. Files of a `reader` are not checked."""
     files = [(chunk.path, crs) for chunk, crs in zip(chunks, systems) if isinstance(chunk, _File) and chunk.reader is None]
     for path, crs in files[1:]:
         if crs != files[0][1]:
@@ -225,7 +230,8 @@ def _require_one_crs(chunks: Sequence[Any], systems: Sequence[Optional[str]]) ->
 
 
 def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tuple[int, str, int, int]]:
-    """Writes the points of a chunk tile by tile, each with its halo: of each tile the file, where, and how many."""
+    """Writes the points of a chunk tile by tile, with halos. Returns (tile, file, offset in bytes, number of points)
+    for each."""
     points, _ = _read(chunk)
     if len(points) != count:
         raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count} as when they were counted")
@@ -246,7 +252,7 @@ def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tupl
 def _merged(
     run: _Run, tree: Tile, pieces: list[list[tuple[int, str, int, int]]], alpha: float, threads: int, folder: str, triangles: bool
 ) -> Any:
-    """The task of which all others are parts: tiles are merged as they were halved."""
+    """Returns the final task, which merges the tiles as they were halved."""
     of_tile: dict[int, list[tuple[str, int, int]]] = {}
     for chunk in pieces:
         for tile, path, at, count in chunk:
@@ -297,7 +303,7 @@ def _keep(polygons: dict[str, Any], folder: str, name: str) -> list[str]:
 
 
 def _write(path: pathlib.Path, write: Callable[[Any], None]) -> str:
-    """Whole or not at all: a task that is run again, or twice at once, writes the same."""
+    """Writes a file whole or not at all, so that a task may run again, or twice at once."""
     with open(f"{path}.{uuid.uuid4().hex}", "wb") as file:
         write(file)
     os.replace(file.name, path)

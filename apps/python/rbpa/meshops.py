@@ -1,4 +1,4 @@
-"""Halfedge meshes that no operator can break: libmeshops.
+"""Halfedge meshes whose operators keep them manifold: libmeshops.
 
     >>> import numpy as np, rbpa.meshops
     >>> mesh = rbpa.meshops.Mesh([[0, 1, 2], [1, 3, 2]])
@@ -9,15 +9,16 @@
     >>> mesh.report().betti                      # components, loops, cavities
     (1, 0, 0)
 
-A `Mesh` is an oriented 2-manifold with boundary, at every step. It knows no coordinates: keep them in arrays of your own,
-by vertex. Vertices, halfedges, edges and faces are numbers; a number stays what it is until `compact`, also when what it
-names is deleted. Halfedges 2 e and 2 e + 1 are those of edge e.
+A `Mesh` is an oriented 2-manifold with boundary, at every step. It has no coordinates: keep them in your own arrays, by
+vertex. Vertices, halfedges, edges and faces are numbers. A number keeps its meaning until `compact`, even if its
+element is deleted. The halfedges of edge e are 2 e and 2 e + 1.
 
-Operators return what they did: its `delta`, the new elements, what takes it back. Each has a blocker that says why it would
-refuse, or None; the operator itself raises `rbpa.ContractViolation` (a ValueError) then, with the mesh as it was.
+Operators return an effect: its `delta`, the new elements, and the data to undo it. Each operator has a blocker that
+returns why it would refuse, or None. An operator that refuses raises `rbpa.ContractViolation` (a ValueError) and leaves
+the mesh unchanged.
 
-Faces of any kind, not only of manifolds: `find_defects` says what is wrong with them, `repair` makes a manifold of them,
-`report` counts their topology.
+For faces of any kind, not only manifolds, `find_defects` lists their defects, `repair` makes a manifold of them, and
+`report` computes their topology.
 """
 
 from __future__ import annotations
@@ -44,24 +45,25 @@ class Mesh(_core.Mesh):
     Parameters
     ----------
     faces : int array of shape (m, k), or a sequence of cycles of any lengths
-        The corners of each face as it runs, as numbers of points. What meets in a point only gets a vertex for each fan:
-        `point_of_vertex` says on which point a vertex stands.
+        The corners of each face in its direction, as numbers of points. A point in which several fans of faces meet
+        gets a vertex for each fan: `point_of_vertex` has the point of each vertex.
     points : int, optional
-        How many points there are; by default one more than the largest corner.
+        The number of points; by default one more than the largest corner.
 
     Raises
     ------
     ContractViolation
-        The faces are no oriented manifold: says where, and why. See `find_defects` and `repair`.
+        The faces are no oriented manifold; the message names the place and the reason. See `find_defects` and `repair`.
     """
 
     def __init__(self, faces: Faces = (), points: Optional[int] = None) -> None:
         super().__init__(*_soup(faces, points))
 
     def triangles(self) -> Indices:
-        """The corners of every face that is not deleted, ascending: an int32 array of shape (n_faces, 3).
+        """Returns the corners of all faces that are not deleted, in ascending order of faces: int32 array of shape
+        (n_faces, 3).
 
-        Raises InvalidInput when one is not a triangle; see `polygons`.
+        Raises InvalidInput if a face is not a triangle; see `polygons`.
         """
         corners, begin = self.polygons()
         if (np.diff(begin) != 3).any():
@@ -70,23 +72,24 @@ class Mesh(_core.Mesh):
 
 
 class Repair(NamedTuple):
-    """What `repair` made."""
+    """The result of `repair`."""
 
     faces: Any
-    """The faces that are left or were cut apart, in the form that was given."""
+    """The remaining faces, in the form of the given ones; their corners may be new points where faces were
+    separated."""
     stands_on: Indices
-    """Of each point, the given one that has its place: new points follow those that were given."""
+    """For each point, the given point at its position: new points follow the given ones."""
     face_was: Integers
-    """Of each face, its number among those given."""
+    """For each face, its number among the given ones."""
     steps: list[RepairStep]
-    """What was done: each with a `kind`, `points` and `faces`, and in words."""
+    """The changes, each with a `kind`, `points` and `faces`; str() describes them."""
 
     def __repr__(self) -> str:
         return short_repr(self)
 
 
 def repair(faces: Faces, points: Optional[int] = None) -> Repair:
-    """Makes an oriented manifold of any faces, and says what that took. Faces without a defect stay as they are.
+    """Makes an oriented manifold of any faces, and lists the changes. Faces without a defect stay as they are.
 
     Parameters are those of `Mesh`, which takes the result: ``Mesh(r.faces, len(r.stands_on))``.
     """
@@ -96,21 +99,22 @@ def repair(faces: Faces, points: Optional[int] = None) -> Repair:
 
 
 def find_defects(faces: Faces, points: Optional[int] = None) -> list[Defect]:
-    """Everything that keeps faces from being an oriented 2-manifold with boundary; parameters are those of `Mesh`.
+    """Lists all defects that keep faces from being an oriented 2-manifold with boundary; parameters are those of
+    `Mesh`.
 
-    Each `Defect` has a `kind` ('non-manifold edge', 'pinch', ...), its `points` and `faces`, and says itself in words.
+    Each `Defect` has a `kind` ('non-manifold edge', 'pinch', ...), `points` and `faces`; str() describes it.
     """
     return _core.find_defects(*_soup(faces, points))
 
 
 def report(faces: Faces, points: Optional[int] = None) -> Report:
-    """The topology of any faces, in total and per component; parameters are those of `Mesh`."""
+    """Computes the topology of any faces, in total and per component; parameters are those of `Mesh`."""
     return _core.report(*_soup(faces, points))
 
 
 def _soup(faces: Faces, points: Optional[int]) -> tuple[Indices, Integers, int]:
-    """All corners in one array, where each face begins, and the number of points."""
-    if hasattr(faces, "to_numpy"):  # pandas, whose tables are sequences of columns
+    """Returns the corners of all faces in one array, the begin of each face, and the number of points."""
+    if hasattr(faces, "to_numpy"):  # a pandas table would be a sequence of columns
         faces = faces.to_numpy()
     if isinstance(faces, np.ndarray):
         if faces.ndim != 2 and faces.size:
