@@ -205,7 +205,7 @@ TEST_SUITE("wrong usage") {
     folder.file("p.csv", "lon,lat\n0,0\n1,0\n0,1\n");
     const auto refuses_columns = [&](const std::string& columns, const std::string& found) {
       refuses(folder, "mesh p.csv --alpha 1 -o m.off --columns '" + columns + "'", 2,
-              "--columns: found '" + found + "', which is one column, expected two");
+              "--columns: found '" + found + "', the same column twice, expected two columns");
     };
     refuses_columns("1,1", "1,1");
     refuses_columns("1,01", "1,01");

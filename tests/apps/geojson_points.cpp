@@ -167,7 +167,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(refusal(R"({"type":"Circle"})").starts_with(at_1 + "the type 'Circle', expected one of GeoJSON"));
     CHECK(refusal(R"({"type":"Topology","objects":{}})") ==
           at_1 + "TopoJSON, expected GeoJSON (ogr2ogr -f GeoJSON points.geojson FILE)");
-    CHECK(refusal(R"({"type":"Point"})") == at_1 + "a Point without coordinates, expected some");
+    CHECK(refusal(R"({"type":"Point"})") == at_1 + "a Point without coordinates, expected coordinates");
     CHECK(refusal(R"({"type":7})") == at_1 + "a number, expected a type: a text");
     CHECK(refusal(R"({"type":"FeatureCollection","features":{}})") ==
           at_1 + "an object, expected a list of GeoJSON objects");
@@ -207,7 +207,7 @@ TEST_SUITE("GeoJSON in") {
       CHECK(outcome.err.find("a degree of longitude is 0.61 to 0.62 of one of latitude there") != std::string::npos);
     }
     CHECK(folder.rbpa("info p.geojson --crs EPSG:28992").err ==
-          "rbpa: p.geojson: the file says EPSG:4326, and --crs EPSG:28992 is taken\n");
+          "rbpa: p.geojson: the file names EPSG:4326, but --crs EPSG:28992 overrides it\n");
     CHECK(folder.rbpa("info p.geojson --columns 1,2").err ==
           "rbpa: --columns: found a format with fixed columns, expected text\n");
   }

@@ -53,7 +53,7 @@ void check_claims(const std::vector<File>& files, const std::string& program, co
     CHECK(outcome.code == 3);
     const std::size_t claimed = content.size() - behind;
     CHECK(outcome.err.substr(outcome.err.find(": ") + 2) ==
-          name + ".gz: found more than " + std::to_string(claimed + slack) + " bytes unpacked, expected " +
+          name + ".gz: found more than " + std::to_string(claimed + slack) + " bytes decompressed, expected " +
               std::to_string(claimed) + " bytes as the header claims, or at most 1048576 more" +
               (name.ends_with(".las") ? " (--skip-invalid reads what is there)\n" : "\n"));
   }
@@ -65,7 +65,7 @@ void check_memory(const Folder& folder, const std::string& command, const std::s
   const Outcome outcome = limited(folder, command, limit);
   CHECK(outcome.code == 3);
   CHECK(outcome.err.find(name + ": found more than ") != std::string::npos);
-  CHECK(outcome.err.find(" MB unpacked, expected at most a fifth of the ") != std::string::npos);
+  CHECK(outcome.err.find(" MB decompressed, expected at most a fifth of the ") != std::string::npos);
   CHECK(outcome.err.ends_with(" MB of memory there are, as reading takes several times as much" + way_out + "\n"));
 }
 
@@ -187,7 +187,7 @@ TEST_SUITE("gzip bombs") {
       CHECK(outcome.code == 3);
       const std::string said = plain.err.substr(0, plain.err.size() - 1) + " (in the first ";
       CHECK(outcome.err.starts_with(said));
-      CHECK(outcome.err.ends_with(" bytes unpacked)\n"));
+      CHECK(outcome.err.ends_with(" bytes decompressed)\n"));
       CHECK(std::stoul(outcome.err.substr(said.size())) <= 2 * slack);
     }
   }

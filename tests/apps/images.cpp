@@ -257,14 +257,14 @@ TEST_SUITE("bad images") {
   }
 
   TEST_CASE("a PGM file of text names the line") {
-    CHECK(refusal_of_pgm("P2\n2 2\n255\n0 0\n0 256\n") == "i.pgm:5: found '256', expected a grey value of at most 255");
+    CHECK(refusal_of_pgm("P2\n2 2\n255\n0 0\n0 256\n") == "i.pgm:5: found '256', expected a gray value of at most 255");
     CHECK(refusal_of_pgm("P2\n2 2 # size\n255\n0 0\n0 x9\n") ==
-          "i.pgm:5: found 'x9', expected a grey value of at most 255");
+          "i.pgm:5: found 'x9', expected a gray value of at most 255");
     CHECK(refusal_of_pgm("P2\n2 2\n255\n000 0\n0\n") ==
-          "i.pgm:6: found the end of the file, expected a grey value of at most 255");
+          "i.pgm:6: found the end of the file, expected a gray value of at most 255");
     CHECK(refusal_of_pgm("P2\n2 -2\n255\n") == "i.pgm:2: found '-2', expected a height in pixels");
-    CHECK(refusal_of_pgm("P2\n2 2\n70000\n") == "i.pgm:3: found '70000', expected a greatest grey value of 1 to 65535");
-    CHECK(refusal_of_pgm("P5 2 2 0\n") == "i.pgm:1: found '0', expected a greatest grey value of 1 to 65535");
+    CHECK(refusal_of_pgm("P2\n2 2\n70000\n") == "i.pgm:3: found '70000', expected a greatest gray value of 1 to 65535");
+    CHECK(refusal_of_pgm("P5 2 2 0\n") == "i.pgm:1: found '0', expected a greatest gray value of 1 to 65535");
     CHECK(refusal_of_pgm("P5\n2") == "i.pgm:2: found the end of the file, expected a height in pixels");
   }
 
@@ -280,7 +280,7 @@ TEST_SUITE("bad images") {
     CHECK(refusal_of_pgm("P2 20000 20000 255\n1 2") ==
           "i.pgm: found 4 bytes of pixels, expected at least 800000000 for 20000 x 20000 pixels as the header says");
     CHECK(refusal_of_pgm("P5 1 1 300\n\x02\xFF") ==
-          "i.pgm: row 0, column 0: found 767, expected a grey value of at most 300");
+          "i.pgm: row 0, column 0: found 767, expected a gray value of at most 300");
     const std::string whole = pgm(dotted(5, 5), false, 257);
     for (std::size_t size = 0; size < whole.size(); ++size)
       CHECK_THROWS_AS(points_of_pgm(whole.substr(0, size)), BadInput);

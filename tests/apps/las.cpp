@@ -293,7 +293,7 @@ TEST_SUITE("las") {
     CHECK(read(file(20)).points.size() == 20);
     CHECK(refusal(file(7)) ==
           "p.las: found 20 whole records of 30 bytes, expected 7 as the header says (--skip-invalid reads as many as "
-          "it says)");
+          "it counts)");
 
     const Folder folder;
     folder.file("low.las", file(7));
@@ -302,8 +302,8 @@ TEST_SUITE("las") {
       CAPTURE(name);
       if (name.ends_with(".gz")) REQUIRE(folder.run("/bin/gzip", "-kf " + name.substr(0, name.size() - 3)).code == 0);
       const bool low = name.starts_with("low");
-      const std::string remark = low ? "13 whole records behind the 7 points that the header says are left out"
-                                     : "9 of 20 points that the header says are left out: the file ends before them";
+      const std::string remark = low ? "13 whole records behind the 7 points in the header are left out"
+                                     : "9 of the 20 points in the header are left out: the file ends before them";
       for (const std::string& verb : std::vector<std::string>{
                "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
                "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
@@ -351,7 +351,7 @@ TEST_SUITE("las") {
             CHECK(folder.rbpa(verb).code == 3);
             const Outcome taken = folder.rbpa(verb + " --skip-invalid");
             CHECK(taken.code == 0);
-            CHECK(taken.err.find("the header says that there are no points, and all " + points +
+            CHECK(taken.err.find("the header counts no points, and all " + points +
                                  " whole records behind it are read") != std::string::npos);
             CHECK(taken.err.find("rbpa: " + points + " points") != std::string::npos);
           }
@@ -397,7 +397,7 @@ TEST_SUITE("las") {
     count("1e1 > x || x==63", [](unsigned i) { return i < 10 || i == 63; });
     count("z > -0.5", [](unsigned) { return true; });
     count("red", [](unsigned i) { return i != 0; });
-    CHECK(read(bytes, "red == 1").remarks == std::vector<std::string>{"1 of 64 points are as --where asks"});
+    CHECK(read(bytes, "red == 1").remarks == std::vector<std::string>{"--where selects 1 of 64 points"});
 
     CHECK(
         refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
@@ -491,8 +491,7 @@ TEST_SUITE("las") {
       const Outcome outcome = folder.rbpa("mesh " + name + " --where classification==2 --alpha inf -o m.off");
       CHECK(outcome.code == 0);
       CHECK(outcome.err ==
-            "rbpa: " + name +
-                ": 6 of 9 points are as --where asks\nrbpa: 6 points, 4 triangles, 0 isolated -> m.off\n");
+            "rbpa: " + name + ": --where selects 6 of 9 points\nrbpa: 6 points, 4 triangles, 0 isolated -> m.off\n");
       CHECK(folder.content("m.off").starts_with("OFF\n6 4 0\n1e+05 0 0\n100000.01 0 0\n100000.02 0 0\n1e+05 0.01 0\n"));
       CHECK(folder.rbpa("info " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
     }

@@ -98,7 +98,7 @@ TEST_SUITE("molecules") {
     CHECK(count("element == 'X' and name < 3") == 0);  // what is no number is not read where the first decides
     CHECK_THROWS_WITH(
         read(pdb, Format::pdb, "element == 'N' and name < 3 or name < 3"),
-        "m:3: found 'N' as name, expected a number in a column that --where asks for (== \"...\" compares a text)");
+        "m:3: found 'N' as name, expected a number in a column that --where uses (== \"...\" compares a text)");
     CHECK(count("ELEMENT != 'X' or name < 3") == 4);
   }
 

@@ -178,16 +178,16 @@ TEST_SUITE("compressed pcd") {
   TEST_CASE("damaged data, and sizes that are not those of the points") {
     const std::string zeros = lzf_repeated('\0', 36);
     CHECK(refusal(three(with_sizes(zeros, 35))) ==
-          "p: found 35 bytes that compressed data are to become, expected 3 points as line 4 says, of 12 bytes each");
+          "p: found 35 bytes as the decompressed size, expected 3 points as line 4 says, of 12 bytes each");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
-          "p: behind line 5: found 35 bytes unpacked, expected 36");
+          "p: behind line 5: found 35 bytes decompressed, expected 36");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 37), 36))) ==
-          "p: behind line 5: found damaged compressed data, expected what becomes 36 bytes");
+          "p: behind line 5: found damaged compressed data, expected data for 36 bytes");
     CHECK(refusal(three(with_sizes(lzf_copy(36, 1), 36))) ==
-          "p: behind line 5: found damaged compressed data, expected what becomes 36 bytes");  // of nothing before it
+          "p: behind line 5: found damaged compressed data, expected data for 36 bytes");  // of nothing before it
     CHECK(refusal(three(with_sizes(zeros.substr(0, zeros.size() - 1), 36))).starts_with("p: behind line 5: found "));
     CHECK(refusal(three(with_sizes("", 36))) ==
-          "p: behind line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes unpacked");
+          "p: behind line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes decompressed");
     CHECK(refusal(three(with_sizes(lzf_repeated('\xff', 36), 36))) ==
           "p: point 0: found '-nan', expected a finite number");
     CHECK(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA binary_squeezed\n") ==
@@ -200,11 +200,11 @@ TEST_SUITE("compressed pcd") {
                                              "WIDTH 1073741824\nHEIGHT 1073741824"};
     for (const std::string& points : counts) {
       const std::string message = refusal(three(with_sizes("xxxx", 0xffffffffU), points));
-      CHECK(message.starts_with("p: found 4294967295 bytes that compressed data are to become, expected "));
+      CHECK(message.starts_with("p: found 4294967295 bytes as the decompressed size, expected "));
     }
     // As many points as the sizes can say, of 4 bytes of data.
-    CHECK(
-        refusal(three(with_sizes("xxxx", 12 * std::size_t{357913941}), "POINTS 357913941")) ==
-        "p: behind line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes unpacked");
+    CHECK(refusal(three(with_sizes("xxxx", 12 * std::size_t{357913941}), "POINTS 357913941")) ==
+          "p: behind line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes "
+          "decompressed");
   }
 }

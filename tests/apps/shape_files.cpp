@@ -26,9 +26,8 @@ std::vector<Point> read(const std::string& path, rbpa::app::Format format) {
 }
 
 const std::string to_degrees =
-    ", as its crs member says; readers that go by RFC 7946 take it for degrees of WGS 84 (ogr2ogr -t_srs EPSG:4326 "
-    "makes "
-    "them)\n";
+    ", as its crs member says; readers that follow RFC 7946 take it for degrees of WGS 84 (ogr2ogr -t_srs EPSG:4326 "
+    "converts it)\n";
 
 }  // namespace
 
@@ -157,7 +156,7 @@ TEST_SUITE("shape files") {
 
   TEST_CASE("coordinates that are no degrees, of no known system") {
     const Folder folder;
-    const std::string but = ", and GeoJSON means degrees of WGS 84 (--crs EPSG:... says what they are)\n";
+    const std::string but = ", but GeoJSON means degrees of WGS 84 (--crs EPSG:CODE names their system)\n";
     folder.file("p.xy", "0 0\n181 0\n0 1\n");
     CHECK(folder.rbpa("shape p.xy --alpha inf -o s.geojson -q").err ==
           "rbpa: s.geojson: coordinates go up to 181 and 1" + but);

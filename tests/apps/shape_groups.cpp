@@ -138,7 +138,8 @@ TEST_SUITE("shape groups") {
     CHECK(found[1]["group"] == 2.5);
     CHECK(found[1]["area"] == 0.5);
     refuses(folder, "p.ply --group-by kind --alpha 1 -o s.geojson",
-            "p.ply:3: found vertices without 'kind', expected a number property of that name, as --group-by asks", 3);
+            "p.ply:3: found vertices without 'kind', expected a number property of that name, as --group-by requires",
+            3);
   }
 
   TEST_CASE("what cannot be grouped is refused before anything is written") {
@@ -148,7 +149,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by herd --alpha 1 -o s.csv",
             "p.csv:1: found 'x,y,animal,id', expected a header with a column 'herd'", 3);
     refuses(folder, "p.xy --group-by a --alpha 1 -o s.csv",
-            "p.xy: found no header line, expected one with the names that --group-by asks for", 3);
+            "p.xy: found no header line, expected one with the names that --group-by requires", 3);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
             "--group-by: found s.wkt, expected geojson, csv, svg or png", 2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
@@ -208,12 +209,12 @@ TEST_SUITE("shape groups") {
     REQUIRE(folder.rbpa("shape n.geojson --group-by k --alpha 1 -o n.out.geojson -q").code == 0);
     CHECK(properties(folder.content("n.out.geojson"))[0]["group"] == 9);
     refuses(folder, "n.geojson --group-by kind --alpha 1 -o s.csv",
-            "n.geojson: found no Feature with a property 'kind', expected some, as --group-by asks", 3);
+            "n.geojson: found no Feature with a property 'kind', expected at least one, as --group-by requires", 3);
     refuses(folder, "n.geojson --group-by k --where k>1 --alpha 1 -o s.csv",
             "--where: found a format without fields beside the points, expected las, ply, pcd or text", 2);
     folder.file("l.geojson", feature(R"({"k":[1]})", "[[0,0]]"));
     refuses(folder, "l.geojson --group-by k --alpha 1 -o s.csv",
-            "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by asks", 3);
+            "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires", 3);
   }
 
   TEST_CASE("names are numbers only where JSON reads each of them as itself") {

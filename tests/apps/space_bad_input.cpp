@@ -105,21 +105,21 @@ TEST_SUITE("bad points of space") {
     CHECK(off("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n") == "p:4: found '1 0 0', expected another number");
     CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected another number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11111111 1\n") ==
-          "p:15: found '11111111', expected a channel of a colour, from 0 to 255");
+          "p:15: found '11111111', expected a channel of a color, from 0 to 255");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 256 1\n") ==
-          "p:15: found '256', expected a channel of a colour, from 0 to 255");
+          "p:15: found '256', expected a channel of a color, from 0 to 255");
   }
 
   TEST_CASE("columns that are not there, or are one") {
     CHECK(table("0 0 0\n", "1,2,4") ==
-          "p:1: found 3 columns ('0 0 0'), expected at least 4 columns, as --columns asks");
+          "p:1: found 3 columns ('0 0 0'), expected at least 4 columns, as --columns requires");
     CHECK(table("a,b,c\n1,2,3\n", "a,b,d") == "p:1: found 'a,b,c', expected a header with a column 'd'");
     CHECK(table("# no line\n", "a,b,d") == "p: found no header line, expected one with the column names");
     CHECK(table("a,b,c,d\n1,2,3,4\n") ==
           "p:1: found 'a,b,c,d', expected a header with columns x, y and z (--columns X,Y,Z chooses others)");
     CHECK(table("a,b,c\n1,2,3\n", "a,b,2") ==
-          "--columns: found 'b', of which two are one column, expected different ones");
-    CHECK(table("", "1,2,1") == "--columns: found '1,2,1', of which two are one column, expected different ones");
+          "--columns: found 'b', the same column twice, expected different columns");
+    CHECK(table("", "1,2,1") == "--columns: found '1,2,1', the same column twice, expected different columns");
     for (const std::string text : {"1,2", "1,2,3,4", "1,,3", "1,2,3,", "1,2,3,4,5,6,7"})
       CHECK(table("", text) ==
             "--columns: found '" + text + "', expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
@@ -143,7 +143,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj("v 0 0 0\nvn 0 nan 1\n") == "p:2: found 'nan', expected a finite number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 nan 0 0 1 1 1 1\n") == "p:15: found 'nan', expected a finite number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 1 1 1.5\n") ==
-          "p:15: found '1.5', expected a channel of a colour, from 0 to 255");
+          "p:15: found '1.5', expected a channel of a color, from 0 to 255");
     CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F, static_cast<float>(no_number)})) ==
           "p: point 1: found 'nan', expected a finite number");
     CHECK(npy("(1, 3)", numbers({0., -inf, 0.})) == "p: point 0: found '-inf', expected a finite number");
@@ -233,9 +233,9 @@ TEST_SUITE("bad points of space") {
           "p: found WIDTH and HEIGHT beyond any file, expected 4294967296 times 4294967297 as WIDTH and HEIGHT say");
     CHECK(pcd("", "HEIGHT 1", "DEPTH 1") == "p:7: found 'DEPTH 1', expected a line of the header, or DATA");
     CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nPOINTS 1\nDATA ascii\n0 0 0 4294967296\n",
-                  Format::pcd) == "p:6: found '4294967296', expected a colour of 4 bytes");
+                  Format::pcd) == "p:6: found '4294967296', expected a color of 4 bytes");
     CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nPOINTS 1\nDATA ascii\n0 0 0 1e300\n", Format::pcd) ==
-          "p:6: found '1e+300', expected a colour of 4 bytes");
+          "p:6: found '1e+300', expected a color of 4 bytes");
   }
 
   TEST_CASE("a normal or a vertex that a face of OBJ names and the file has not") {

@@ -160,14 +160,14 @@ TEST_SUITE("points of space") {
     const SpacePoints partly = table("x,y,z,r,g,b\n1,1,1,1,2,3\n1,2,3,NA,3,4\n");
     CHECK(partly.colors.empty());
     CHECK(partly.points.size() == 2);
-    CHECK(partly.remarks == std::vector<std::string>{"colours are left out, as line 3 has none"});
+    CHECK(partly.remarks == std::vector<std::string>{"colors are left out, as line 3 has none"});
   }
 
   TEST_CASE(
       "six unnamed columns have colours where all of the last three are whole numbers, else normals; it is said") {
     const std::string as_colors =
-        "columns 4 to 6 are read as colours, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)";
-    const std::string as_normals = "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)";
+        "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)";
+    const std::string as_normals = "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)";
     const SpacePoints with_colors = table("0.5 -1 2 1 2 255\n3 4e-3 1e6 128 0 7\n");
     is(with_colors, {}, colors);
     CHECK(with_colors.remarks == std::vector<std::string>{as_colors});
@@ -243,7 +243,7 @@ TEST_SUITE("points of space") {
     is(file);
     CHECK(file.remarks ==
           std::vector<std::string>{"normals are left out, as not all of nx, ny and nz are there",
-                                   "colours are left out, as red, green and blue are not three of type uchar"});
+                                   "colors are left out, as red, green and blue are not three of type uchar"});
   }
 
   TEST_CASE("OFF has the normals of its prefix N and the colours of its prefix C, and nothing else") {
@@ -273,13 +273,13 @@ TEST_SUITE("points of space") {
     const auto says = [](const std::string& text, Format format, const std::string& why) {
       const SpacePoints file = read(text, format);
       is(file);
-      CHECK(file.remarks == std::vector<std::string>{"colours are left out, as " + why});
+      CHECK(file.remarks == std::vector<std::string>{"colors are left out, as " + why});
     };
     const std::string first = "v 0.5 -1 2", second = "\nv 3 4e-3 1e6";
     says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
     CHECK_THROWS_WITH_AS(
         read(first + " 1 1 x" + second + " 1 1 1\n", Format::obj),
-        "p:1: found 'x' behind a vertex, expected at most 5 numbers, a weight and a colour, and one vertex a line",
+        "p:1: found 'x' behind a vertex, expected at most 5 numbers, a weight and a color, and one vertex a line",
         BadInput);
     says(first + " 0 0 0" + second + " 1 256 1\n", Format::obj,
          "line 2 has a channel of '256', and not from 0 to 1 or to 255");
@@ -307,8 +307,8 @@ TEST_SUITE("points of space") {
       is(file);
       CHECK(file.remarks == std::vector<std::string>{"normals are left out: " + why});
     };
-    says("vn 0 0 1\n", "1 normal for 2 vertices, and no face says which is whose");
-    says(n + n, "4 normals for 2 vertices, and no face says which is whose");
+    says("vn 0 0 1\n", "1 normal for 2 vertices, and no face assigns them");
+    says(n + n, "4 normals for 2 vertices, and no face assigns them");
     says(n + "f 1//1 2//2 1//2\n", "vertex 1 has several in the faces around it, line 5");
     says(n + "f 1//1 2 1//1\n", "no face gives vertex 2 one");
   }
@@ -365,7 +365,7 @@ TEST_SUITE("points of space") {
       choice.where = Condition("classification == 2", names_of_las_fields());
       const SpacePoints some = space_points_in(bytes_of(file), "p", Format::las, choice);
       CHECK(some.points == Places{{0.01, 0.02, -100}});
-      CHECK(some.remarks == std::vector<std::string>{"1 of 2 points are as --where asks"});
+      CHECK(some.remarks == std::vector<std::string>{"--where selects 1 of 2 points"});
     }
   }
 
@@ -399,7 +399,7 @@ TEST_SUITE("points of space") {
     const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
     is(file, normals);
     CHECK(file.remarks ==
-          std::vector<std::string>{"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)",
+          std::vector<std::string>{"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)",
                                    "2 lines are left out: the first is p:2: found a normal of length 0, "
                                    "expected one of another length"});
     CHECK(skipping("1 2 3\n").remarks.empty());
@@ -417,20 +417,20 @@ TEST_SUITE("points of space") {
     const std::string text = "x;y;z;class\n9;9;9;2\n0,5;-1;2;6\nNA;9;9;5\n3;0,004;1e6;6\n";
     const SpacePoints file = where(text, "class == 6");
     is(file);
-    CHECK(file.remarks.back() == "2 of 4 lines are as --where asks");
+    CHECK(file.remarks.back() == "--where selects 2 of 4 lines");
     is(where("z,nx,ny,nz,y,x\n2,0,0,2,-1,0.5\n9,1,1,1,9,9\n1e6,-1,.25,0,4e-3,3\n", "x < 9"), normals);
     CHECK(where(text, "class == 7").points.empty());
     const SpacePoints both = where("x,y,z,n\n0.5,-1,2,1\n9,NA,9,1\n9,9,9,NA\n9,9,9,0\n3,4e-3,1e6,1\n", "n == 1", true);
     is(both);
     CHECK(both.remarks.size() == 2);
-    CHECK(both.remarks[0] == "3 of 4 lines are as --where asks");  // the point of one of them is none
+    CHECK(both.remarks[0] == "--where selects 3 of 4 lines");  // the point of one of them is none
     CHECK(both.remarks[1] == "2 lines are left out: the first is p:3: found 'NA', expected a number");
     CHECK_THROWS_WITH_AS(where("1 2 3\n", "n == 1"),
-                         "p: found no header line, expected one with the names that --where asks for", BadInput);
+                         "p: found no header line, expected one with the names that --where requires", BadInput);
     CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
                          BadInput);
     CHECK_THROWS_WITH_AS(where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
-                         "p:2: found 'NA', expected a number in a column that --where asks for (== \"...\" compares a "
+                         "p:2: found 'NA', expected a number in a column that --where uses (== \"...\" compares a "
                          "text) (--skip-invalid leaves out "
                          "lines that are no point)",
                          BadInput);
@@ -450,21 +450,22 @@ TEST_SUITE("points of space") {
     const Places selected{{0, 0, 2}, {0, 0, 7}};
     const SpacePoints of_binary = space_points_in(binary, "p", Format::ply, where("class == 2"));
     CHECK(of_binary.points == selected);
-    CHECK(of_binary.remarks == std::vector<std::string>{"2 of 3 points are as --where asks"});
+    CHECK(of_binary.remarks == std::vector<std::string>{"--where selects 2 of 3 points"});
     const std::string text = "ply\nformat ascii 1.0\n" + head + "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
     CHECK(space_points_in(text, "p", Format::ply, where("class < 3 and x == 0")).points == selected);
     CHECK(points_in(text, "p", {.format = Format::ply, .where = where("not class == 3").where}).points ==
           std::vector<rbpa::Point>{{0, 0}, {0, 0}});
-    CHECK_THROWS_WITH_AS(space_points_in(text, "p", Format::ply, where("kind == 1")),
-                         "p:3: found vertices without 'kind', expected a number property of that name, as --where asks",
-                         BadInput);
+    CHECK_THROWS_WITH_AS(
+        space_points_in(text, "p", Format::ply, where("kind == 1")),
+        "p:3: found vertices without 'kind', expected a number property of that name, as --where requires", BadInput);
     const std::string pcd =
         "FIELDS x y z class\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
         "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
     CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 2")).points == selected);
     CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 9")).points.empty());
     CHECK_THROWS_WITH_AS(space_points_in(pcd, "p", Format::pcd, where("kind == 1")),
-                         "p: found points without 'kind', expected a field of that name, as --where asks", BadInput);
+                         "p: found points without 'kind', expected a field of that name, as --where requires",
+                         BadInput);
   }
 
   TEST_CASE("a path is read, compressed or not") {

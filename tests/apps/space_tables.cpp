@@ -75,7 +75,7 @@ TEST_SUITE("tables of space") {
     const CloudRequest bright{.where = Condition("intensity > 3", *fields_of(Format::pts))};
     const SpacePoints file = read("2\n0 0 0 3\n1 1 1 4\n", Format::pts, bright);
     CHECK(file.points == Places{{1, 1, 1}});
-    CHECK(file.remarks == Remarks{"1 of 2 lines are as --where asks"});
+    CHECK(file.remarks == Remarks{"--where selects 1 of 2 lines"});
   }
 
   TEST_CASE("pts: a file that ends anywhere within its numbers is refused or has whole points only") {
@@ -115,9 +115,8 @@ TEST_SUITE("tables of space") {
     is(read("0.5 -1 2 0.003922 0.007843 1.0\n3 4e-3 1e6 0.501961 0 0.027451\n", Format::xyzrgb), {}, colors);
     is(read("0.5 -1 2 0 0 0\n3 4e-3 1e6 1 1 1\n", Format::xyzrgb), {}, {{0, 0, 0}, {255, 255, 255}});
     is(read("0.5 -1 2 0 0 0\n3 4e-3 1e6 -1 1 1\n", Format::xyzrgb), {}, {},
-       {"colours are left out, as line 2 has a channel of '-1', and not from 0 to 1 or to 65535"});
-    is(read("0.5 -1 2 a b c\n3 4e-3 1e6 d e f\n", Format::xyzrgb), {}, {},
-       {"colours are left out, as line 1 has none"});
+       {"colors are left out, as line 2 has a channel of '-1', and not from 0 to 1 or to 65535"});
+    is(read("0.5 -1 2 a b c\n3 4e-3 1e6 d e f\n", Format::xyzrgb), {}, {}, {"colors are left out, as line 1 has none"});
     CHECK(refusal("0 0 0\n", Format::xyzrgb) ==
           "p:1: found 3 columns ('0 0 0'), expected 6: x, y, z, red, green, blue");
   }
@@ -148,7 +147,7 @@ TEST_SUITE("tables of space") {
     CHECK(selected.points == Places{{1, 1, 1}});
     // Not where it has another number of names, is farther off, or names no points: then it is a comment.
     is(read("# x y z\n0.5 -1 2 0 0 1\n3 4e-3 1e6 0 1 0\n", Format::text), {{0, 0, 1}, {0, 1, 0}}, {},
-       {"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)"});
+       {"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)"});
     is(read("# z y x\n\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));
     is(read("# a b c\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));
     is(read("# z y x\n2 -1 0.5\n1e6 4e-3 3\n", Format::text), {}, {}, {"the comment 'z y x" + said});

@@ -61,7 +61,7 @@ TEST_SUITE("surface") {
     CHECK(outcome.out.empty());
     CHECK(
         outcome.err ==
-        "rbpa: s.xyz: columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)\n"
+        "rbpa: s.xyz: columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)\n"
         "rbpa: 500 points, normals of the file, radius 0.3: 996 triangles, 1 component, 0 boundary curves, genus 0 -> "
         "m.ply, m.off, m.obj, m.stl, m.npy, m.png\n");
     for (const std::string name : {"m.ply", "m.off", "m.obj", "m.stl"}) {
@@ -152,7 +152,7 @@ TEST_SUITE("surface") {
     const Outcome outcome = folder.rbpa("surface t.csv --radius 0.3 --where \"keep == 1\" --skip-invalid -o t.npy");
     CHECK(outcome.code == 0);
     CHECK(outcome.err.starts_with(
-        "rbpa: t.csv: 1000 of 1500 lines are as --where asks\n"
+        "rbpa: t.csv: --where selects 1000 of 1500 lines\n"
         "rbpa: t.csv: 500 lines are left out: the first is t.csv:4: found 'NA', expected a number\n"));
     // The same triangles, by the places of their points in the table.
     std::vector<std::uint32_t> expected = npy_rows(folder.content("s.npy"));
@@ -176,10 +176,10 @@ TEST_SUITE("surface") {
     // In the words of the other verbs.
     CHECK(folder.rbpa("surface p.las --radius 1 --where \"height > 1\" -o m.off").err ==
           folder.rbpa("info p.las --where \"height > 1\"").err);
-    refuses(
-        folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
-        "p.las: found point format 2 of LAS 1.2, expected one with gps_time, as --where asks: 1, 3, 4, 5, 6, 7, 8, 9, "
-        "10");
+    refuses(folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
+            "p.las: found point format 2 of LAS 1.2, expected one with gps_time, as --where requires: 1, 3, 4, 5, 6, "
+            "7, 8, 9, "
+            "10");
   }
 
   TEST_CASE("colours of a table are those of the surface") {

@@ -141,7 +141,7 @@ TEST_SUITE("surface normals") {
     for (std::size_t i = 1; i < normals.size(); ++i) CHECK(normals[i] == (i <= 100 ? 1 : -1));
     const Outcome both = folder.rbpa(run + " --stats s.json --where 'z>10'");
     CHECK(both.code == 0);
-    CHECK_MESSAGE(both.err.find("101 of 201 lines are as --where asks") != std::string::npos, both.err);
+    CHECK_MESSAGE(both.err.find("--where selects 101 of 201 lines") != std::string::npos, both.err);
     for (const auto& [bad, code, text] : {std::tuple{"vx,vy,v", 3, "expected a header with a column 'v'"},
                                           {"vx,vy", 2, "three names of columns"},
                                           {"1,2,vx", 2, "three coordinates"},

@@ -92,7 +92,7 @@ TEST_SUITE("tables of people") {
         read("lat,lon\n1,2\n", {.columns = std::vector<Column>{{.name = "lat"}, {.name = "lon"}}});
     CHECK(transposed.points == std::vector<Point>{{1, 2}});
     CHECK(transposed.remarks ==
-          std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns asks"});
+          std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns requires"});
     CHECK_FALSE(transposed.degrees);
   }
 
@@ -206,7 +206,7 @@ TEST_SUITE("tables of people") {
     CHECK(xs("\"my kind\" == \"it's\"") == Xs{3});
     // A text that meets a number, and what is none of either.
     CHECK(refusal(text, where("grp == 6")) ==
-          "t:2: found 'A', expected a number in a column that --where asks for (== \"...\" compares a text) "
+          "t:2: found 'A', expected a number in a column that --where uses (== \"...\" compares a text) "
           "(--skip-invalid leaves out lines that are no point)");
     CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
     const auto refused = [](const std::string& condition) -> std::string {
@@ -330,7 +330,7 @@ TEST_SUITE("tables of people") {
     const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
     CHECK(no_degrees.code == 3);
     CHECK(no_degrees.err ==
-          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360, as --shift-longitude asks\n");
+          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360, as --shift-longitude requires\n");
   }
 
   TEST_CASE("a system of coordinates is said, or refused") {
@@ -376,7 +376,7 @@ TEST_SUITE("tables of people") {
     CHECK(xs("z == 3.5") == Xs{2});
     CHECK(xs("1 == 1") == Xs{0, 1, 2, 3});
     CHECK(xs("class == 7").empty());
-    CHECK(read(text, where("class==6 and z>3")).remarks.back() == "2 of 4 lines are as --where asks");
+    CHECK(read(text, where("class==6 and z>3")).remarks.back() == "--where selects 2 of 4 lines");
     CHECK(read("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
     CHECK(read("x,y,n\n", where("n > 1")).points.empty());
 
@@ -385,18 +385,18 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
     CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
     CHECK(refusal(holes, where("n == 5")) ==
-          "t:4: found 'NA', expected a number in a column that --where asks for (== \"...\" compares a text) "
+          "t:4: found 'NA', expected a number in a column that --where uses (== \"...\" compares a text) "
           "(--skip-invalid leaves out lines "
           "that are no point)");
     const PointFile skipped = read(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});
     CHECK(skipped.remarks.size() == 2);
-    CHECK(skipped.remarks[0] == "1 of 2 lines are as --where asks");
+    CHECK(skipped.remarks[0] == "--where selects 1 of 2 lines");
     CHECK(skipped.remarks[1].starts_with("2 lines are left out: the first is t:4: found 'NA'"));
     CHECK(read(holes, where("n == 7", true)).points.empty());
     CHECK(refusal("x,y\n1,2\n", where("z > 3")) == "t:1: found 'x,y', expected a header with a column 'z'");
     CHECK(refusal("1,2\n", where("z > 3")) ==
-          "t: found no header line, expected one with the names that --where asks for");
+          "t: found no header line, expected one with the names that --where requires");
 
     const auto refused = [](const std::string& condition) -> std::string {
       try {
@@ -419,7 +419,7 @@ TEST_SUITE("tables of people") {
     folder.file("p.csv", "x,y,class\n0,0,6\n1,0,6\n0,1,6\n9,9,2\n");
     const Outcome outcome = folder.rbpa("mesh p.csv --where 'class==6' --alpha inf -o m.off");
     CHECK(outcome.err ==
-          "rbpa: p.csv: 3 of 4 lines are as --where asks\nrbpa: 3 points, 1 triangle, 0 isolated -> m.off\n");
+          "rbpa: p.csv: --where selects 3 of 4 lines\nrbpa: 3 points, 1 triangle, 0 isolated -> m.off\n");
     CHECK(folder.rbpa("info p.csv --where 'class=='").code == 2);
     CHECK(folder.rbpa("info p.csv --where 'z>3'").code == 3);
   }

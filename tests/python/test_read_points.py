@@ -47,7 +47,7 @@ def test_conditions_select_points_with_their_fields(tmp_path, space):
     read = rbpa.read_points(las(tmp_path / "scan.las"), space=space, fields=["intensity", "z"], where="classification == 2")
     assert np.array_equal(read.points, (PLACES / 100 + [500000, 0, 0])[CLASSES == 2][:, : 3 if space else 2])
     assert read.fields["intensity"].tolist() == [0, 7, 28] and read.fields["z"].tolist() == [0, 0.1, 0.4]
-    assert read.remarks[-1] == "3 of 5 points are as --where asks"
+    assert read.remarks[-1] == "--where selects 3 of 5 points"
     none = rbpa.read_points(tmp_path / "scan.las", space=space, fields=["intensity"], where="classification == 9")
     assert none.points.shape == (0, 3 if space else 2) and none.fields["intensity"].shape == (0,)
 
@@ -178,7 +178,7 @@ REFUSED = {
     "no las": (lambda path: path.write_bytes(b"LASF" + bytes(50)), {}, "scan.las: found "),
     "empty": (lambda path: path.write_bytes(b""), {}, "found an empty file, expected points"),
     "no such field": (las, {"fields": ["nothing"]}, "fields: found 'nothing', expected a field of LAS: x, y, z"),
-    "not in this format": (las, {"fields": ["nir"]}, "expected one with nir, as fields asks: 8, 10"),
+    "not in this format": (las, {"fields": ["nir"]}, "expected one with nir, as fields requires: 8, 10"),
     "no condition": (las, {"where": "classification =="}, "where: found "),
     "columns": (las, {"columns": "1,2"}, "columns: found a format with fixed columns, expected text"),
     "format": (las, {"format": "laz"}, "format: found 'laz', expected one of xy, txt"),

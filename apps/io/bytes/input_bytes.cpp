@@ -45,13 +45,13 @@ class UnpackLimit {
   void require(std::string_view unpacked) {
     const auto size = static_cast<double>(unpacked.size());
     if (size > most_)
-      bad_input(name_, "more than " + bytes_text(most_) + " unpacked",
+      bad_input(name_, "more than " + bytes_text(most_) + " decompressed",
                 "at most a fifth of the " + bytes_text(bytes_for_each * most_) +
                     " of memory there are, as reading takes several times as much" + way_out_);
     if (size <= next_) return;
     const double claimed = claimed_by(unpacked);
     if (size > claimed + slack)
-      bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " unpacked",
+      bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " decompressed",
                 counted(static_cast<std::size_t>(claimed), "byte") + " as the header claims, or at most " +
                     std::to_string(slack) + " more" + std::string(claim_.hint));
     next_ = std::max(claimed + slack, 2 * size);
@@ -64,7 +64,8 @@ class UnpackLimit {
     try {
       return claim_.size(unpacked, name_);
     } catch (const BadInput& refusal) {
-      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(unpacked.size(), "byte") + " unpacked)");
+      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(unpacked.size(), "byte") +
+                     " decompressed)");
     }
   }
 

@@ -24,17 +24,17 @@ std::vector<char> unpack_lzf(std::string_view packed, std::size_t size, const st
   if (size > most || packed.size() > most || size > most_for_each * packed.size())
     bad_input(place, counted(packed.size(), "byte") + " of compressed data",
               std::to_string(size / most_for_each + (size % most_for_each > 0 ? 1 : 0)) + " or more for " +
-                  counted(size, "byte") + " unpacked");
+                  counted(size, "byte") + " decompressed");
   const std::optional<double> there = available_memory();
   if (there && bytes_in_memory * static_cast<double>(size) > *there)
-    bad_input(place, bytes_text(static_cast<double>(size)) + " unpacked",
+    bad_input(place, bytes_text(static_cast<double>(size)) + " decompressed",
               "at most a third of the " + bytes_text(*there) + " of memory there are");
   std::vector<char> unpacked(size);
   if (size == 0) return unpacked;
   const unsigned count =
       lzf_decompress(packed.data(), static_cast<unsigned>(packed.size()), unpacked.data(), static_cast<unsigned>(size));
-  if (count == 0) bad_input(place, "damaged compressed data", "what becomes " + counted(size, "byte"));
-  if (count != size) bad_input(place, counted(count, "byte") + " unpacked", std::to_string(size));
+  if (count == 0) bad_input(place, "damaged compressed data", "data for " + counted(size, "byte"));
+  if (count != size) bad_input(place, counted(count, "byte") + " decompressed", std::to_string(size));
   return unpacked;
 }
 

@@ -208,7 +208,7 @@ std::vector<LasPlace> find_las_places(const Condition& condition, unsigned forma
     if (!field)
       bad_input(name, "point format " + std::to_string(format) + " of LAS 1." + std::to_string(minor),
                 "one with " + wanted + ", as " + std::string(condition.option_of(wanted)) +
-                    " asks: " + formats_with(wanted, minor));
+                    " requires: " + formats_with(wanted, minor));
     places.push_back({.field = *field});
   }
   return places;

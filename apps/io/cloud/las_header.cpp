@@ -21,22 +21,22 @@ std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::ve
               std::to_string(claimed_) + " as the header says (--skip-invalid reads " +
                   (too_high        ? "those that are whole)"
                    : claimed_ == 0 ? "all of them)"
-                                   : "as many as it says)"));
+                                   : "as many as it counts)"));
   if (takes_all(skip_invalid)) {
-    remarks.push_back("the header says that there are no points, and " +
+    remarks.push_back("the header counts no points, and " +
                       (room_ == 1 ? "the whole record behind it is"
                                   : "all " + std::to_string(room_) + " whole records behind it are") +
                       " read");
     return room_;
   }
   if (too_high) {
-    remarks.push_back(std::to_string(claimed_ - room_) + " of " + counted(claimed_, "point") +
-                      " that the header says are left out: the file ends before them");
+    remarks.push_back(std::to_string(claimed_ - room_) + " of the " + counted(claimed_, "point") +
+                      " in the header are left out: the file ends before them");
     return room_;
   }
   const std::size_t more = room_ - claimed_;
-  remarks.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") +
-                    " that the header says " + (more == 1 ? "is" : "are") + " left out");
+  remarks.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") + " in the header " +
+                    (more == 1 ? "is" : "are") + " left out");
   return claimed_;
 }
 

@@ -36,7 +36,7 @@ void require_end_of_vertex(std::string_view rest, const std::string& name, std::
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
     if (++numbers > most || parse_whole_number(word).fault == NumberFault::not_a_number)
       bad_input(at_line(name, line), in_quotes(word) + " behind a vertex",
-                "at most " + std::to_string(most) + " numbers, a weight and a colour, and one vertex a line");
+                "at most " + std::to_string(most) + " numbers, a weight and a color, and one vertex a line");
 }
 
 std::uint32_t take_obj_number(std::string_view word, std::string_view text, std::string_view noun, std::size_t before,
@@ -126,7 +126,7 @@ class ObjCloud final : public Cloud {
         for (const Point3& normal : normals_) append(normal, block);
       else
         leave_out(counted(normals_.size(), "normal") + " for " + std::to_string(block.count) +
-                  " vertices, and no face says which is whose");
+                  " vertices, and no face assigns them");
       return;
     }
     std::vector<std::uint32_t> normal_of(block.count, none);

@@ -178,13 +178,13 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
       layout.color = color.front();
       layout.facts.colors = Channels::bytes;
     } else {
-      layout.facts.file.remarks.emplace_back("colours are left out, as " + first.name + " is not of 4 bytes");
+      layout.facts.file.remarks.emplace_back("colors are left out, as " + first.name + " is not of 4 bytes");
     }
   }
   if (request.where)
     for (const std::string& field : request.where->fields())
       layout.condition.push_back(
-          find(field, "a field of that name, as " + std::string(request.where->option_of(field)) + " asks"));
+          find(field, "a field of that name, as " + std::string(request.where->option_of(field)) + " requires"));
   return layout;
 }
 
@@ -208,7 +208,7 @@ std::vector<char> unpack(const PlyHeader& header, const std::string& name) {
   const CompressedSizes sizes(data);
   const std::size_t each = points.least_size(), there = data.size() - CompressedSizes::room;
   if (points.count > sizes.unpacked / each || points.count * each != sizes.unpacked)
-    bad_input(name, counted(sizes.unpacked, "byte") + " that compressed data are to become",
+    bad_input(name, counted(sizes.unpacked, "byte") + " as the decompressed size",
               announced(points) + ", of " + counted(each, "byte") + " each");
   if (sizes.packed > there)
     bad_input(name, counted(there, "byte") + " of compressed data",

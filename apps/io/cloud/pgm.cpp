@@ -134,7 +134,7 @@ Pgm read_header(std::string_view bytes, const std::string& name) {
   Numbers numbers(bytes.substr(2), name);
   const std::size_t width = numbers.take(0, any, "a width in pixels");
   const std::size_t height = numbers.take(0, any, "a height in pixels");
-  const std::size_t white = numbers.take(1, 65535, "a greatest grey value of 1 to 65535");
+  const std::size_t white = numbers.take(1, 65535, "a greatest gray value of 1 to 65535");
   require_image_size(width, height, name);
   const bool text = magic == "P2";
   return {text, width, height, white, numbers, text ? numbers.rest() : numbers.rest_behind_blank()};
@@ -148,7 +148,7 @@ void require_room(const Pgm& pgm, const std::string& name) {
 }
 
 void read_text(Shades& image, Pgm& pgm, double threshold) {
-  const std::string expected = "a grey value of at most " + std::to_string(pgm.white);
+  const std::string expected = "a gray value of at most " + std::to_string(pgm.white);
   for (std::size_t i = 0; i < pgm.pixels(); ++i) {
     if (i % 65536 == 0) stop_if_interrupted();
     const std::size_t grey = pgm.numbers.take(0, pgm.white, expected);
@@ -163,7 +163,7 @@ void read_bytes(Shades& image, const Pgm& pgm, double threshold, const std::stri
     const std::size_t grey = pgm.white < 256 ? byte(i) : 256 * byte(2 * i) + byte(2 * i + 1);
     if (grey > pgm.white)
       bad_input(name + ": row " + std::to_string(i / pgm.width) + ", column " + std::to_string(i % pgm.width),
-                std::to_string(grey), "a grey value of at most " + std::to_string(pgm.white));
+                std::to_string(grey), "a gray value of at most " + std::to_string(pgm.white));
     image.pixels.push_back(shade_of(static_cast<double>(grey), static_cast<double>(pgm.white), threshold));
   }
 }

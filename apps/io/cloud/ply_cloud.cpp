@@ -24,8 +24,7 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
       layout.facts.colors = Channels::bytes;
       for (std::size_t k = 0; k < 3; ++k) layout.columns.emplace_back(CloudBlock::color + k, color[k]);
     } else if (!color.empty()) {
-      layout.facts.file.remarks.emplace_back(
-          "colours are left out, as red, green and blue are not three of type uchar");
+      layout.facts.file.remarks.emplace_back("colors are left out, as red, green and blue are not three of type uchar");
     }
   } else {
     layout.height = number_place(vertex, "z");
@@ -35,7 +34,7 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
     const std::optional<std::size_t> place = number_place(vertex, field);
     if (!place)
       bad_input(at_line(name, vertex.line), "vertices without " + in_quotes(field),
-                "a number property of that name, as " + std::string(request.where->option_of(field)) + " asks");
+                "a number property of that name, as " + std::string(request.where->option_of(field)) + " requires");
     layout.condition.push_back(*place);
   }
   return layout;

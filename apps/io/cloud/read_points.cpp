@@ -87,7 +87,7 @@ void append_points(const CloudBlock& block, std::vector<Point>& points) {
 
 void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (said && file.crs && file.crs->text() != said->text())
-    file.remarks.push_back("the file says " + file.crs->text() + ", and --crs " + said->text() + " is taken");
+    file.remarks.push_back("the file names " + file.crs->text() + ", but --crs " + said->text() + " overrides it");
   if (said) file.crs = said;
   if (file.crs && file.crs->degrees) file.degrees = true;
 }

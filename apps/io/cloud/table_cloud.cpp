@@ -367,8 +367,8 @@ class TableCloud final : public Cloud {
     if (facts_.last_are_colors) facts_.colors = greatest_ > 255 ? Channels::wide : Channels::bytes;
     facts_.file.remarks.push_back(
         facts_.last_are_colors
-            ? "columns 4 to 6 are read as colours, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
-            : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colours)");
+            ? "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
+            : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)");
   }
 
   TableLines lines_;

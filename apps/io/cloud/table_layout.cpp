@@ -142,7 +142,7 @@ bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& la
 /// Throws BadInput if the first column may be the numbers of elements, which are no coordinates.
 void refuse_atoms(const TableBeginning& table, const std::string& columns) {
   if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
-    bad_input(here(table), found_fields(table) + ", of which the first may be the number of an element",
+    bad_input(here(table), found_fields(table) + ", the first of which may be the number of an element",
               "x y z, or before atoms their number and a comment (--columns " + columns + " reads atoms)");
 }
 
@@ -173,7 +173,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (fields.size() < needed)
     bad_input(here(table), is_text_only(fields) ? in_quotes(table.lines.line()) : counted(fields.size(), "column"),
               needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns")
-                          : "at least " + counted(needed, "column") + ", as --columns asks");
+                          : "at least " + counted(needed, "column") + ", as --columns requires");
   if (x == y) refuse_one_column(fields[x]);  // under two names, or by name and by number
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
   layout.header = by_name    ? !has_comment
@@ -192,7 +192,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   layout.degrees = is_longitude(fields[x]) && is_latitude(fields[y]);
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
     remarks.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
-                      ", as --columns asks");
+                      ", as --columns requires");
   find_height_column(fields, layout);
   return layout;
 }
@@ -201,7 +201,7 @@ void choose_in_space(const TableBeginning& table, const std::vector<Column>& col
   layout.numbers = chosen(columns, layout.names.empty() ? table.fields : layout.names, table);
   const std::size_t needed = *std::max_element(layout.numbers.begin(), layout.numbers.end()) + 1;
   if (table.fields.size() < needed)
-    bad_input(here(table), found_fields(table), "at least " + counted(needed, "column") + ", as --columns asks");
+    bad_input(here(table), found_fields(table), "at least " + counted(needed, "column") + ", as --columns requires");
   for (std::size_t i = 0; i < layout.numbers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (layout.numbers[i] == layout.numbers[k])

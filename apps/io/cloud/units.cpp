@@ -178,7 +178,8 @@ std::string share_of_latitude(const Box& box) {
 void shift_longitude(std::vector<Point>& points, const std::string& name) {
   for (Point& p : points) {
     if (p.x < -180 || p.x > 360)
-      bad_input(name, "x = " + in_quotes(ShortestText(p.x)), "a longitude of -180 to 360, as --shift-longitude asks");
+      bad_input(name, "x = " + in_quotes(ShortestText(p.x)),
+                "a longitude of -180 to 360, as --shift-longitude requires");
     if (p.x < 0) p.x += 360;
   }
 }

@@ -113,11 +113,13 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
   const std::size_t behind = bytes.size() - end;
   if (behind > 0 && have_attributes(bytes, facets)) {
     MeshFile mesh = facets_at(bytes, facets, name, behind_attributes);
-    mesh.remarks.push_back(counted(behind, "byte") + " of attributes are left out");
+    mesh.remarks.push_back(counted(behind, "byte") + " of attributes " + (behind == 1 ? "is" : "are") + " left out");
     return mesh;
   }
   MeshFile mesh = facets_at(bytes, facets, name, [](const char* facet) { return facet + facet_size; });
-  if (behind > 0) mesh.remarks.push_back(counted(behind, "byte") + " behind the last facet are left out");
+  if (behind > 0)
+    mesh.remarks.push_back(counted(behind, "byte") + " behind the last facet " + (behind == 1 ? "is" : "are") +
+                           " left out");
   return mesh;
 }
 
@@ -141,7 +143,9 @@ class AsciiReader {
     const std::string_view line = lines_.line(), rest = lines_.rest();
     if (line.find_first_not_of(blank) != std::string_view::npos) return false;
     if (rest.find_first_not_of(blank) != std::string_view::npos) return false;
-    mesh_.remarks.push_back(counted(line.size() + rest.size(), "byte") + " behind the last solid are left out");
+    const std::size_t left_out = line.size() + rest.size();
+    mesh_.remarks.push_back(counted(left_out, "byte") + " behind the last solid " + (left_out == 1 ? "is" : "are") +
+                            " left out");
     return true;
   }
 

@@ -199,10 +199,11 @@ class Events {
   /// Throws BadInput if there are points, and no Feature has the property; null counts as having it.
   void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
     if (property && !is_there && !file_.points.empty())
-      bad_input(name_, "no Feature with a property " + in_quotes(*property), "some, as " + option + " asks");
+      bad_input(name_, "no Feature with a property " + in_quotes(*property),
+                "at least one, as " + option + " requires");
   }
   [[noreturn]] void refuse_key(const std::string& found) const {
-    refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by asks");
+    refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by requires");
   }
 
   /// Sets the fields of the points from number `first` on.
@@ -319,7 +320,7 @@ class Events {
       refuse(frame.type.empty() ? "an object without a type" : "the type " + in_quotes(frame.type),
              "one of GeoJSON, such as FeatureCollection or MultiPoint");
     }
-    if (!frame.geometry) refuse("a " + frame.type + " without coordinates", "some");
+    if (!frame.geometry) refuse("a " + frame.type + " without coordinates", "coordinates");
     if (polygons_ != nullptr && !kind->rings) refuse("a " + frame.type, "Polygon or MultiPolygon");
     if (polygons_ == nullptr && !vertices_ && !kind->points)
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");

@@ -23,9 +23,9 @@ std::vector<std::size_t> points_in_polygons(const Shape& shape) {
 std::optional<std::string> geojson_caution(const Shape& shape) {
   if (shape.crs && !shape.crs->is_wgs84())
     return "written in " + shape.crs->text() +
-           ", as its crs member says; readers that go by RFC 7946 take it for degrees of WGS 84 (ogr2ogr -t_srs "
+           ", as its crs member says; readers that follow RFC 7946 take it for degrees of WGS 84 (ogr2ogr -t_srs "
            "EPSG:4326 "
-           "makes them)";
+           "converts it)";
   double x = 0, y = 0;
   for (const Point& p : shape.points) {
     x = std::max(x, std::abs(p.x));
@@ -36,7 +36,7 @@ std::optional<std::string> geojson_caution(const Shape& shape) {
   char size[64];
   std::snprintf(size, sizeof size, "%.6g and %.6g", x, y);
   return "coordinates go up to " + std::string(size) +
-         ", and GeoJSON means degrees of WGS 84 (--crs EPSG:... says what they are)";
+         ", but GeoJSON means degrees of WGS 84 (--crs EPSG:CODE names their system)";
 }
 
 bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees) {

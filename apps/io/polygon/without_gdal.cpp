@@ -4,7 +4,9 @@
 namespace rbpa::app {
 namespace {
 
-[[noreturn]] void refuse() { throw WrongUsage("found a format of GDAL, expected one of a program built without it"); }
+[[noreturn]] void refuse() {
+  throw WrongUsage("found a format of GDAL, expected a program that is built with GDAL (cmake -DRBPA_WITH_GDAL=ON)");
+}
 
 }  // namespace
 

@@ -38,11 +38,11 @@ std::vector<std::string_view> words_between_commas(std::string_view text) {
 }  // namespace
 
 void refuse_one_column(std::string_view columns) {
-  throw WrongUsage("--columns: found " + in_quotes(columns) + ", which is one column, expected two");
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected two columns");
 }
 
 void refuse_repeated_column(std::string_view columns) {
-  throw WrongUsage("--columns: found " + in_quotes(columns) + ", of which two are one column, expected different ones");
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected different columns");
 }
 
 std::vector<Column> parse_columns(const std::string& text) {

@@ -328,7 +328,7 @@ bool Selection::count() {
 }
 
 void Selection::remark(std::string_view noun, std::vector<std::string>& remarks) const {
-  if (selects_) remarks.push_back(std::to_string(selected_) + " of " + counted(judged_, noun) + " are as --where asks");
+  if (selects_) remarks.push_back("--where selects " + std::to_string(selected_) + " of " + counted(judged_, noun));
 }
 
 }  // namespace rbpa::app

@@ -12,7 +12,7 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
   bool is_any = where_->selects();
   const auto require_header = [&](std::string_view option) {
     if (names.empty())
-      bad_input(name, "no header line", "one with the names that " + std::string(option) + " asks for");
+      bad_input(name, "no header line", "one with the names that " + std::string(option) + " requires");
   };
   for (std::size_t i = 0; i < where_->fields().size(); ++i) {
     const std::string& field = where_->fields()[i];

@@ -20,7 +20,7 @@
 namespace rbpa::app {
 
 constexpr std::string_view of_where =
-    " in a column that --where asks for (== \"...\" compares a text)";  ///< end of a message about a number
+    " in a column that --where uses (== \"...\" compares a text)";  ///< end of a message about a number
 
 class LineSelection {
  public:
