@@ -121,7 +121,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.meshes.empty() && arguments.output && !arguments.repaired.empty())
     arguments.meshes = {std::exchange(arguments.repaired, std::string())};
   if (arguments.meshes.empty())
-    throw WrongUsage("MESH: found none, expected a mesh file, or - for standard input (see meshtopo --help)");
+    throw WrongUsage("MESH is required: a mesh file, or - for standard input (see meshtopo --help)");
   std::vector<MeshSource> sources;
   for (const std::string& mesh : arguments.meshes) sources.push_back(parse_source(mesh, arguments.format));
   if (sources.size() > 1) require_reports_alone(arguments);
@@ -138,32 +138,32 @@ TopologyPlan plan(TopologyArguments arguments) {
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);
   const bool has_mesh = output_is_mesh || !arguments.repaired.empty();
   if (arguments.output_format && !has_mesh && !arguments.repair)
-    throw WrongUsage("--output-format: found no --repair, expected it");
+    throw WrongUsage("--output-format requires a mesh to write (--repair OUT)");
   if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
     if (arguments.quiet && plan.report->format == Format::text)
-      throw WrongUsage("-o: found --quiet and no --json, expected a report to write");
+      throw WrongUsage("-o requires a report to write (--quiet leaves only that of --json)");
   } else if (arguments.json || !arguments.quiet) {
     plan.report = parse_report_target("-", arguments.json);
   }
-  if (arguments.repair && !has_mesh) throw WrongUsage("--repair: found no OUT, expected a file for the repaired mesh");
+  if (arguments.repair && !has_mesh)
+    throw WrongUsage("--repair requires a file for the repaired mesh: --repair OUT or -o OUT");
   if (has_mesh) {
     const std::string option = output_is_mesh ? "-o" : "--repair";
     const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;
     plan.written = parse_mesh_target(option, path, arguments.output_format);
     if (plan.report && path == "-" && plan.report->path == "-")
       throw WrongUsage(option +
-                       " -: found standard output for the report and the mesh, expected another file or --quiet");
+                       " -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
   } else if (plan.changes() && plan.checks.empty() && !arguments.generators) {
-    throw WrongUsage(change_option(arguments) +
-                     ": found no file to write the mesh to, expected -o OUT or --repair OUT, or --check");
+    throw WrongUsage(change_option(arguments) + " requires -o OUT or --repair OUT, a file for the mesh, or --check");
   }
   if (arguments.shift) {
     plan.shift = parse_shift("--shift", *arguments.shift);
     if (!plan.written || !has_single_precision(plan.written->format))
-      throw WrongUsage("--shift: found no .stl to write, which is in single precision, expected one");
+      throw WrongUsage("--shift applies only to .stl files, which are in single precision");
   }
-  if (arguments.shortest && !arguments.generators) throw WrongUsage("--shortest: found no --generators, expected it");
+  if (arguments.shortest && !arguments.generators) throw WrongUsage("--shortest requires --generators");
   plan.shortest = arguments.shortest;
   if (arguments.generators) plan.generators = parse_generator_target(*arguments.generators);
   for (const MeshSource& source : plan.sources) require_different(plan.outputs(), source.path, "the mesh");

@@ -120,7 +120,7 @@ std::string changes(const Findings& findings) {
               " in an odd number, as walls of cavities, and face" + (report.orient->inward == 1 ? "s" : "") +
               " inward\n";
     for (const std::size_t face : report.orient->not_orientable)
-      text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and as it was\n";
+      text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and stays as it was\n";
   }
   if (findings.fill) {
     const auto& [rims, holes, islands] = findings.fill->not_chosen;
@@ -138,7 +138,8 @@ std::string changes(const Findings& findings) {
             counted(findings.tunnels->removed, "face", "faces") + " removed and " +
             std::to_string(findings.tunnels->added) + " added\n";
     if (findings.tunnels->left > 0)
-      text += "  tunnels: " + counted(findings.tunnels->left, "other loop", "other loops") + " of that length left\n";
+      text +=
+          "  tunnels: " + counted(findings.tunnels->left, "other loop", "other loops") + " below that length left\n";
   }
   return text;
 }

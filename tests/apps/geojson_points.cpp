@@ -185,7 +185,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(refusal(geometry("Point", "1")) == at_1 + "a number" + positions);
     CHECK(refusal(geometry("MultiPoint", "[1,[2,3]]")) == at_1 + "a list among numbers" + positions);
     CHECK(refusal(geometry("MultiPoint", "[[1,2],[[2,3]]]")) == at_1 + "positions in different brackets" + positions);
-    CHECK(refusal(geometry("MultiPoint", "[[[[[1,2]]]]]")) == at_1 + "five brackets around each other" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[[[[[1,2]]]]]")) == at_1 + "five nested brackets" + positions);
     CHECK(refusal(geometry("Point", "[\"1\",2]")) == at_1 + "'1', expected a list of coordinates");
     CHECK(refusal(geometry("Point", "{}")) == at_1 + "an object, expected a list of coordinates");
     CHECK(refusal(geometry("Point", "[[1,2]]")) ==

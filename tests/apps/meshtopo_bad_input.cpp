@@ -217,19 +217,19 @@ TEST_SUITE("meshtopo: wrong usage") {
   TEST_CASE("arguments that do not go together") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
-    refuses(folder, "m.off --repair", 2, "--repair: found no OUT, expected a file for the repaired mesh");
+    refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh: --repair OUT or -o OUT");
     refuses(
         folder, "m.off --repair r.off -o s.off", 2,
         "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
     refuses(folder, "m.off --repair - --output-format off", 2,
-            "--repair -: found standard output for the report and the mesh, expected another file or --quiet");
+            "--repair -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
     refuses(folder, "m.off --repair m.off", 2, "m.off: found the file of the mesh, expected another file to write to");
     refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
             "a.obj: found twice among the files to write, expected once");
-    refuses(folder, "m.off --output-format off", 2, "--output-format: found no --repair, expected it");
-    refuses(folder, "m.off -q -o r.txt", 2, "-o: found --quiet and no --json, expected a report to write");
+    refuses(folder, "m.off --output-format off", 2, "--output-format requires a mesh to write (--repair OUT)");
+    refuses(folder, "m.off -q -o r.txt", 2, "-o requires a report to write (--quiet leaves only that of --json)");
     refuses(folder, "m.off --repair -o - --output-format off", 2,
-            "-o -: found standard output for the report and the mesh, expected another file or --quiet");
+            "-o -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
     refuses(folder, "m.off --repair -o m.off", 2,
             "m.off: found the file of the mesh, expected another file to write to");
     refuses(folder, "m.off --repair -o a.obj --generators ./a.obj", 2,

@@ -432,7 +432,7 @@ TEST_SUITE("points of space") {
     CHECK_THROWS_WITH_AS(where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
                          "p:2: found 'NA', expected a number in a column that --where uses (== \"...\" compares a "
                          "text) (--skip-invalid leaves out "
-                         "lines that are no point)",
+                         "lines that are no points)",
                          BadInput);
   }
 

@@ -132,7 +132,7 @@ TEST_SUITE("single precision") {
       CHECK(folder.meshtopo("m.off --repair o.stl --shift '" + bad + "'").code == 2);
     }
     CHECK(folder.meshtopo("m.off --repair o.ply --shift auto").err ==
-          "meshtopo: --shift: found no .stl to write, which is in single precision, expected one\n");
+          "meshtopo: --shift applies only to .stl files, which are in single precision\n");
     CHECK(folder.rbpa("surface m.off --radius 1 -o o.ply --shift auto").code == 2);
     CHECK(folder.rbpa("solid m.off --alpha inf --boundary o.ply --shift auto").code == 2);
   }

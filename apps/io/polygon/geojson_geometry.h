@@ -32,7 +32,7 @@ class GeoJsonGeometry {
   const char* open() {
     constexpr int deepest = 4;
     if (coordinates_ > 0) return "a list among numbers";
-    if (open_ == deepest) return "five brackets around each other";
+    if (open_ == deepest) return "five nested brackets";
     ++open_;
     return nullptr;
   }

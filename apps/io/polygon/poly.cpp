@@ -68,7 +68,7 @@ class PolyReader {
 
   void read_vertices(std::vector<Point>& points) {
     const std::size_t vertices = count("the number of vertices");
-    if (vertices == 0) refuse("0 vertices, which are in a .node file then", "them in this file");
+    if (vertices == 0) refuse("0 vertices, which means that they are in a .node file", "the vertices in this file");
     if (whole("the dimension", 3) != 2) refuse("another dimension", "2");
     for (std::size_t i = 0; i < vertices; ++i) {
       next_line("a vertex: its number, x and y");
@@ -114,7 +114,7 @@ class PolyReader {
   }
   std::size_t vertex() {
     const std::size_t number_of = whole("a vertex", first_ + ends_.size() - 1);
-    if (number_of < first_) refuse("vertex 0", "one from 1 on, as the first was");
+    if (number_of < first_) refuse("vertex 0", "a number from 1, as that of the first vertex");
     return number_of - first_;
   }
   void join(std::size_t v, std::size_t other) {

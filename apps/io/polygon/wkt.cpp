@@ -134,7 +134,7 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
     refuse("'(' or EMPTY");
   }
   if (name == "GEOMETRYCOLLECTION") {
-    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " collections in each other");
+    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " nested collections");
     expect_sign('(');
     do take_geometry(points, depth + 1);
     while (take_sign(','));

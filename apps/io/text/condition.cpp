@@ -113,7 +113,7 @@ class Parser {
   }
 
   void take_term(int depth) {
-    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " brackets in each other");
+    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " nested brackets");
     if (take_if("not", "!")) {
       take_term(depth + 1);
       result_.push_back({Step::negation});
@@ -255,7 +255,7 @@ FieldNames names_of_columns() {
     if (word.empty()) return false;
     return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
   };
-  return {are, "the name of a column (in double quotes where it is no word)", true};
+  return {are, "the name of a column (in double quotes if it is no word)", true};
 }
 
 Condition::Condition(const std::string& text, const FieldNames& names) {
