@@ -29,7 +29,7 @@ std::string text_of(const Json& number) { return number.dump(); }
 }  // namespace
 
 TEST_SUITE("alpha") {
-  TEST_CASE("every critical radius says what mesh at that alpha says") {
+  TEST_CASE("every critical radius has the counts of rbpa mesh at that alpha") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     const Outcome outcome = folder.rbpa("alpha p.xy --json -q");
@@ -98,7 +98,7 @@ TEST_SUITE("alpha") {
     CHECK(alive(full, 0, 0.0) == 2309);
   }
 
-  TEST_CASE("points without a triangle are said, and auto and min are null") {
+  TEST_CASE("points without a triangle are reported, and auto and min are null") {
     const Folder folder;
     folder.file("line.xy", "0 0\n1 1\n3 3\n");
     const Outcome line = folder.rbpa("alpha line.xy --json --persistence --complex full -q");
@@ -114,7 +114,7 @@ TEST_SUITE("alpha") {
     CHECK(folder.rbpa("alpha two.xy").out.find("none") != std::string::npos);
   }
 
-  TEST_CASE("numbers above every double are \"inf\", and JSON all the same") {
+  TEST_CASE("numbers above every double are \"inf\", and the JSON stays valid") {
     const Folder folder;
     folder.file("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
     const Json report = Json::parse(folder.rbpa("alpha p.xy --json -q").out);
@@ -122,7 +122,7 @@ TEST_SUITE("alpha") {
     CHECK(report["critical"].back()["area"] == "inf");
   }
 
-  TEST_CASE("text says min, auto and the range of radii") {
+  TEST_CASE("text has min, auto and the range of radii") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     const Outcome outcome = folder.rbpa("alpha p.xy");
@@ -148,7 +148,7 @@ TEST_SUITE("alpha") {
     CHECK(picture.ends_with("</svg>\n"));
   }
 
-  TEST_CASE("a picture of one triangle, and of none, has axes and no number that is none") {
+  TEST_CASE("a picture of one triangle, and of none, has axes and only finite numbers") {
     const Folder folder;
     for (const char* points : {corner, "0 0\n1 1\n3 3\n"}) {
       folder.file("p.xy", points);
@@ -214,7 +214,7 @@ TEST_SUITE("alpha") {
     CHECK(wrong.err.find("--representatives: found the ending 'obj', expected geojson") != std::string::npos);
   }
 
-  TEST_CASE("a picture that cannot be is refused, and leaves no file") {
+  TEST_CASE("a picture that cannot be written is refused, and leaves no file") {
     const Folder folder;
     folder.file("p.xy", corner);
     CHECK(folder.rbpa("alpha p.xy -o p.tiff").code == 2);
@@ -223,7 +223,7 @@ TEST_SUITE("alpha") {
     CHECK(folder.names() == std::vector<std::string>{"p.xy"});
   }
 
-  TEST_CASE("ticks of a picture stand at what they say, up to the ends of the range of double and beyond") {
+  TEST_CASE("ticks of a picture are at their values, up to the ends of the range of double and beyond") {
     const Folder folder;
     for (const char* points : {
              "0 0\n5e-324 0\n0 1e-323\n1e308 0\n0 1.5e308\n1 1\n",  // all of it
@@ -270,7 +270,7 @@ TEST_SUITE("alpha") {
     CHECK(folder.names() == std::vector<std::string>{"p.svg", "p.xy", "s.json"});
   }
 
-  TEST_CASE("what cannot be meant is refused before anything is read") {
+  TEST_CASE("contradicting options are refused before anything is read") {
     const Folder folder;
     for (const std::string wrong : {"--json --csv", "--components 0", "--components -1", "--complex full",
                                     "--persistence --complex half", "--stats -"}) {

@@ -22,7 +22,7 @@ bool covers(const Json& step, const Json& stats) { return step["covered"] == sta
 }  // namespace
 
 TEST_SUITE("alpha choice") {
-  TEST_CASE("auto and min are the radii that rbpa alpha says") {
+  TEST_CASE("auto and min are the radii that rbpa alpha prints") {
     const Folder folder;
     for (const std::string verb : {"mesh ", "shape "}) {
       const Json radii = radii_of(folder, data);
@@ -101,7 +101,7 @@ TEST_SUITE("alpha choice") {
     }
   }
 
-  TEST_CASE("the summary says the rule and its radius; statistics have both") {
+  TEST_CASE("the summary and the statistics have the rule and its radius") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     CHECK(folder.rbpa("mesh p.xy --alpha min -o m.off").err ==
@@ -122,13 +122,13 @@ TEST_SUITE("alpha choice") {
     CHECK(std::stod(err.substr(number)) == radii_of(folder, data)["auto"].get<double>());
   }
 
-  TEST_CASE("the paper's search takes a chosen radius too") {
+  TEST_CASE("the paper's search accepts a chosen radius") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     CHECK(stats_of(folder, "mesh p.xy --alpha min --search paper")["alpha"] == 10);
   }
 
-  TEST_CASE("points that no radius covers: an empty complex, said, and exit code 0") {
+  TEST_CASE("points that no radius covers give an empty complex with a message and exit code 0") {
     const Folder folder;
     const auto none = [&](const std::string& points, const std::string& rule, const std::string& reason) {
       CAPTURE(points);
@@ -163,7 +163,7 @@ TEST_SUITE("alpha choice") {
     }
   }
 
-  TEST_CASE("wrong words and a bound without auto are refused before anything is read") {
+  TEST_CASE("unknown words and --components without auto are refused before anything is read") {
     const Folder folder;
     const auto refuses = [&](const std::string& options, const std::string& message) {
       for (const std::string verb : {"mesh", "shape"}) {

@@ -38,7 +38,7 @@ TEST_SUITE("alpha cover") {
     CHECK(all["min"] == before);
   }
 
-  TEST_CASE("auto of a share does not wait for outliers that make a triangle of their own") {
+  TEST_CASE("auto of a share ignores outliers that make a triangle of their own") {
     const Folder folder;
     std::string points;
     for (int i = 0; i < 15; ++i)
@@ -55,7 +55,7 @@ TEST_SUITE("alpha cover") {
     CHECK(radii_of(folder, "dust.xy --cover 0.99 --components 2")["auto"] == alone);
   }
 
-  TEST_CASE("what is said names the share") {
+  TEST_CASE("the report and the summary name the share") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     const std::string text = folder.rbpa("alpha p.xy --cover 0.5").out;
@@ -90,7 +90,7 @@ TEST_SUITE("alpha cover") {
               .err.starts_with("rbpa: the shape is empty: no triangle has circumradius <= 0.25\n"));
   }
 
-  TEST_CASE("shares, squares and inverses that are none are refused before anything is read") {
+  TEST_CASE("wrong shares, squares and inverses are refused before anything is read") {
     const Folder folder;
     const auto refuses = [&](const std::string& arguments, const std::string& message) {
       for (const std::string verb : {"mesh", "shape"}) {
@@ -120,7 +120,7 @@ TEST_SUITE("alpha cover") {
             "rbpa: --alpha, --alpha-squared and --alpha-inverse cannot be combined (see rbpa mesh --help)\n");
   }
 
-  TEST_CASE("a verb without what it needs points to its own help") {
+  TEST_CASE("a verb without a required argument points to its own help") {
     const Folder folder;
     for (const std::string verb : {"mesh", "shape"}) {
       CHECK(folder.rbpa(verb + " p.xy -o s.svg").err ==

@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("alpha plateau") {
-  TEST_CASE("where points are unevenly dense, the plateau of the footprint is named; where they are not, nothing is") {
+  TEST_CASE("the plateau of the footprint is named for unevenly dense points only") {
     const Folder folder;
     std::mt19937 random(1);
     const auto jitter = [&] { return static_cast<double>(random() % 1000) / 4000; };
@@ -66,7 +66,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(folder.rbpa("alpha even.xy").out.find("evenly") == std::string::npos);
   }
 
-  TEST_CASE("--alpha plateau says when none stands out, and nothing when one does") {
+  TEST_CASE("--alpha plateau warns only when no plateau stands out") {
     const Folder folder;
     folder.file("p.xy", corner);
     folder.file("two.xy", two_squares());
@@ -104,7 +104,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(report["recommended"]["why"].get<std::string>().ends_with(", 2 parts and 0 holes hardly change"));
   }
 
-  TEST_CASE("--alpha plateau:K is the alpha of line K, and its complex has the counts that are said") {
+  TEST_CASE("--alpha plateau:K is the alpha of line K, and its complex has the counts of that line") {
     const Folder folder;
     const Json plateaus = radii_of(folder, quakes)["plateaus"];
     REQUIRE(plateaus.size() > 2);
@@ -149,7 +149,7 @@ TEST_SUITE("alpha plateau") {
     }
   }
 
-  TEST_CASE("one part and one hole are singular") {
+  TEST_CASE("one part and one hole are printed in the singular") {
     const Folder folder;
     std::string ring;
     for (int x = -12; x <= 12; ++x)
@@ -159,8 +159,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(folder.rbpa("alpha ring.xy -q").out.ends_with(", 1 part and 1 hole hardly change.\n"));
   }
 
-  TEST_CASE(
-      "where nothing stands out that is said and auto recommended, and points without a triangle have no plateau") {
+  TEST_CASE("auto is recommended when no plateau stands out, and points without a triangle have no plateau") {
     const Folder folder;
     folder.file("p.xy", "0 0\n6 0\n0 8\n");
     const Json one = radii_of(folder, "p.xy");
@@ -204,7 +203,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(folder.content("q.geojson") == folder.content("p.geojson"));
   }
 
-  TEST_CASE("a rank that is none is refused, and one that is too high when the points are known") {
+  TEST_CASE("a wrong rank is refused at once, and one that is too high when the points are known") {
     const Folder folder;
     folder.file("p.xy", two_squares());
     for (const std::string wrong : {"", "0", "-1", "two", "1.5"})

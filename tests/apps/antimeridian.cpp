@@ -164,7 +164,7 @@ TEST_SUITE("antimeridian") {
       [[[179,0,0],[180,0,5],[180,2,7],[179,0,0]]],[[[-180,0,5],[-179,0,10],[-180,2,7],[-180,0,5]]]]})"));
   }
 
-  TEST_CASE("the other antimeridian, one side alone, and what are no degrees") {
+  TEST_CASE("polygons are cut at -180 too, and are whole on one side of it or if not in degrees") {
     const Folder folder;
     const auto range = [&](const std::string& points, const std::string& options) {
       folder.file("p.csv", points);

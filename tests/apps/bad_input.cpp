@@ -41,18 +41,18 @@ const std::string ply_header =
 }  // namespace
 
 TEST_SUITE("bad input") {
-  TEST_CASE("no such file") {
+  TEST_CASE("a missing file is refused") {
     refuses(Folder(), "mesh none.xy --alpha 1 -o m.off", 3, "none.xy: found no such file, expected a file of points");
   }
 
-  TEST_CASE("an empty file") { refuses_text("", "p.xy: found an empty file, expected points"); }
+  TEST_CASE("an empty file is refused") { refuses_text("", "p.xy: found an empty file, expected points"); }
 
-  TEST_CASE("a line that is not numbers: file, line, text") {
+  TEST_CASE("a line that is not numbers is named by file, line and text") {
     refuses_text("0 0\n1 0\n# a comment\n2 abc\n", "p.xy:4: found 'abc', expected a number");
     refuses_text("0 0\n1 0x\n", "p.xy:2: found '0x', expected a number");
   }
 
-  TEST_CASE("text in the first columns of a table with more: how to choose others") {
+  TEST_CASE("text in the first columns of a wider table is refused with a hint at --columns") {
     const Folder folder;
     folder.file("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
@@ -64,13 +64,13 @@ TEST_SUITE("bad input") {
     refuses(folder, "mesh p.csv --columns lon,lat --alpha 1 -o m.off", 3, "p.csv:3: found 'east', expected a number");
   }
 
-  TEST_CASE("not a number and infinity") {
+  TEST_CASE("NaN and infinity are refused") {
     refuses_text("0 0\nnan 1\n",
                  "p.xy:2: found 'nan', expected a finite number (--skip-invalid leaves out lines that are no points)");
     refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");
   }
 
-  TEST_CASE("a number beyond every double") {
+  TEST_CASE("a number beyond every double is refused") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1e999 1\n");
     const Outcome outcome = folder.rbpa("mesh p.xy --alpha 1 -o m.off");
@@ -78,12 +78,12 @@ TEST_SUITE("bad input") {
     CHECK(outcome.err.find("p.xy:2: found '1e999', expected ") != std::string::npos);
   }
 
-  TEST_CASE("a wrong column count") {
+  TEST_CASE("a wrong number of columns is refused") {
     refuses_text("0 0\n1 2 3\n", "p.xy:2: found 3 columns ('1 2 3'), expected 2 as in line 1");
     refuses_text("0 0\n1\n", "p.xy:2: found 1 column ('1'), expected 2 as in line 1");
   }
 
-  TEST_CASE("a column that is not there") {
+  TEST_CASE("a missing column is refused") {
     const Folder folder;
     folder.file("p.csv", "lon,lat\n1,2\n");
     const Outcome outcome = folder.rbpa("mesh p.csv --columns lon,height --alpha 1 -o m.off");
@@ -91,7 +91,7 @@ TEST_SUITE("bad input") {
     CHECK(outcome.err.find("'height'") != std::string::npos);
   }
 
-  TEST_CASE("a truncated binary file") {
+  TEST_CASE("a truncated binary file is refused") {
     const Folder folder;
     folder.file("p.npy",
                 npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
@@ -109,7 +109,7 @@ TEST_SUITE("bad input") {
     CHECK_FALSE(folder.has("m.off"));
   }
 
-  TEST_CASE("a header that claims more points than the file holds is found before memory is asked for") {
+  TEST_CASE("a header that claims more points than the file holds is refused before memory is allocated") {
     const Folder folder;
     folder.file("p.npy",
                 npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (99999999999999, 2), }", doubles({0, 0})));
@@ -127,7 +127,7 @@ TEST_SUITE("bad input") {
     }
   }
 
-  TEST_CASE("not a number in a binary file names the point") {
+  TEST_CASE("NaN in a binary file is refused with the number of the point") {
     const Folder folder;
     folder.file("p.f64xy", doubles({0, 0, 1, __builtin_nan("")}));
     const Outcome outcome = folder.rbpa("mesh p.f64xy --alpha 1 -o m.off");
@@ -138,7 +138,7 @@ TEST_SUITE("bad input") {
 }
 
 TEST_SUITE("wrong usage") {
-  TEST_CASE("an alpha that is no radius") {
+  TEST_CASE("an alpha that is no radius is refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
@@ -147,7 +147,7 @@ TEST_SUITE("wrong usage") {
           "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
   }
 
-  TEST_CASE("no alpha, no verb, an unknown option") {
+  TEST_CASE("a missing alpha, a missing verb and an unknown option are refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     CHECK(folder.rbpa("mesh p.xy -o m.off").code == 2);
@@ -167,7 +167,7 @@ TEST_SUITE("wrong usage") {
             "found 'q.xy', expected no more arguments of rbpa surface (see rbpa surface --help)");
   }
 
-  TEST_CASE("an empty name") {
+  TEST_CASE("an empty name is refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "mesh '' --alpha 1 -o m.off", 2, "POINTS: found an empty name, expected a path or -");
@@ -176,7 +176,7 @@ TEST_SUITE("wrong usage") {
             "found an empty name of a file to write, expected a path");
   }
 
-  TEST_CASE("a number is the whole of a value, and in its range") {
+  TEST_CASE("a numeric value with other characters or out of range is refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     const std::string far = "99999999999999999999";
@@ -199,7 +199,7 @@ TEST_SUITE("wrong usage") {
     }
   }
 
-  TEST_CASE("two columns are two") {
+  TEST_CASE("--columns takes exactly two columns") {
     const Folder folder;
     folder.file("p.xy", corner);
     folder.file("p.csv", "lon,lat\n0,0\n1,0\n0,1\n");
@@ -218,7 +218,7 @@ TEST_SUITE("wrong usage") {
               "--columns: found '" + number + "', expected a column number from 1 or a column name");
   }
 
-  TEST_CASE("a switch has no value, and an option one") {
+  TEST_CASE("a value for a switch, and an option without one, are refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string run : {"mesh p.xy --alpha 1 -o m.off --compact=7", "info p.xy --quiet=false",
@@ -233,7 +233,7 @@ TEST_SUITE("wrong usage") {
     CHECK(folder.names().size() == 1);
   }
 
-  TEST_CASE("an unknown ending lists those that are known") {
+  TEST_CASE("an unknown ending is refused with a list of the known ones") {
     const Folder folder;
     folder.file("p.xy", corner);
     folder.file("p.foo", corner);
@@ -245,14 +245,14 @@ TEST_SUITE("wrong usage") {
     CHECK(outcome.err.find("npy") != std::string::npos);
   }
 
-  TEST_CASE("one file under two names, neither of which exists yet") {
+  TEST_CASE("one file under two names is refused, also if it does not exist yet") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o m.off -o ./m.off", 2,
             "./m.off: found twice among the files to write, expected once");
   }
 
-  TEST_CASE("help and version are answers") {
+  TEST_CASE("help and version exit with 0") {
     const Folder folder;
     CHECK(folder.rbpa("--help").code == 0);
     CHECK(folder.rbpa("mesh --help").out.find("Examples:") != std::string::npos);
@@ -262,14 +262,14 @@ TEST_SUITE("wrong usage") {
 }
 
 TEST_SUITE("failure while running") {
-  TEST_CASE("a full output") {
+  TEST_CASE("a full disk is reported") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o /dev/full --output-format off", 1,
             "/dev/full: cannot write: No space left on device");
   }
 
-  TEST_CASE("an unwritable output") {
+  TEST_CASE("an unwritable output is reported") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o none/m.off", 1,

@@ -94,7 +94,7 @@ void wait_for_file(const Folder& folder) {
 }  // namespace
 
 TEST_SUITE("input files") {
-  TEST_CASE("a file that somebody shortens, lengthens or writes to while it is read is refused in a sentence") {
+  TEST_CASE("a file that is shortened, extended or written while it is read is refused with a message") {
     const std::string expected = ", expected a file that stays as it is while it is read\n";
     Ending ending;
     const std::string shorter = message_after([](const std::string& path) { fs::resize_file(path, 4096); }, ending);
@@ -115,7 +115,7 @@ TEST_SUITE("input files") {
     CHECK(other.find("p.f64xy: found a change while it was read" + expected) != std::string::npos);
   }
 
-  TEST_CASE("standard input that is a file is read from where it stands") {
+  TEST_CASE("standard input that is a file is read from its current position") {
     const Folder folder;
     folder.file("p.xy", "not a point\n0 0\n1 0\n0 1\n");
     const std::string run = std::string("-c '(read line; \"") + RBPA_PROGRAM + "\" info - --json) < p.xy'";
@@ -130,14 +130,14 @@ TEST_SUITE("input files") {
           "rbpa: /proc/self/comm:1: found 'rbpa', expected two numbers\n");
   }
 
-  TEST_CASE("a disk that fails while a file is read ends in a sentence") {
+  TEST_CASE("a disk that fails while a file is read ends the run with a message") {
     // There is no memory at address 0, and the system says so as it does of a bad disk.
     const Outcome outcome = Folder().rbpa("info /proc/self/mem --format text");
     CHECK(outcome.code == 1);
     CHECK(outcome.err == "rbpa: /proc/self/mem: cannot read: Input/output error\n");
   }
 
-  TEST_CASE("standard input and output that do not wait by themselves are waited for") {
+  TEST_CASE("non-blocking standard input and output are waited for") {
     const Folder folder;
     signal(SIGPIPE, SIG_IGN);  // should it end early
     int in[2], out[2];
@@ -171,7 +171,7 @@ TEST_SUITE("input files") {
 }
 
 TEST_SUITE("links") {
-  TEST_CASE("through links that lead nowhere yet the file is made, and the links stay") {
+  TEST_CASE("a file is made through dangling links, and the links stay") {
     const Folder folder;
     folder.file("p.xy", corner);
     fs::create_directory(folder.path("to"));
@@ -187,7 +187,7 @@ TEST_SUITE("links") {
     CHECK(folder.content("m.off").starts_with("OFF\n"));
   }
 
-  TEST_CASE("a loop is named before anything is read, and stays") {
+  TEST_CASE("a loop of links is named before anything is read, and stays") {
     const Folder folder;
     fs::create_symlink("b.off", folder.path("a.off"));
     fs::create_symlink("a.off", folder.path("b.off"));
@@ -197,7 +197,7 @@ TEST_SUITE("links") {
     CHECK(folder.names().size() == 2);
   }
 
-  TEST_CASE("a link into no folder is found before anything is read") {
+  TEST_CASE("a link into a missing folder is refused before anything is read") {
     const Folder folder;
     fs::create_symlink("none/m.off", folder.path("a.off"));
     refuses(folder.rbpa("mesh none.xy --alpha 1 -o a.off"), 1,
@@ -206,7 +206,7 @@ TEST_SUITE("links") {
 }
 
 TEST_SUITE("the same file") {
-  TEST_CASE("standard input from the file that would be written") {
+  TEST_CASE("standard input from the file to be written is refused") {
     const Folder folder;
     const std::string points = "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n";
     folder.file("p.off", points);
@@ -223,7 +223,7 @@ TEST_SUITE("the same file") {
     CHECK(folder.content("m.off") == points);
   }
 
-  TEST_CASE("standard output into the file that is read, or into another that is written") {
+  TEST_CASE("standard output into the file that is read, or into another output, is refused") {
     const Folder folder;
     const std::string points = folder.file("p.xy", corner), program = RBPA_PROGRAM;
     const auto shell = [&](const std::string& command) { return folder.run("/bin/sh", "-c '" + command + "'"); };
@@ -236,7 +236,7 @@ TEST_SUITE("the same file") {
             "s.json: found twice among the files to write, expected once");
   }
 
-  TEST_CASE("two links to one file that is not there yet") {
+  TEST_CASE("two links to one file that does not exist yet are refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     fs::create_symlink("m.off", folder.path("a.off"));
@@ -257,7 +257,7 @@ TEST_SUITE("the same file") {
 }
 
 TEST_SUITE("what a killed run leaves") {
-  TEST_CASE("is cleared by the next run that writes into the folder, and what a living one writes is not") {
+  TEST_CASE("a dead run's file is removed by the next run that writes into the folder, a living run's is not") {
     const Folder folder;
     const auto command = waiting_run(folder);
     Child living(command());
@@ -271,7 +271,7 @@ TEST_SUITE("what a killed run leaves") {
     CHECK(folder.names() == std::vector<std::string>{"n.off", "p.xy", "pipe", "s.json"});
   }
 
-  TEST_CASE("is cleared by meshtopo too, and where a link leads") {
+  TEST_CASE("a dead run's file is removed by meshtopo too, also where a link leads") {
     const Folder folder;
     fs::create_directory(folder.path("to"));
     folder.file("to/.rbpa-1-0.tmp", "of a process that lives, but has nothing to do with it");
@@ -282,7 +282,7 @@ TEST_SUITE("what a killed run leaves") {
     CHECK(folder.has("to/r.json"));
   }
 
-  TEST_CASE("is told by its whole name, and only a file is cleared") {
+  TEST_CASE("only files whose whole name matches are removed") {
     const Folder folder;
     folder.file("p.xy", corner);
     const std::vector<std::string> kept = {".rbpa-.tmp",    ".rbpa-1-.tmp",    ".rbpa--1.tmp", ".rbpa-1-1.tmp.xy",
@@ -295,7 +295,7 @@ TEST_SUITE("what a killed run leaves") {
     CHECK(folder.names().size() == kept.size() + 5);
   }
 
-  TEST_CASE("does not stand in the way of a run of the same number") {
+  TEST_CASE("a dead run's file does not hinder a run with the same process number") {
     const Folder folder;
     const auto command = waiting_run(folder);
     Child first(command(), [&] {  // as if the number had been used before

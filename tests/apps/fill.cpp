@@ -72,7 +72,7 @@ void refuses(const Folder& folder, const std::string& arguments, int code, const
 }  // namespace
 
 TEST_SUITE("fill") {
-  TEST_CASE("the same polygon from each format is the same bytes") {
+  TEST_CASE("the same polygon from each format gives the same bytes") {
     const Folder folder;
     folder.file("p.wkt", plate_wkt);
     folder.file("p.json", plate_json);
@@ -100,7 +100,7 @@ TEST_SUITE("fill") {
     CHECK(folder.rbpa("fill p.wkt --size 0.3 -o - --output-format off -q").out == folder.content("p.off"));
   }
 
-  TEST_CASE("every format of meshes and pictures, a summary, and statistics") {
+  TEST_CASE("every format is written, with a summary and statistics") {
     const Folder folder;
     folder.file("p.wkt", plate_wkt);
     const Outcome outcome = folder.rbpa(
@@ -133,7 +133,7 @@ TEST_SUITE("fill") {
     CHECK(folder.content("p.png").substr(1, 3) == "PNG");
   }
 
-  TEST_CASE("edges are kept, graded, and of a size at points, as is asked") {
+  TEST_CASE("edges are kept, graded, and sized at points as the options say") {
     const Folder folder;
     folder.file("p.wkt", "POLYGON ((0 0, 1 0, 1 1, 0.02 1, 0 1))");
     folder.file("sizes.txt", "x,y,size\n# near a corner\n1, 0; 0.02\n\n0.5 0.5\t0.6\n");
@@ -154,7 +154,7 @@ TEST_SUITE("fill") {
     CHECK(faces("--size 5") == 3);
   }
 
-  TEST_CASE("polygons that are none, and the place") {
+  TEST_CASE("invalid polygons are refused with the place") {
     const Folder folder;
     const std::string expected = "; expected rings that meet in single points at most";
     folder.file("bow.wkt", "POLYGON((0 0, 2 2, 2 0, 0 2, 0 0))");
@@ -202,7 +202,7 @@ TEST_SUITE("fill") {
     }
   }
 
-  TEST_CASE("files of Triangle that are none, with the line") {
+  TEST_CASE("invalid files of Triangle are refused with the line") {
     const Folder folder;
     const auto poly = [&](const std::string& text, const std::string& message) {
       folder.file("p.poly", text);
@@ -233,7 +233,7 @@ TEST_SUITE("fill") {
          "are not kept");
   }
 
-  TEST_CASE("wrong usage") {
+  TEST_CASE("wrong usage is refused") {
     const Folder folder;
     folder.file("p.wkt", plate_wkt);
     folder.file("s.txt", "0 0 0.1\n");

@@ -41,7 +41,7 @@ const std::string bow = feature(R"({"height": 1})", "[[10,0],[12,2],[12,0],[10,2
 }  // namespace
 
 TEST_SUITE("fill") {
-  TEST_CASE("parcels that share edges: one mesh, and each triangle has the numbers of its feature") {
+  TEST_CASE("parcels that share edges become one mesh, and each triangle has the numbers of its feature") {
     const Folder folder;
     folder.file("p.json", collection(parcels()));
     const Outcome outcome = folder.rbpa("fill p.json --size 1 -o p.vtu -o p.ply --stats s.json");
@@ -115,7 +115,7 @@ TEST_SUITE("fill") {
     CHECK(none.err.find("there is no triangle") != std::string::npos);
   }
 
-  TEST_CASE("geometries: each of a collection is valid by itself, and features may overlap") {
+  TEST_CASE("each geometry of a collection is checked by itself, and features may overlap") {
     const Folder folder;
     const std::string square = "((0 0, 2 0, 2 2, 0 2, 0 0))", other = "((1 1, 3 1, 3 3, 1 3, 1 1))";
     folder.file("c.wkt", "GEOMETRYCOLLECTION (POLYGON " + square + ", POLYGON " + other + ")\nPOLYGON EMPTY\nPOLYGON " +

@@ -33,7 +33,9 @@ Ending fill_limited(const Folder& folder, const std::string& options) {
 
 }  // namespace
 
-TEST_CASE("a fill for which memory does not suffice is refused before it starts, with the estimate and what there is") {
+TEST_CASE(
+    "a filling for which memory does not suffice is refused before it starts, with the estimate and the memory "
+    "available") {
   const Folder folder;
   // About 2.3 million triangles; and sizes that a single point asks for.
   for (const std::string& options :
@@ -48,7 +50,7 @@ TEST_CASE("a fill for which memory does not suffice is refused before it starts,
   }
 }
 
-TEST_CASE("a fill for which memory suffices is done under the same limit") {
+TEST_CASE("a filling for which memory suffices is made under the same limit") {
   const Folder folder;
   CHECK(fill_limited(folder, "--size 0.05") == Ending{.code = 0});
   CHECK(folder.has("out.off"));

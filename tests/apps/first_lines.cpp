@@ -48,7 +48,7 @@ CloudRequest where(const std::string& condition) { return {.where = Condition(co
 }  // namespace
 
 TEST_SUITE("first lines") {
-  TEST_CASE("what is nearly a number is no name") {
+  TEST_CASE("text that is nearly a number is no name") {
     for (const std::string field : {"1", "-1.5", "1.0D0",
                                     "\xE2\x88\x92"
                                     "1",
@@ -58,7 +58,7 @@ TEST_SUITE("first lines") {
       CHECK_FALSE(is_nearly_number(field));
   }
 
-  TEST_CASE("a first line with what is nearly a number is read, or refused as in any other line") {
+  TEST_CASE("a first line with text that is nearly a number is read, or refused as in any other line") {
     struct Line {
       std::string text, found;  ///< what is refused; empty where it is read
       Point point = {};
@@ -123,7 +123,7 @@ TEST_SUITE("first lines") {
           "t.txt:1: found 'X0 2)', expected a blank, ',' or ')' behind a number");
   }
 
-  TEST_CASE("--size-at: a header has nothing that is nearly a number") {
+  TEST_CASE("a header of --size-at has nothing that is nearly a number") {
     const Folder folder;
     folder.file("s.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
     const auto run = [&](const std::string& text) {
@@ -157,7 +157,7 @@ TEST_SUITE("first lines") {
     CHECK(refusal([] { plane("1\n2\n3\n"); }).starts_with("t.txt:1: found 1 column"));
   }
 
-  TEST_CASE("comments that name columns are headers: CloudCompare's, in the plane as in space") {
+  TEST_CASE("comments that name columns, such as CloudCompare's, are headers") {
     const std::string two = "7 0 0 1 0 0 1\n8 1 0 2 0 0 1\n";
     for (const std::string mark : {"#", "# ", "//", "// "})
       for (const std::string count : {"", "2\n"}) {
@@ -177,7 +177,7 @@ TEST_SUITE("first lines") {
     CHECK(plane("0 0\n// 5 5\n1 0\n  // x\n0 1\n").points == points);
   }
 
-  TEST_CASE("--skip-invalid passes whatever stands first") {
+  TEST_CASE("--skip-invalid skips anything in the first lines") {
     for (const std::string junk : {"4", "// names", "my cloud", "made by a b c d e", "1 2", "1 2 3 4 5 6 7", "x",
                                    "NaN NaN NaN", "a;b;c;d", "\"open", "1,2,3,4 5"}) {
       CAPTURE(junk);
@@ -216,7 +216,7 @@ TEST_SUITE("first lines") {
           "t.txt:2: found '7', expected a geometry, such as 'POINT (1 2)'");
   }
 
-  TEST_CASE("atoms of chemistry: count, comment, element and x y z") {
+  TEST_CASE("files of atoms have a count, a comment, and lines of element and x y z") {
     const std::vector<std::string> elements = {"C", "Cl", "6", "C1", "Fe+3"};
     for (const std::string& element : elements)
       for (const std::string comment : {"", "comment here", "1 2 3", "# none", "0 1",
@@ -257,7 +257,7 @@ TEST_SUITE("first lines") {
     CHECK(plane(bare, {.columns = parse_columns("2,3")}, "m.xyz").points[0] == Point{0.5, 0});
   }
 
-  TEST_CASE("files by pieces begin as files in memory do") {
+  TEST_CASE("files read by pieces begin as files in memory do") {
     const Folder folder;
     std::string many;
     for (int i = 0; i < 200000; ++i) many += "C " + std::to_string(i) + " 1 2\n";

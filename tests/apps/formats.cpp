@@ -57,7 +57,7 @@ TEST_SUITE("formats") {
     CHECK(folder.content("again.obj") == folder.content("m.obj"));
   }
 
-  TEST_CASE("separators, headers, comments, blank lines and line ends") {
+  TEST_CASE("any separators, headers, comments, blank lines and line ends are read") {
     const std::vector<Point> points = {{1, 2}, {-3.5, 4e2}, {5, 6}};
     const Folder folder;
     for (const std::string separator : {" ", "\t", ",", ";", " , ", "   "}) {
@@ -68,7 +68,7 @@ TEST_SUITE("formats") {
     CHECK(read(folder.file("p.txt", "# points\r\n\r\n1 2 # first\r\n-3.5 4e2\r\n\r\n5 6"), Format::text) == points);
   }
 
-  TEST_CASE("columns by number and by name") {
+  TEST_CASE("columns are chosen by number and by name") {
     const Folder folder;
     folder.file("p.csv", "id,lat,lon\n7,0,0\n8,0,1\n9,1,0\n");
     for (const char* columns : {"lon,lat", "3,2"}) {
@@ -79,7 +79,7 @@ TEST_SUITE("formats") {
     }
   }
 
-  TEST_CASE("numpy arrays: types, byte orders, both memory orders") {
+  TEST_CASE("numpy arrays of all types, byte orders and memory orders are read") {
     struct Case {
       const char* description;
       std::string data;
@@ -111,7 +111,7 @@ TEST_SUITE("formats") {
     CHECK(folder.rbpa("info p.npy").code == 3);
   }
 
-  TEST_CASE("ply: ascii and big-endian, other elements and lists passed over") {
+  TEST_CASE("PLY is read as ASCII and big-endian, and other elements and lists are skipped") {
     const std::vector<Point> points = {{1, 2}, {3, 4}, {5, 6}};
     const Folder folder;
     CHECK(read(folder.file("a.ply",
@@ -127,7 +127,7 @@ TEST_SUITE("formats") {
                Format::ply) == points);
   }
 
-  TEST_CASE("standard input and output") {
+  TEST_CASE("standard input and output are read and written") {
     const Folder folder;
     folder.file("p.xy", corner);
     const Outcome outcome = folder.rbpa("mesh - --alpha 1 -o - --output-format obj -q < p.xy");

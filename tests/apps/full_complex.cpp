@@ -271,7 +271,7 @@ TEST_SUITE("full complex") {
     }
   }
 
-  TEST_CASE("every line of a small file, and what is said of it") {
+  TEST_CASE("every line of a small file is written, and the summary is right") {
     const Folder folder;
     folder.file("p.xy", small);
     const std::string vertices = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 4 0 0\nv 9 9 0\nv 9 11 0\nv 20 0 0\n";
@@ -296,7 +296,7 @@ TEST_SUITE("full complex") {
     CHECK(outcome.err == "rbpa: there is no triangle: all points are collinear\n");
   }
 
-  TEST_CASE("who reads the file for its faces finds the same faces") {
+  TEST_CASE("a reader of faces finds the same faces") {
     const Folder folder;
     REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 --complex full -o f.obj -q").code == 0);
     REQUIRE(folder.rbpa("mesh " + data + "--alpha 0.02 -o s.off -q").code == 0);
@@ -339,7 +339,7 @@ TEST_SUITE("full complex") {
     CHECK(folder.content("a.png") == folder.content("b.png"));
   }
 
-  TEST_CASE("wrong usage") {
+  TEST_CASE("wrong usage is refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 --complex thick -o m.obj", "--complex: found 'thick', expected solid or full");
@@ -362,7 +362,7 @@ TEST_SUITE("full complex") {
             "m.points.npy: found the file of points, expected another file to write to");
   }
 
-  TEST_CASE("files beside an array take its name, whatever its ending") {
+  TEST_CASE("files beside an array take its name without its ending") {
     const Folder folder;
     folder.file("p.xy", small);
     CHECK(folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o a.v1 -o b.NPY --output-format npy -q").code == 0);

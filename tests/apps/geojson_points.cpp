@@ -53,7 +53,7 @@ std::string features(const std::vector<std::string>& geometries, const std::stri
 }  // namespace
 
 TEST_SUITE("GeoJSON in") {
-  TEST_CASE("--crs takes no code of EPSG that cannot be one") {
+  TEST_CASE("--crs refuses codes that EPSG cannot have") {
     const apps_test::Folder folder;
     folder.file("p.xy", apps_test::corner);
     for (const std::string code : {"99999999", "0", "1023", "32768", "99999999999999999999"})
@@ -64,7 +64,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(folder.rbpa("info p.xy --crs ESRI:102100").code == 0);
   }
 
-  TEST_CASE("points, wherever they stand") {
+  TEST_CASE("points are found anywhere in the file") {
     const std::vector<Point> expected = {{1, 2}, {-3.5, 400}};
     const std::string first = geometry("Point", "[1,2]"), second = geometry("Point", "[-3.5,4e2,9]");
     const std::string texts[] = {features({first, second}),
@@ -86,7 +86,7 @@ TEST_SUITE("GeoJSON in") {
     }
   }
 
-  TEST_CASE("vertices of lines and polygons; the point at which a ring closes counts once") {
+  TEST_CASE("vertices of lines and polygons are points; the closing point of a ring counts once") {
     const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (const std::string& text :
          {geometry("LineString", "[[0,0],[1,0],[1,1],[0,1]]"), geometry("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]"),
@@ -105,7 +105,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(read(geometry("Polygon", "[[[0,0],[0,0]],[[1,1]]]"), true).points == std::vector<Point>{{0, 0}, {1, 1}});
   }
 
-  TEST_CASE("every double to the last bit") {
+  TEST_CASE("every double is read to the last bit") {
     std::mt19937_64 random(7);
     std::vector<Point> points = {{-0.0, 0.0}, {0.0, -0.0}, {9007199254740992.0, -9223372036854775808.0}, {1.5, -0.0}};
     std::string text =
@@ -126,7 +126,7 @@ TEST_SUITE("GeoJSON in") {
     }
   }
 
-  TEST_CASE("degrees of WGS 84, unless it says another system") {
+  TEST_CASE("coordinates are degrees of WGS 84 unless the file names another system") {
     const auto crs = [](const std::string& member) {
       const PointFile file = read(features({geometry("Point", "[1,2]")}, member));
       CHECK(file.points == std::vector<Point>{{1, 2}});
@@ -150,7 +150,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(file.remarks == std::vector<std::string>{"2 features without a geometry"});
   }
 
-  TEST_CASE("what is no GeoJSON, by its line") {
+  TEST_CASE("invalid GeoJSON is refused by its line") {
     const std::string at_1 = "p.geojson:1: found ";
     CHECK(refusal("") == at_1 + "nothing but blanks, expected GeoJSON");
     CHECK(refusal(" \n ") == "p.geojson:2: found nothing but blanks, expected GeoJSON");
@@ -196,7 +196,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(refusal(R"({"a":)" + std::string(1000000, '[')) == at_1 + "the end of the file, expected JSON");
   }
 
-  TEST_CASE("on the command line: in a file, compressed, and what is said") {
+  TEST_CASE("the program reads GeoJSON files, also compressed, and reports the system") {
     const apps_test::Folder folder;
     folder.file("p.geojson", features({geometry("MultiPoint", "[[5,52],[5.5,52],[5,52.5]]")}));
     REQUIRE(folder.run("/bin/gzip", "-k p.geojson").code == 0);

@@ -74,14 +74,14 @@ const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a b
 }  // namespace
 
 TEST_SUITE("gzip bombs") {
-  TEST_CASE("no more is unpacked than the header of points, of points of space, of a mesh claims") {
+  TEST_CASE("no more is decompressed than the header of points or of a mesh claims") {
     if (!can_limit()) return;
     check_claims(claiming_points(), RBPA_PROGRAM, " info ", "");
     check_claims(claiming_space(), RBPA_PROGRAM, " surface ", " --radius 1 -o s.off");
     check_claims(claiming_meshes(), MESHTOPO_PROGRAM, " ", "");
   }
 
-  TEST_CASE("what has no header is unpacked as far as memory suffices") {
+  TEST_CASE("a file without a header is decompressed as far as memory suffices") {
     if (!can_limit()) return;
     const Folder folder;
     const std::string rbpa = RBPA_PROGRAM, polygon = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n";
@@ -122,7 +122,7 @@ TEST_SUITE("gzip bombs") {
     check_memory(folder, rbpa + " fill q.wkt --size 1 --size-at sizes.gz -o s.off", "sizes.gz");
   }
 
-  TEST_CASE("zeros that are called text are refused after a mebibyte") {
+  TEST_CASE("zeros named as text are refused after a mebibyte") {
     const Folder folder;
     folder.file("z.gz", bomb("", zeros, more_than_that));
     for (const std::string format : {"xyz", "csv", "pts", "obj", "pdb"}) {
@@ -133,7 +133,7 @@ TEST_SUITE("gzip bombs") {
     }
   }
 
-  TEST_CASE("a claim is never more than a whole file has, and that of the whole file is all of it") {
+  TEST_CASE("a claim is never more than the whole file, and for a whole file it is all of it") {
     const auto check = [](const File& file, const auto& claim) {
       CAPTURE(file.name);
       const std::string_view content = file.content;
@@ -167,7 +167,7 @@ TEST_SUITE("gzip bombs") {
     check({"p.npy", npy_of_zeros("(5, 3)", 15)}, claimed_npy_size);
   }
 
-  TEST_CASE("a header that is none is refused as it is where it is not packed, and so is one that does not end") {
+  TEST_CASE("an invalid or endless header is refused as in a file that is not compressed") {
     const Folder folder;
     const std::string comments(3 * slack, 'x');
     for (const auto& [name, content, behind] : std::vector<File>{{"p.ply", comments},
@@ -192,7 +192,7 @@ TEST_SUITE("gzip bombs") {
     }
   }
 
-  TEST_CASE("bytes behind the data, less than a mebibyte, count as little as where nothing is packed") {
+  TEST_CASE("up to a mebibyte of bytes after the data is ignored, as in a file that is not compressed") {
     const Folder folder;
     for (const auto& [name, content, behind] : claiming_points()) {
       const std::string& file = name;
@@ -206,7 +206,7 @@ TEST_SUITE("gzip bombs") {
     }
   }
 
-  TEST_CASE("whole files of many megabytes are read whatever their lists, lines and records are") {
+  TEST_CASE("whole files of many megabytes are read, with any lists, lines and records") {
     const Folder folder;
     constexpr std::size_t count = 30'000, in_list = 40;
     std::string ascii = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
@@ -253,7 +253,7 @@ TEST_SUITE("gzip bombs") {
     }
   }
 
-  TEST_CASE("a header of LAS that is wrong is no limit where all whole records are wanted") {
+  TEST_CASE("a wrong header of LAS is no limit if all whole records are wanted") {
     const Folder folder;
     std::string content = las_of(100'000);
     content.replace(107, 4, little(0, 4));

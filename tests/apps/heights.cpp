@@ -47,7 +47,7 @@ std::string ply(const std::vector<double>& z, bool binary, bool with_list) {
 }  // namespace
 
 TEST_SUITE("heights") {
-  TEST_CASE("heights that differ are said to be left out, of every format that has them") {
+  TEST_CASE("a warning says that differing heights are left out, for every format that has them") {
     const Folder folder;
     const auto says = [&](const std::string& name, const std::string& content, bool said) {
       CAPTURE(name);
@@ -91,7 +91,7 @@ TEST_SUITE("heights") {
     says("p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 2}, {.y = 1}}}), false);
   }
 
-  TEST_CASE("all verbs of the plane without vertices say it, and info says what its duplicates are") {
+  TEST_CASE("all verbs of the plane without vertices print that warning, and info says how it counts duplicates") {
     const Folder folder;
     folder.file("p.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,2\n0,1,3\n");
     for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.svg",

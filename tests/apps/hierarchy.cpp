@@ -44,7 +44,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
 }  // namespace
 
 TEST_SUITE("hierarchy") {
-  TEST_CASE("the method makes no difference to the bytes, whatever the leaves hold") {
+  TEST_CASE("the bytes do not depend on the method, whatever the leaves hold") {
     for (const std::string alpha : {"0.005", "0.02", "inf"}) {
       const Folder folder;
       const auto run = [&](const std::string& name, const std::string& method) {
@@ -69,7 +69,7 @@ TEST_SUITE("hierarchy") {
     }
   }
 
-  TEST_CASE("every triangle of a .vtu has the number of its level, the same with --levels and by the paper's search") {
+  TEST_CASE("every triangle of a .vtu has the number of its level, also with --levels and by the paper's search") {
     const Folder folder;
     const std::string run = "mesh " + data + "--alpha 0.05 --method hrbpa -q --leaf-capacity 9 ";
     REQUIRE(folder.rbpa(run + "-o arrays.vtu").code == 0);
@@ -97,8 +97,7 @@ TEST_SUITE("hierarchy") {
     }
   }
 
-  TEST_CASE(
-      "the paper's own search makes no difference to the bytes, nor to what is said of a level but who took part") {
+  TEST_CASE("the paper's own search changes no bytes, and of a level only which points took part") {
     const Folder folder;
     for (const std::string alpha : {"0.02", "inf"}) {
       CAPTURE(alpha);
@@ -125,7 +124,7 @@ TEST_SUITE("hierarchy") {
     CHECK(json::parse(folder.content("l.json"))["leaf_capacity"] == 16384);
   }
 
-  TEST_CASE("the topology of a level is that of a run at its radius, and of the last that of the whole run") {
+  TEST_CASE("the topology of a level is that of a run at its radius, and that of the last is that of the whole run") {
     const Folder folder;
     REQUIRE(folder
                 .rbpa("mesh " + data +
@@ -155,7 +154,7 @@ TEST_SUITE("hierarchy") {
     for (const std::string& key : counts) CHECK(levels.back()[key] == stats[key]);
   }
 
-  TEST_CASE("csv has the keys of json as its first line, and the same values but for the times") {
+  TEST_CASE("csv has the keys of json as its first line, and the same values except the times") {
     const Folder folder;
     const std::string run = "mesh " + data + "--alpha inf --method hrbpa --leaf-capacity 20 -q --levels ";
     const Outcome csv = folder.rbpa(run + "-");
@@ -181,7 +180,7 @@ TEST_SUITE("hierarchy") {
     CHECK(rows.back()[1] == "inf");
   }
 
-  TEST_CASE("two triangles far apart, by hand") {
+  TEST_CASE("two triangles far apart have the levels computed by hand") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1 0\n0 1\n100 0\n140 0\n100 30\n0 0\n");
     const Outcome outcome = folder.rbpa("mesh p.xy --alpha 25 --method hrbpa --leaf-capacity 3 --levels - -q");
@@ -194,7 +193,7 @@ TEST_SUITE("hierarchy") {
     CHECK(rows[1][3] == "6");
   }
 
-  TEST_CASE("where there is nothing to build there are no levels") {
+  TEST_CASE("without triangles there are no levels") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1 1\n2 2\n");
     const Outcome csv = folder.rbpa("mesh p.xy --alpha 1 --method hrbpa --levels - -q");

@@ -74,7 +74,7 @@ TEST_SUITE("images") {
     CHECK(points_of_pgm("P2 4 5 1  1 1 1 1  1 0 1 1  1 0 1 1  1 0 0 1  1 1 1 1") == expected);
   }
 
-  TEST_CASE("the same figure from every kind of PNG and PGM") {
+  TEST_CASE("every kind of PNG and PGM gives the same figure") {
     for (const auto& size : {std::pair{3U, 3U}, {9U, 4U}, {1U, 5U}, {6U, 1U}, {17U, 23U}}) {
       const Picture picture = dotted(size.first, size.second);
       const std::vector<Point> expected = centres(picture, 0);
@@ -111,7 +111,7 @@ TEST_SUITE("images") {
     CHECK(points_of_pgm("P2 2 1 1 0 1") == std::vector<Point>{{0.5, 0.5}});
   }
 
-  TEST_CASE("--foreground says which, and dark and light together are every pixel once") {
+  TEST_CASE("--foreground chooses the pixels, and dark and light together are every pixel once") {
     const Picture picture = dotted(12, 9);
     for (const Picture& either : {picture, inverse(picture)}) {
       const std::string bytes = pgm(either, true);
@@ -133,7 +133,7 @@ TEST_SUITE("images") {
       }
   }
 
-  TEST_CASE("a transparent colour is as good as transparent pixels") {
+  TEST_CASE("a transparent color counts as transparent pixels") {
     Picture picture = inverse(dotted(9, 9));
     picture.opacity = picture.grey;
     const std::vector<Point> expected = centres(picture, 255);
@@ -148,7 +148,7 @@ TEST_SUITE("images") {
     }
   }
 
-  TEST_CASE("from the threshold on a pixel is light") {
+  TEST_CASE("a pixel is light from the threshold on") {
     const std::string bytes = "P2 4 1 255 0 127 128 255";
     const auto light = [&](double threshold) { return points_of_pgm(bytes, {Foreground::light, threshold}).size(); };
     CHECK(light(0.5) == 2);
@@ -160,7 +160,7 @@ TEST_SUITE("images") {
     CHECK(points_of_pgm("P2 3 3 255 0 0 0 0 1 0 0 0 0", {std::nullopt, 1.0 / 255}) == std::vector<Point>{{1.5, 1.5}});
   }
 
-  TEST_CASE("the horse is the points that others took from its image") {
+  TEST_CASE("the horse has the points that others took from its image") {
     const std::string folder = RBPA_TEST_DATA "/";
     auto expected = rbpa::app::read_points({folder + "shape_skimage_horse_fill.xy", Format::text}).points;
     auto points = rbpa::app::read_points({folder + "shape_skimage_horse_fill.png", Format::png}).points;
@@ -200,7 +200,7 @@ TEST_SUITE("bad images") {
       CHECK_THROWS_AS(points_of_png(whole.substr(0, size)), BadInput);
   }
 
-  TEST_CASE("a PNG file with a bit turned over is read or refused, and nothing else happens") {
+  TEST_CASE("a PNG file with a flipped bit is read or refused, and nothing else happens") {
     for (const bool interlaced : {false, true}) {
       const std::string whole = png(dotted(9, 9), PngKind::colour_with_opacity, 16, interlaced);
       std::size_t refused = 0;
@@ -213,7 +213,7 @@ TEST_SUITE("bad images") {
     }
   }
 
-  TEST_CASE("a PNG header that claims more than the file can hold") {
+  TEST_CASE("a PNG header that claims more than the file can hold is refused") {
     const auto claims = [](std::uint32_t width, std::uint32_t height) {
       return refusal([&] { points_of_png(png_header(width, height)); });
     };
@@ -225,7 +225,7 @@ TEST_SUITE("bad images") {
     CHECK(claims(10, 10) == "i.png: found 'the file ends early', expected a whole PNG image");
   }
 
-  TEST_CASE("what is wrong with a PNG file is one line, and libpng itself prints nothing") {
+  TEST_CASE("an error in a PNG file is one line, and libpng itself prints nothing") {
     const Folder folder;
     std::string broken = png(dotted(9, 9), PngKind::grey, 8);
     broken[50] = static_cast<char>(~broken[50]);
@@ -243,7 +243,7 @@ TEST_SUITE("bad images") {
     CHECK(folder.names().size() == 2);
   }
 
-  TEST_CASE("a broken part of a PNG file that has no pixels is passed over in silence") {
+  TEST_CASE("a broken part of a PNG file that has no pixels is skipped silently") {
     const Folder folder;
     const Picture picture = dotted(9, 9);
     std::string bytes = png(picture, PngKind::grey, 8);
@@ -256,7 +256,7 @@ TEST_SUITE("bad images") {
     CHECK(points_of_png(bytes) == centres(picture, 0));
   }
 
-  TEST_CASE("a PGM file of text names the line") {
+  TEST_CASE("an error in a PGM file of text is named by its line") {
     CHECK(refusal_of_pgm("P2\n2 2\n255\n0 0\n0 256\n") == "i.pgm:5: found '256', expected a gray value of at most 255");
     CHECK(refusal_of_pgm("P2\n2 2 # size\n255\n0 0\n0 x9\n") ==
           "i.pgm:5: found 'x9', expected a gray value of at most 255");
@@ -268,7 +268,7 @@ TEST_SUITE("bad images") {
     CHECK(refusal_of_pgm("P5\n2") == "i.pgm:2: found the end of the file, expected a height in pixels");
   }
 
-  TEST_CASE("a PGM file of another kind, of no pixels, of too many, and one that is too short") {
+  TEST_CASE("a PGM file of another kind, without pixels, with too many, or too short is refused") {
     CHECK(refusal_of_pgm("P6 1 1 255\nabc") ==
           "i.pgm: found 'P6', expected a PGM image, which begins with 'P2' or 'P5'");
     CHECK(refusal_of_pgm("P5 0 4 255\n") == "i.pgm: found 0 x 4 pixels, expected at least 1 x 1");
@@ -286,7 +286,7 @@ TEST_SUITE("bad images") {
       CHECK_THROWS_AS(points_of_pgm(whole.substr(0, size)), BadInput);
   }
 
-  TEST_CASE("wrong usage of the options for images") {
+  TEST_CASE("wrong usage of the options for images is refused") {
     const Folder folder;
     folder.file("i.pgm", pgm(dotted(5, 5), true));
     folder.file("p.xy", corner);

@@ -71,7 +71,7 @@ json numbered(json all, const std::vector<std::uint32_t>& index) {
 }  // namespace
 
 TEST_SUITE("input_indices") {
-  TEST_CASE("arrays, lists and tables name places in the file") {
+  TEST_CASE("arrays, lists and tables have positions in the file") {
     for (const Kind kind : {Kind::where, Kind::invalid, Kind::ply}) {
       CAPTURE(static_cast<int>(kind));
       const Points points = points_of(kind);
@@ -148,7 +148,7 @@ TEST_SUITE("input_indices") {
     }
   }
 
-  TEST_CASE("the points around a void have what the file of a molecule calls them") {
+  TEST_CASE("the points around a void have the names of the molecule's file") {
     std::string text;
     int serial = 10;
     const auto add = [&](const std::string& element, int x, int y, int z) {

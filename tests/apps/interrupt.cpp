@@ -140,7 +140,7 @@ std::string mesh(const std::string& kind, int count) {
 
 }  // namespace
 
-TEST_CASE("wherever a signal comes, a program ends in less than a second of processor time, on sets made to be slow") {
+TEST_CASE("a program ends within a second of processor time after a signal at any moment, on sets made to be slow") {
   const Folder folder;
   const int more = rbpa_test::all_trials() ? 5 : 1, moments = rbpa_test::all_trials() ? 25 : 5;
   folder.file("sphere.xyz", sphere(8000 * more));
@@ -179,7 +179,7 @@ TEST_CASE("wherever a signal comes, a program ends in less than a second of proc
   }
 }
 
-TEST_CASE("a signal while points are read, and one while triangles are made, by either method") {
+TEST_CASE("a signal while points are read or triangles made ends a run of either method") {
   for (const int sig : {SIGINT, SIGTERM, SIGHUP})
     for (const auto& [method, all_points_sent] : {std::pair{"rbpa", false}, {"rbpa", true}, {"hrbpa", true}})
       stops(
@@ -201,7 +201,7 @@ TEST_CASE("a signal while points are read, and one while triangles are made, by 
           });
 }
 
-TEST_CASE("a signal while the output waits for who reads it, after several threads have worked") {
+TEST_CASE("a signal while the output waits for its reader ends a run of several threads") {
   const Folder folder;
   std::string points(1 << 20, '\0');
   unsigned state = 1;
@@ -230,7 +230,7 @@ TEST_CASE("a signal while the output waits for who reads it, after several threa
   CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "pipe.off"});
 }
 
-TEST_CASE("a signal while a mesh is read, and one while its topology is computed") {
+TEST_CASE("a signal while a mesh is read or its topology computed ends the run") {
   for (const int sig : {SIGINT, SIGTERM, SIGHUP})
     for (const bool all_sent : {false, true})
       stops(
@@ -250,7 +250,7 @@ TEST_CASE("a signal while a mesh is read, and one while its topology is computed
           });
 }
 
-TEST_CASE("a signal while points in space are read, and one while their surface is made") {
+TEST_CASE("a signal while points in space are read or their surface made ends the run") {
   for (const int sig : {SIGINT, SIGTERM, SIGHUP})
     for (const bool all_sent : {false, true})
       stops(

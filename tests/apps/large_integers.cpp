@@ -84,7 +84,7 @@ std::vector<File> files_with(std::int64_t x) {
 }  // namespace
 
 TEST_SUITE("integers beyond 2^53") {
-  TEST_CASE("are refused in every format, with either sign, and named") {
+  TEST_CASE("large integers are refused by name in every format, with either sign") {
     for (const std::int64_t x :
          {most + 1, -most - 1, std::int64_t{9223372036854775807}, -std::int64_t{1234567890123456789}})
       for (const auto& [name, content] : files_with(x)) {
@@ -101,7 +101,7 @@ TEST_SUITE("integers beyond 2^53") {
       }
   }
 
-  TEST_CASE("are refused in geometries of text") {
+  TEST_CASE("large integers are refused in geometries of text") {
     for (const std::int64_t x : {most + 1, -most - 1}) {
       const Folder folder;
       folder.file("p.geojson",
@@ -128,7 +128,7 @@ TEST_SUITE("integers beyond 2^53") {
       }
   }
 
-  TEST_CASE("what a condition asks for is refused too") {
+  TEST_CASE("large integers in fields of a condition are refused too") {
     const Folder folder;
     folder.file("a.ply",
                 "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty int64 x\nproperty int64 y\nproperty "
@@ -142,7 +142,7 @@ TEST_SUITE("integers beyond 2^53") {
     }
   }
 
-  TEST_CASE("files of others") {
+  TEST_CASE("files of others are read or refused") {
     for (const std::string name : {"int64_large.npy", "u64big.npy"}) {
       const Folder folder;
       const std::string path = (rbpa_test::bundled_data() / "findings" / "case_npy_beyond_2_53" / name).string();

@@ -105,7 +105,7 @@ LasRecord keys(const std::vector<std::vector<unsigned>>& entries) {
 }  // namespace
 
 TEST_SUITE("las") {
-  TEST_CASE("every version and point format") {
+  TEST_CASE("every version and point format is read") {
     for_each_layout([](LasFile file) {
       file.points = two_points(file);
       file.records = {{"somebody", 7, "anything"}, {"LASF_Spec", 4, std::string(192, 'x')}};
@@ -116,7 +116,7 @@ TEST_SUITE("las") {
     });
   }
 
-  TEST_CASE("every field of every format tells two points apart") {
+  TEST_CASE("every field of every format distinguishes two points") {
     for_each_layout([](LasFile file) {
       file.points = two_points(file);
       const bool is_new = file.format >= 6, flags = file.minor > 0;
@@ -162,7 +162,7 @@ TEST_SUITE("las") {
     });
   }
 
-  TEST_CASE("coordinates are the nearest doubles of the decimals that they are") {
+  TEST_CASE("coordinates are the doubles nearest to their decimals") {
     std::mt19937_64 random(5);
     struct Grid {
       double scale, offset;
@@ -193,13 +193,13 @@ TEST_SUITE("las") {
     }
   }
 
-  TEST_CASE("a scale that is no short decimal: the rule of the specification") {
+  TEST_CASE("a scale that is no short decimal is applied by the rule of the specification") {
     const double scale = 1.029520741639058e-06, offset = 6328493.418841014;
     const LasFile file{.scale = {scale, scale, 1}, .offset = {offset, 0, 0}, .points = {{.x = 1717425, .y = -99}}};
     CHECK(read(bytes_of(file)).points == std::vector<Point>{{1717425 * scale + offset, -99 * scale}});
   }
 
-  TEST_CASE("the coordinate reference system: text before keys, and keys that say nothing") {
+  TEST_CASE("the coordinate reference system is that of the text, else of the keys, if these have one") {
     const LasRecord text{"LASF_Projection", 2112,
                          "PROJCS[\"Amersfoort / RD New\",GEOGCS[\"Amersfoort\",AUTHORITY[\"EPSG\",\"4289\"]],"
                          "AUTHORITY[\"EPSG\",\"28992\"]]" +
@@ -235,7 +235,7 @@ TEST_SUITE("las") {
     CHECK(crs({.records = {{"LASF_Projection", 2112, "LOCAL_CS[\"a yard\"]"}}}) == "none");
   }
 
-  TEST_CASE("records that claim too much are passed over: they are about the points only") {
+  TEST_CASE("records that claim too much are skipped, as they only describe the points") {
     LasFile file{.records = {{"a", 1, "0123456789"}}, .points = {{.x = 5}}};
     std::string bytes = bytes_of(file);
     bytes.replace(100, 4, little(4000000000U, 4));
@@ -244,7 +244,7 @@ TEST_SUITE("las") {
     CHECK(read(bytes).points == std::vector<Point>{{0.05, 0}});
   }
 
-  TEST_CASE("what is broken, is another format, or claims too much") {
+  TEST_CASE("broken files, other formats and claims that are too large are refused") {
     const LasFile file{.minor = 4, .format = 6, .points = {{}, {.x = 1}, {.x = 2}}};
     const std::string good = bytes_of(file);
     const auto with = [&](std::size_t at, const std::string& bytes) {
@@ -360,7 +360,7 @@ TEST_SUITE("las") {
     CHECK(read(bytes_of(LasFile{})).points.empty());
   }
 
-  TEST_CASE("a signature before the points of version 1.0 is none of a point of a cut file") {
+  TEST_CASE("a signature before the points of version 1.0 is not mistaken for a point of a cut file") {
     LasFile las{.minor = 0};
     for (int i = 0; i < 5; ++i) las.points.push_back({.x = i, .y = i * i});
     las.signature_counts = true;
@@ -371,7 +371,7 @@ TEST_SUITE("las") {
           std::vector<Point>{{0, 0}, {0.01, 0.01}, {0.02, 0.04}, {0.03, 0.09}});
   }
 
-  TEST_CASE("conditions: what they mean, and what is none") {
+  TEST_CASE("conditions select points, and wrong ones are refused") {
     LasFile file{.minor = 4, .format = 7, .scale = {1, 1, 1}};
     for (unsigned i = 0; i < 64; ++i)
       file.points.push_back(
@@ -427,7 +427,7 @@ TEST_SUITE("las") {
     }
   }
 
-  TEST_CASE("points that are withheld are points, and it is said") {
+  TEST_CASE("withheld points are points, with a warning") {
     const LasFile file{.points = {{.withheld = 1}, {.x = 1}, {.x = 2, .withheld = 1}}};
     CHECK(read(bytes_of(file)).remarks ==
           std::vector<std::string>{"2 points are marked as withheld (--where \"not withheld\" leaves them out)"});
@@ -479,7 +479,7 @@ TEST_SUITE("las") {
     CHECK(folder.rbpa("shape s.geojson --vertices --alpha inf -o - --output-format json -q").out == content);
   }
 
-  TEST_CASE("on the command line: with its system, and compressed by gzip") {
+  TEST_CASE("the program reads LAS with its system, also compressed by gzip") {
     const Folder folder;
     LasFile file{.minor = 4, .format = 6};
     for (int i = 0; i < 9; ++i)

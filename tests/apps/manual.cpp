@@ -68,7 +68,7 @@ TEST_SUITE("manual") {
     }
   }
 
-  TEST_CASE("a manual page is clean for groff, and shows texts as they are") {
+  TEST_CASE("a manual page gives no warnings in groff, and shows texts as they are") {
     const Folder folder;
     for (const std::string& program : programs) {
       folder.file("page", ask(folder, program, "--man").out);
@@ -81,7 +81,7 @@ TEST_SUITE("manual") {
     }
   }
 
-  TEST_CASE("bash completes verbs, and of a verb its options") {
+  TEST_CASE("bash completes verbs and the options of a verb") {
     const Folder folder;
     folder.file("script", folder.rbpa("--completion bash").out);
     CHECK(completed(folder, "rbpa", "rbpa m") == "mesh merge ");
@@ -93,9 +93,7 @@ TEST_SUITE("manual") {
     CHECK(completed(folder, "meshtopo", "meshtopo --rep") == "--repair ");
   }
 
-  TEST_CASE(
-      "the title says what there is, in the plane and in space; verbs have a line each, and a description of their "
-      "own") {
+  TEST_CASE("the title names plane and space; verbs have a line each, and a description of their own") {
     const Folder folder;
     const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
     CHECK(title == "Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting");
@@ -127,8 +125,7 @@ TEST_SUITE("manual") {
     CHECK(folder.rbpa("--man").out.find("Which alpha to choose: plateau first.") != std::string::npos);
   }
 
-  TEST_CASE(
-      "the help of --where has a condition on texts, that of surface --columns says which are colours; both hold") {
+  TEST_CASE("the help of --where has a condition on texts, that of surface --columns the names of colors; both hold") {
     const Folder folder;
     folder.file("p.csv", "x,y,z,r,g,b,group\n0,0,0,9,8,7,A\n1,0,0,9,8,7,B\n0,1,0,9,8,7,A\n5,5,5,9,8,7,C\n");
     const auto words = [](std::string text) {  // on one line, blanks once
@@ -147,7 +144,7 @@ TEST_SUITE("manual") {
     CHECK(folder.content("s.ply").find("property uchar red") != std::string::npos);
   }
 
-  TEST_CASE("help VERB is VERB --help") {
+  TEST_CASE("help VERB is the same as VERB --help") {
     const Folder folder;
     CHECK(folder.rbpa("help").out == folder.rbpa("--help").out);
     CHECK(folder.rbpa("help shape").out == folder.rbpa("shape --help").out);
@@ -157,7 +154,7 @@ TEST_SUITE("manual") {
     CHECK(wrong.err.find("found 'mehs'") != std::string::npos);
   }
 
-  TEST_CASE("a shell that is not known is refused by name") {
+  TEST_CASE("an unknown shell is refused by name") {
     const Folder folder;
     for (const std::string& program : programs) {
       const Outcome fish = ask(folder, program, "--completion fish");

@@ -45,7 +45,7 @@ void is_pyramid(const MeshFile& mesh) {
 }  // namespace
 
 TEST_SUITE("mesh formats") {
-  TEST_CASE("OFF: prefixes, comments, blank lines, counts beside the word, normals and colours") {
+  TEST_CASE("OFF is read with prefixes, comments, blank lines, counts beside the word, normals and colors") {
     is_pyramid(read(pyramid_off, Format::off));
     is_pyramid(
         read("OFF 5 5 0 # counts\n\n0 0 0\n1 0 0 # here\n1 1 0\n0 1 0\n0.5 0.5 1\n"
@@ -72,7 +72,8 @@ TEST_SUITE("mesh formats") {
     CHECK(read(ply_binary(std::endian::big), Format::ply).face_lines.empty());
   }
 
-  TEST_CASE("OBJ: texture and normal references, negative numbers, continued lines, everything else passed over") {
+  TEST_CASE(
+      "OBJ is read with texture and normal references, negative numbers and continued lines; the rest is skipped") {
     is_pyramid(
         read("# a pyramid\nmtllib a.mtl\no pyramid\nv 0 0 0 1 0 0\nv 1 0 0\nvt 0 0\nvn 0 0 1\nv 1 1 0\nv 0 1 0\n"
              "v 0.5 0.5 1\ng sides\ns 1\nusemtl red\nf 4/1/1 3/1/1 2/1/1 1/1/1\nf 1/1 2/1 5/1\nf 2//1 3//1 5//1\n"
@@ -83,7 +84,7 @@ TEST_SUITE("mesh formats") {
     CHECK(faces_of(mesh) == Faces{{0, 1, 2}, {0, 1, 3}, {0, 1, 3}});
   }
 
-  TEST_CASE("PLY: ASCII and both byte orders, any types, other properties and elements, faces before vertices") {
+  TEST_CASE("PLY is read as ASCII and in both byte orders, with any types, other elements, and faces before vertices") {
     is_pyramid(read(ply_binary(std::endian::little), Format::ply));
     is_pyramid(read(ply_binary(std::endian::big), Format::ply));
     is_pyramid(
@@ -104,7 +105,7 @@ TEST_SUITE("mesh formats") {
               .positions == Positions{{1, 2, 3}});
   }
 
-  TEST_CASE("STL: corners with equal coordinates are one point, ASCII and binary") {
+  TEST_CASE("corners of STL with equal coordinates are one point, in ASCII and binary") {
     for (const std::string& content : {stl_text(pyramid_triangles), stl_binary(pyramid_triangles)}) {
       const MeshFile mesh = read(content, Format::stl);
       CHECK(mesh.positions.size() == 5);
@@ -115,7 +116,7 @@ TEST_SUITE("mesh formats") {
     }
   }
 
-  TEST_CASE("STL: minus zero is zero, and the next number is another") {
+  TEST_CASE("minus zero is zero in STL, and the next number is another") {
     const MeshFile mesh = read(
         "solid\nfacet normal nan 0 0\nouter loop\nvertex -0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "FACET NORMAL 0 0 0\nOUTER LOOP\nVERTEX 0 -0.0 0\nVERTEX 1.0000000000000002 0 0\nVERTEX 0 1.0e0 0\nENDLOOP\n"
@@ -125,13 +126,13 @@ TEST_SUITE("mesh formats") {
     CHECK_FALSE(std::signbit(mesh.positions[0][0]));
   }
 
-  TEST_CASE("STL: binary by its size, also when its header begins with 'solid'") {
+  TEST_CASE("STL is binary by its size, also when its header begins with 'solid'") {
     std::string content = stl_binary(pyramid_triangles);
     std::memcpy(content.data(), "solid of some exporter", 22);
     CHECK(read(content, Format::stl).soup.faces() == 6);
   }
 
-  TEST_CASE("what is written reads back: the same doubles, the same faces") {
+  TEST_CASE("written files read back with the same doubles and faces") {
     const Positions positions = {
         {0.1, 1e-310, -5e-324}, {1e300, -1.7976931348623157e308, -0.0}, {1.0 / 3, 3, 4}, {1, 2, 3}};
     meshops::PolygonSoup soup;
@@ -157,7 +158,7 @@ TEST_SUITE("mesh formats") {
     }
   }
 
-  TEST_CASE("a file with a few bytes changed, dropped or doubled is a sound mesh or refused") {
+  TEST_CASE("a file with a few bytes changed, dropped or doubled is read as a sound mesh or refused") {
     const std::pair<Format, std::string> files[] = {{Format::off, pyramid_off},
                                                     {Format::obj, pyramid_obj},
                                                     {Format::ply, pyramid_ply},

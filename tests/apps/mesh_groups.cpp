@@ -31,7 +31,7 @@ void refuses(const std::string& arguments, const std::string& message) {
 }  // namespace
 
 TEST_SUITE("mesh groups") {
-  TEST_CASE("triangles are those of each group alone, with its number and what is known of it") {
+  TEST_CASE("triangles are those of each group alone, with its number and properties") {
     const Folder folder;
     rbpa_test::Random random(5);
     std::string all = "x,y,group\n";
@@ -85,7 +85,7 @@ TEST_SUITE("mesh groups") {
     CHECK(array_of<std::uint32_t>(folder.content("c.vtu"), "group") == group);
   }
 
-  TEST_CASE("names that are texts have their place alone, and a group without triangles is named") {
+  TEST_CASE("groups with text names have only their number in the file, and a group without triangles is named") {
     const Folder folder;
     folder.file("p.csv", "x,y,tree\n0,0,oak\n1,0,oak\n0,1,oak\n5,5,elm\n7,7,fir\n8,7,fir\n7,8,fir\n");
     const Outcome outcome = folder.rbpa("mesh p.csv --group-by tree --alpha auto -o m.vtu");
@@ -98,7 +98,7 @@ TEST_SUITE("mesh groups") {
     CHECK(array_of<double>(folder.content("m.vtu"), "points") == std::vector<double>{3, 3});
   }
 
-  TEST_CASE("what is of one complex of all points is refused") {
+  TEST_CASE("options of a single complex are refused") {
     const std::string both = " cannot be combined with groups";
     refuses("-o m.off --complex full", "--complex full" + both);
     refuses("-o m.off --method hrbpa", "--method hrbpa" + both);

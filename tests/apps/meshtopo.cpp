@@ -76,14 +76,14 @@ const std::string moebius =
 }  // namespace
 
 TEST_SUITE("meshtopo") {
-  TEST_CASE("meshes whose topology is known") {
+  TEST_CASE("meshes of known topology are reported right") {
     for (const Known& mesh : {Known{"m3_cube_no_bottom", 25, 40, 1, 1, 1, 0}, Known{"m3_bob", 250, 500, 1, 0, 0, 1},
                               Known{"m3_torus", 2304, 4608, 1, 0, 0, 1},
                               Known{"m3_plate_holes", 618, 1252, 1, 0, -8, 5}, Known{"m3_spot", 829, 1654, 1, 0, 2, 0}})
       is_known(rbpa_test::bundled_data(), mesh);
   }
 
-  TEST_CASE("further meshes whose topology is known") {
+  TEST_CASE("further meshes of known topology are reported right") {
     for (const Known& mesh :
          {Known{"m3_wingnut", 3047, 6090, 1, 0, 2, 0}, Known{"m3_quadknot", 1440, 2880, 1, 0, 0, 1},
           Known{"m3_plane_holes", 8519, 16747, 1, 27, -25, 0}, Known{"m3_human_woman", 6890, 13776, 1, 0, 2, 0}}) {
@@ -105,7 +105,7 @@ TEST_SUITE("meshtopo") {
             "boundary_curves": 0, "orientable": true, "genus": 0, "betti": [1, 0, 1]}])"));
   }
 
-  TEST_CASE("area, volume and box: of pieces that are closed and oriented the volume, and of all vertices the box") {
+  TEST_CASE("the report has the area, the volume of closed oriented pieces, and the box of all vertices") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     const auto r = nlohmann::json::parse(folder.meshtopo("m.off --json").out);
@@ -158,7 +158,7 @@ TEST_SUITE("meshtopo") {
     CHECK(r["defects"].empty());
   }
 
-  TEST_CASE("defects one by one, with vertices, faces and lines of the file") {
+  TEST_CASE("defects are listed with vertices, faces and lines of the file") {
     const json r = report_of_text(broken);
     std::map<std::string, json> where;
     for (const json& defect : r["defects"]) where[defect["kind"]] = defect["where"];
@@ -193,7 +193,7 @@ TEST_SUITE("meshtopo") {
     CHECK(r["per_component"][0]["orientable"] == false);
   }
 
-  TEST_CASE("where there is no genus the report for people says why") {
+  TEST_CASE("the report for people says why there is no genus") {
     const Folder folder;
     folder.file("band.off", moebius);
     folder.file("book.off", broken);
@@ -213,7 +213,7 @@ TEST_SUITE("meshtopo") {
     CHECK(table.find(" 1               0\n") != std::string::npos);
   }
 
-  TEST_CASE("faces without area, exactly") {
+  TEST_CASE("faces without area are found exactly") {
     const json r = report_of_text(
         "OFF\n9 5 0\n0 0 0\n1 1 1\n3 3 3\n3 3 3.0000000000000004\n0.1 0.1 0.1\n0.2 0.2 0.2\n0.30000000000000004 "
         "0.30000000000000004 0.30000000000000004\n0.3 0.3 0.3\n5 5 5\n"
@@ -228,7 +228,7 @@ TEST_SUITE("meshtopo") {
     CHECK(zero[2]["faces"] == json::array({3}));  // not the last one, which is degenerate without looking at it
   }
 
-  TEST_CASE("faces without area at the ends of double, and those with very little") {
+  TEST_CASE("faces without area at the ends of double are found, and those with very little are not") {
     const json r = report_of_text(
         "OFF\n9 5 0\n-1.7e308 -1.7e308 0\n0 0 0\n1.7e308 1.7e308 0\n1.7e308 1.6999999999999e308 0\n"
         "5e-324 0 0\n0 5e-324 0\n1e-324 0 1e-320\n0 0 2e-320\n0 0 3e-320\n"
@@ -239,7 +239,7 @@ TEST_SUITE("meshtopo") {
     CHECK(zero == std::vector<int>{0, 3});
   }
 
-  TEST_CASE("vertices at one place, exactly") {
+  TEST_CASE("vertices at one place are found exactly") {
     const json r = report_of_text(
         "OFF\n8 1 0\n1 2 3\n0 0 0\n1 2 3.0000000000000004\n-0 0 -0\n1 2 3\n9 9 9\n1 2 3\n0 0 5e-324\n3 0 1 5\n");
     REQUIRE(r["geometric_defects"].size() == 2);
@@ -250,7 +250,7 @@ TEST_SUITE("meshtopo") {
     CHECK(r["defects"].empty());
   }
 
-  TEST_CASE("defects of geometry are counted and listed for people, up to as many as those of topology") {
+  TEST_CASE("defects of geometry are counted and listed for people, up to the limit for those of topology") {
     const Folder folder;
     std::string content = "OFF\n60 0 0\n";
     for (int i = 0; i < 60; ++i) content += std::to_string(i / 2) + " 0 0\n";
@@ -266,7 +266,7 @@ TEST_SUITE("meshtopo") {
     CHECK(report_of(folder, "m.off")["geometric_defects"].empty());
   }
 
-  TEST_CASE("isolated vertices, pieces, and a mesh without faces") {
+  TEST_CASE("isolated vertices, pieces, and a mesh without faces are reported") {
     const json r =
         report_of_text("OFF\n8 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n7 7 7\n8 8 8\n3 0 1 2\n3 3 4 5\n");
     CHECK(r["isolated"] == 2);
@@ -280,7 +280,7 @@ TEST_SUITE("meshtopo") {
     CHECK(report_of_text("OFF\n0 0 0\n")["components"] == 0);
   }
 
-  TEST_CASE("the report for people names so many defects and how many more") {
+  TEST_CASE("the report for people lists defects up to a limit, and counts the rest") {
     const Folder folder;
     std::string content = "OFF\n3 30 0\n0 0 0\n1 0 0\n0 1 0\n";
     for (int i = 0; i < 30; ++i) content += "3 0 1 2\n";
@@ -303,7 +303,7 @@ TEST_SUITE("meshtopo") {
     CHECK(report_of(folder, "m.off --max-defects 1")["defects"].size() == 29);
   }
 
-  TEST_CASE("of many numbers the report for people has the first few, JSON all") {
+  TEST_CASE("the report for people has the first few of many numbers, JSON all") {
     std::string content = "OFF\n22 20 0\n0 0 0\n1 0 0\n";
     for (int i = 2; i < 22; ++i) content += "0 1 " + std::to_string(i) + "\n";
     for (int i = 2; i < 22; ++i) content += "3 0 1 " + std::to_string(i) + "\n";
@@ -353,7 +353,7 @@ TEST_SUITE("meshtopo --repair") {
     CHECK(folder.meshtopo("--repair m.off").code == 2);
   }
 
-  TEST_CASE("what is written is free of defects, and the steps are reported") {
+  TEST_CASE("a repaired mesh is free of defects, and the steps are reported") {
     for (const std::string& content : {broken, moebius})
       for (const std::string ending : {"off", "ply", "obj"}) {
         CAPTURE(ending);
@@ -382,7 +382,7 @@ TEST_SUITE("meshtopo --repair") {
     CHECK(given.soup.begin == written.soup.begin);
   }
 
-  TEST_CASE("the ending of OUT says the format, or else --output-format") {
+  TEST_CASE("the format is that of the ending of OUT, or of --output-format") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     REQUIRE(folder.meshtopo("m.off --repair -o a.obj --output-format off -q").code == 0);
@@ -391,7 +391,7 @@ TEST_SUITE("meshtopo --repair") {
     CHECK(folder.content("b") == pyramid_off);
   }
 
-  TEST_CASE("new points stand where the old ones were") {
+  TEST_CASE("new points are where the old ones were") {
     const Folder folder;
     folder.file("m.off", broken);
     const Outcome outcome = folder.meshtopo("m.off --repair -o - --output-format off -q");
@@ -408,7 +408,7 @@ TEST_SUITE("meshtopo --repair") {
 }
 
 TEST_SUITE("meshtopo --generators") {
-  TEST_CASE("closed polylines along edges of the mesh") {
+  TEST_CASE("loops are closed polylines along edges of the mesh") {
     const Folder folder;
     const std::string path = (rbpa_test::bundled_data() / "m3_plate_holes.off").string();
     REQUIRE(folder.meshtopo("'" + path + "' --generators l.obj -q").code == 0);
@@ -439,7 +439,7 @@ TEST_SUITE("meshtopo --generators") {
     CHECK(obj.substr(obj.find("g ")) == lines);
   }
 
-  TEST_CASE("of the shortest loops of a plate with five holes five go around handles, five through tunnels") {
+  TEST_CASE("five of the shortest loops of a plate with five holes go around handles, five through tunnels") {
     const Folder folder;
     const std::string path = (rbpa_test::bundled_data() / "m3_plate_holes.off").string();
     REQUIRE(folder.meshtopo("'" + path + "' --generators l.json --shortest -q").code == 0);
@@ -465,7 +465,7 @@ TEST_SUITE("meshtopo --generators") {
     CHECK(folder.has("l.obj"));
   }
 
-  TEST_CASE("coordinates at the ends of double") {
+  TEST_CASE("coordinates at the ends of double are read and reported") {
     const Folder folder;
     // A triangular prism without its ends.
     folder.file("m.off",
@@ -475,7 +475,7 @@ TEST_SUITE("meshtopo --generators") {
     CHECK(json::parse(folder.content("l.json")).size() == 1);
   }
 
-  TEST_CASE("none is an answer") {
+  TEST_CASE("no loop is an answer") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     CHECK(folder.meshtopo("m.off --generators l.json -q").code == 0);

@@ -50,14 +50,14 @@ std::string float_bytes(float value) {
 }  // namespace
 
 TEST_SUITE("meshtopo: bad input") {
-  TEST_CASE("no file, a folder, no bytes") {
+  TEST_CASE("a missing file, a folder and an empty file are refused") {
     const Folder folder;
     refuses(folder, "none.off", 3, "none.off: found no such file, expected a mesh file");
     refuses(folder, ". --format off", 3, ".: found a folder, expected a mesh file");
     refuses_mesh("m.off", "", "m.off: found an empty file, expected a mesh");
   }
 
-  TEST_CASE("OFF") {
+  TEST_CASE("errors in OFF are refused by line") {
     const std::string head = "OFF\n3 1 0\n" + three_points;
     refuses_mesh("m.off", "NOPE\n3 1 0\n", "m.off:1: found 'NOPE', expected OFF, COFF, NOFF or CNOFF");
     refuses_mesh("m.off", "OFF BINARY\n", "m.off:1: found binary OFF, expected ASCII OFF");
@@ -83,7 +83,7 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
   }
 
-  TEST_CASE("counts beyond the file are found before memory is asked for") {
+  TEST_CASE("counts beyond the file are refused before memory is allocated") {
     refuses_mesh("m.off", "OFF\n99999999999999 0 0\n0 0 0\n",
                  "m.off: found 6 bytes of data, expected 99999999999999 vertex lines as line 2 says");
     refuses_mesh("m.off", "OFF\n1 99999999999999 0\n0 0 0\n3 0 0 0\n",
@@ -100,7 +100,7 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.stl: found 84 bytes, expected 214748364834 for the 4294967295 facets that byte 80 announces");
   }
 
-  TEST_CASE("PLY, ASCII") {
+  TEST_CASE("errors in ASCII PLY are refused by line") {
     refuses_mesh("m.ply", "plya\n", "m.ply: found no PLY signature, expected a .ply file");
     refuses_mesh("m.ply", "ply\nformat ascii 1.0\nend_header\n",
                  "m.ply: found a header without vertices, expected an element 'vertex'");
@@ -120,7 +120,7 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.ply:11: found 'inf', expected a finite number");
   }
 
-  TEST_CASE("PLY, binary: the element is named") {
+  TEST_CASE("errors in binary PLY are refused by element") {
     const std::string zero = float_bytes(0);
     refuses_mesh("m.ply",
                  binary_ply(zero + float_bytes(std::numeric_limits<float>::quiet_NaN()) + zero + "\x01" + zero),
@@ -133,7 +133,7 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.ply: found 8 bytes of data, expected 1 vertex element as line 3 says");
   }
 
-  TEST_CASE("OBJ") {
+  TEST_CASE("errors in OBJ are refused by line") {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     refuses_mesh("m.obj", "# nothing\n", "m.obj: found no line 'v x y z', expected the vertices of a mesh");
     refuses_mesh("m.obj", "v 0 0\n", "m.obj:1: found 'v 0 0', expected another number");
@@ -146,7 +146,7 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.obj", head + "f\n", "m.obj:4: found a face without corners, expected vertex numbers behind 'f'");
   }
 
-  TEST_CASE("STL") {
+  TEST_CASE("errors in STL are refused by line or facet") {
     refuses_mesh("m.stl", "not a mesh", "m.stl: found 10 bytes, expected 'solid' or the 84 bytes before binary facets");
     const std::string text = stl_text(pyramid_triangles), bytes = stl_binary(pyramid_triangles);
     refuses_mesh("m.stl", text.substr(0, text.find("endsolid")),
@@ -166,7 +166,7 @@ TEST_SUITE("meshtopo: bad input") {
 }
 
 TEST_SUITE("meshtopo: a corner out of range") {
-  TEST_CASE("is refused and never repaired away: no face is lost without a word") {
+  TEST_CASE("bad input is refused and never repaired away") {
     const std::string good = "OFF\n3 2 0\n" + three_points + "3 0 1 2\n";
     for (const std::string command :
          {"--repair out.off", "--repair -o out.off", "--repair out.off -o r.json", "--json"}) {
@@ -185,7 +185,7 @@ TEST_SUITE("meshtopo: a corner out of range") {
 }
 
 TEST_SUITE("meshtopo: wrong usage") {
-  TEST_CASE("formats that are not known") {
+  TEST_CASE("unknown formats are refused") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     folder.file("m", pyramid_off);
@@ -202,7 +202,7 @@ TEST_SUITE("meshtopo: wrong usage") {
             "--generators: found the ending 'off', expected one of obj, json");
   }
 
-  TEST_CASE("a report with the ending of something else") {
+  TEST_CASE("a report with another ending is refused") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     for (const std::string ending : {"ply", "off", "OBJ", "stl"})
@@ -214,7 +214,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
   }
 
-  TEST_CASE("arguments that do not go together") {
+  TEST_CASE("contradicting arguments are refused") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh: --repair OUT or -o OUT");
@@ -237,7 +237,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     CHECK(folder.content("m.off") == pyramid_off);
   }
 
-  TEST_CASE("no mesh, an unknown option, a number that is none") {
+  TEST_CASE("a missing mesh, an unknown option and a wrong number are refused") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     CHECK(folder.meshtopo("").code == 2);
@@ -246,7 +246,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a whole number from 0");
   }
 
-  TEST_CASE("help and version are answers") {
+  TEST_CASE("help and version exit with 0") {
     const Folder folder;
     CHECK(folder.meshtopo("--help").code == 0);
     CHECK(folder.meshtopo("--help").out.find("Examples:") != std::string::npos);
@@ -255,7 +255,7 @@ TEST_SUITE("meshtopo: wrong usage") {
 }
 
 TEST_SUITE("meshtopo: failure while running") {
-  TEST_CASE("a full or unwritable output, and nothing left behind") {
+  TEST_CASE("a full or unwritable output is reported, and nothing is left behind") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     refuses(folder, "m.off -o /dev/full", 1, "/dev/full: cannot write: No space left on device");

@@ -63,7 +63,7 @@ TEST_SUITE("meshtopo --weld") {
     }
   }
 
-  TEST_CASE("clusters far from each other, and a distance that is tiny beside the box") {
+  TEST_CASE("clusters far from each other are welded, also by a distance that is tiny beside the box") {
     Positions positions;
     for (const double far : {0.0, 1e300, -1e300})
       for (int i = 0; i < 5; ++i) positions.push_back({far, static_cast<double>(i), 0});
@@ -76,7 +76,7 @@ TEST_SUITE("meshtopo --weld") {
     CHECK(rbpa::app::near_vertices({}, 1).empty());
   }
 
-  TEST_CASE("nearness is exact: a distance reached to the last bit is near, the next one is not") {
+  TEST_CASE("nearness is exact to the last bit of the distance") {
     CHECK(rbpa::app::are_within({0, 0, 0}, {3, 4, 12}, 13));
     CHECK_FALSE(rbpa::app::are_within({0, 0, 0}, {3, 4, 12}, std::nextafter(13.0, 0.0)));
     CHECK_FALSE(rbpa::app::are_within({0, 0, 0}, {3, 4, std::nextafter(12.0, 13.0)}, 13));
@@ -120,7 +120,7 @@ TEST_SUITE("meshtopo --weld") {
     CHECK(changed(folder, "m.off --weld 0 -o w.off")["result"]["vertices"] > 8);
   }
 
-  TEST_CASE("faces that fall together are dropped and counted, corners that do are too") {
+  TEST_CASE("faces and corners that coincide are dropped and counted") {
     const Folder folder;
     folder.file("m.off",
                 "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 -0\n0 0.001 0\n5 5 5\n1 0 0\n"
@@ -141,7 +141,7 @@ TEST_SUITE("meshtopo --weld") {
 }
 
 TEST_SUITE("meshtopo --keep-largest and --drop-small") {
-  TEST_CASE("components go by area and by triangles, with their vertices") {
+  TEST_CASE("components are dropped by area and by triangles, with their vertices") {
     std::mt19937 random(47);
     Mesh mesh;
     mesh.add_box({0, 0, 0}, {1, 1, 1});                    // area 6, of 12 triangles
@@ -174,7 +174,8 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
               .out.find("\nchanges\n  drop: 2 components, 12 faces, 17 vertices\n\nresult\n") != std::string::npos);
   }
 
-  TEST_CASE("pieces that meet at a non-manifold edge or in a point are apart; faces that are none are dropped") {
+  TEST_CASE(
+      "pieces that meet at a non-manifold edge or in a point are separate components; invalid faces are dropped") {
     const Folder folder;
     // A tetrahedron, a fin on one of its edges, a triangle in one of its corners, a repeated face and one without area.
     folder.file(
@@ -185,7 +186,7 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
     CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces beside the fin hang together through the others
   }
 
-  TEST_CASE("the options have the words of rbpa surface") {
+  TEST_CASE("the options take the same words as those of rbpa surface") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     const auto refused = [&](const std::string& arguments) {
@@ -244,7 +245,7 @@ TEST_SUITE("meshtopo --orient") {
                       "and faces inward\n") != std::string::npos);
   }
 
-  TEST_CASE("how deep closed surfaces lie in others is that of boxes, those that touch among them") {
+  TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
     std::mt19937 random(57);
     for (int trial = 0; trial < 40; ++trial) {
       // Boxes in boxes, or beside them: of each the place in its parent is known, and corners and sides may touch those
@@ -292,7 +293,7 @@ TEST_SUITE("meshtopo --orient") {
     }
   }
 
-  TEST_CASE("surfaces that touch from outside are in none; a hollow solid is one, as rbpa solid writes it") {
+  TEST_CASE("surfaces that touch from outside lie in none; a hollow solid of rbpa solid is one body") {
     Mesh mesh;
     mesh.add_box({0, 0, 0}, {1, 1, 1});
     mesh.add_box({1, 0, 0}, {2, 1, 1});
@@ -324,7 +325,7 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(solid["volume"] == solid["result"]["volume"]);
   }
 
-  TEST_CASE("what is not orientable is reported by its first face and left as it is; what is open agrees") {
+  TEST_CASE("a non-orientable component is reported by its first face and left as it is; open ones are oriented") {
     const Folder folder;
     folder.file("m.off",
                 "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n8 0 0\n9 0 0\n9 1 0\n8 1 0\n3 5 6 7\n3 5 7 8\n3 6 5 5\n"
@@ -390,7 +391,7 @@ TEST_SUITE("meshtopo --orient") {
 }
 
 TEST_SUITE("meshtopo: changes together") {
-  TEST_CASE("weld, then drop, then orient, then repair; steps have the numbers of the file") {
+  TEST_CASE("changes are weld, drop, orient and repair, in this order; steps have the numbers of the file") {
     const Folder folder;
     // A tetrahedron of loose triangles, one of them turned, with a doubled one, and a stray triangle.
     folder.file("m.off",
@@ -425,8 +426,7 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK_FALSE(folder.has("g.json"));
   }
 
-  TEST_CASE(
-      "-o names the mesh when it ends like one, every format, and nothing is written where nothing is asked for") {
+  TEST_CASE("-o names the mesh if it ends like one, in every format, and nothing else is written") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     for (const std::string name : {"w.off", "w.ply", "w.obj", "w.stl"}) {
@@ -459,7 +459,7 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(folder.content("m.off") == pyramid_off);
   }
 
-  TEST_CASE("of several meshes each is changed for its check") {
+  TEST_CASE("each of several meshes is changed for its check") {
     const Folder folder;
     folder.file("a.off", pyramid_off);
     folder.file("a.stl", stl_text(pyramid_triangles));

@@ -47,7 +47,7 @@ struct Meshes : Folder {
 }  // namespace
 
 TEST_SUITE("meshtopo --check") {
-  TEST_CASE("nothing is said of what holds") {
+  TEST_CASE("nothing is printed for properties that hold") {
     const Meshes folder;
     CHECK(folder
               .failures("whole.off",
@@ -60,7 +60,7 @@ TEST_SUITE("meshtopo --check") {
     CHECK(folder.failures("'" + bob + "'", "closed,genus=1 --check euler=0").empty());
   }
 
-  TEST_CASE("a line for each property that does not hold says what was found and expected") {
+  TEST_CASE("a line for each property that fails has the found and the expected value") {
     const Meshes folder;
     CHECK(folder.failures("open.off", "closed,manifold,euler=2,boundary_curves=0,faces=5") ==
           "meshtopo: open.off: closed: found 1 boundary curve, expected none\n"
@@ -88,7 +88,7 @@ TEST_SUITE("meshtopo --check") {
           "meshtopo: standard input: closed: found 1 boundary curve, expected none\n");
   }
 
-  TEST_CASE("the report goes out all the same, and has the checks") {
+  TEST_CASE("the report is written also if a check fails, and has the checks") {
     const Meshes folder;
     const Outcome text = folder.meshtopo("open.off --check closed,genus=0");
     CHECK(text.code == 4);
@@ -103,7 +103,7 @@ TEST_SUITE("meshtopo --check") {
     CHECK_FALSE(json::parse(folder.meshtopo("open.off --json").out).contains("checks"));
   }
 
-  TEST_CASE("with --repair it is the mesh that is written which is checked, and it is written") {
+  TEST_CASE("with --repair the written mesh is checked, and it is written") {
     const Meshes folder;
     CHECK(folder.meshtopo("bad.off -q --check manifold,oriented").code == 4);
     const Outcome outcome = folder.meshtopo("bad.off --json --repair good.off --check manifold,oriented,defects=0");
@@ -118,7 +118,7 @@ TEST_SUITE("meshtopo --check") {
     CHECK(folder.content("left.off") == folder.content("good.off"));
   }
 
-  TEST_CASE("properties that are not known are wrong usage, and those that are known are listed") {
+  TEST_CASE("unknown properties are wrong usage, and the known ones are listed") {
     const Meshes folder;
     const std::string known =
         "closed, manifold, oriented, orientable, vertices=N, edges=N, faces=N, euler=N, components=N, "
@@ -142,7 +142,7 @@ TEST_SUITE("meshtopo --check") {
 }
 
 TEST_SUITE("meshtopo, several meshes") {
-  TEST_CASE("the report of each under its name, in the order given") {
+  TEST_CASE("several meshes have a report each, under its name, in the order given") {
     const Meshes folder;
     const Outcome outcome = folder.meshtopo("whole.off open.off");
     CHECK(outcome.code == 0);
@@ -171,7 +171,7 @@ TEST_SUITE("meshtopo, several meshes") {
     }
   }
 
-  TEST_CASE("the exit code is the worst: bad input, then a check that does not hold; all are looked at") {
+  TEST_CASE("the exit code is the worst: bad input, then a check that fails; all meshes are checked") {
     const Meshes folder;
     const auto code = [&](const std::string& arguments) { return folder.meshtopo(arguments + " -q").code; };
     CHECK(code("whole.off whole.off --check closed") == 0);
@@ -194,7 +194,7 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(text == "cut.off:\nno report: " + cut.substr(10) + "\nopen.off:\n" + folder.meshtopo("open.off").out);
   }
 
-  TEST_CASE("there are reports only: what writes one file is refused, before anything is read") {
+  TEST_CASE("options that write one file are refused for several meshes, before anything is read") {
     const Meshes folder;
     const auto refused = [&](const std::string& arguments) {
       const Outcome outcome = folder.meshtopo(arguments);

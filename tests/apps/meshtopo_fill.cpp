@@ -69,7 +69,7 @@ TEST_SUITE("meshtopo --fill-holes") {
   }
 
   TEST_CASE(
-      "a hole of a sheet is filled and its rim is not, unless rims are chosen; which holes is as in rbpa surface") {
+      "a hole of a sheet is filled and its rim is not, unless rims are chosen; holes are chosen as in rbpa surface") {
     const Folder folder;
     folder.file("m.off", sheet(5).off());
     const auto fill = [&](const std::string& choice) {
@@ -108,7 +108,7 @@ TEST_SUITE("meshtopo --fill-holes") {
     CHECK(changed(folder, "m.off -o w.off --fill-holes rims --check closed,genus=0")["result"]["faces"] == 4);
   }
 
-  TEST_CASE("what stands in a hole keeps it open, a face of many corners too") {
+  TEST_CASE("an obstacle in a hole keeps it open, also a face of many corners") {
     Mesh mesh = open_box({1});
     mesh.add_box({0.25, 0.25, 2}, {0.75, 0.75, 4});  // through the middle of the open top
     const Folder folder;
@@ -151,7 +151,7 @@ TEST_SUITE("meshtopo --fill-holes") {
           "3 1 6 5\n3 2 7 4\n3 2 5 7\n");
   }
 
-  TEST_CASE("what is filled is a surface: where vertices become one, edges of more than two faces are cut") {
+  TEST_CASE("a filled mesh is a surface: where vertices become one, edges of more than two faces are cut") {
     for (const std::string name : {"plate.off", "box.off"}) {
       const Folder folder;
       CAPTURE(name);
@@ -164,7 +164,8 @@ TEST_SUITE("meshtopo --fill-holes") {
     }
   }
 
-  TEST_CASE("it wants a surface, and a repair makes one; several meshes, loops and other changes go with it") {
+  TEST_CASE(
+      "filling requires a surface, which a repair makes, and works with several meshes, loops and other changes") {
     const Folder folder;
     folder.file("t.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 0 1 4\n");
     const Outcome refused = folder.meshtopo("t.off -q --fill-holes rims -o w.off");

@@ -107,7 +107,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
           0);
   }
 
-  TEST_CASE("a machined plate") {
+  TEST_CASE("the holes of a machined plate are closed by length") {
     const Folder folder;
     const std::string plate = "'" + (rbpa_test::bundled_data() / "m3_plate_holes.off").string() + "'";
     CHECK(changed(folder, plate + " --close-tunnels-below 20 -o w.off")["result"]["genus"] == 5);
@@ -115,7 +115,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
           0);
   }
 
-  TEST_CASE("where another part goes through a tunnel it stays, as do the holes of an open surface") {
+  TEST_CASE("a tunnel with another part in it stays, as do the holes of an open surface") {
     const Folder folder;
     std::set<Cell> cells;
     for (int x = 0; x < 5; ++x)
@@ -141,7 +141,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
           0);
   }
 
-  TEST_CASE("it wants a length and a surface") {
+  TEST_CASE("closing tunnels requires a length and a surface") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
     for (const std::string wrong : {"0", "-1", "x", "nan", "inf", "1e999"}) {
@@ -160,7 +160,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
 }
 
 TEST_SUITE("meshtopo --generators --shortest") {
-  TEST_CASE("as many loops, of a total length that is no greater, the shortest first") {
+  TEST_CASE("shortest loops are as many, of no greater total length, the shortest first") {
     const Folder folder;
     folder.file("m.off", grating(3).off());
     REQUIRE(folder.meshtopo("m.off -q --generators l.json").code == 0);

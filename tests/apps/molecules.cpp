@@ -63,7 +63,7 @@ const std::string cif =
 }  // namespace
 
 TEST_SUITE("molecules") {
-  TEST_CASE("atoms of the first model, by the columns of the format, which may touch") {
+  TEST_CASE("atoms of the first model are read by the columns of the format, which may touch") {
     const SpacePoints atoms = read(pdb, Format::pdb);
     CHECK(atoms.points ==
           std::vector<Point3>{{3.246, 10.041, 10.379}, {-132.386, -100.407, -109.247}, {2.5, 10.5, 9.25}, {1, 2, 3}});
@@ -82,7 +82,7 @@ TEST_SUITE("molecules") {
     CHECK(read(pdb.substr(pdb.find("ATOM")), Format::pdb).points.size() == 4);  // without a line before
   }
 
-  TEST_CASE("conditions ask for what stands beside the place of an atom") {
+  TEST_CASE("conditions select by the fields of an atom") {
     const auto count = [](const std::string& where) { return read(pdb, Format::pdb, where).points.size(); };
     CHECK(count("element == 'N'") == 1);
     CHECK(count("element == 'NA' and resname == 'NA'") == 1);
@@ -102,7 +102,7 @@ TEST_SUITE("molecules") {
     CHECK(count("ELEMENT != 'X' or name < 3") == 4);
   }
 
-  TEST_CASE("a second condition is read where the first does not decide, in any bracket") {
+  TEST_CASE("a second condition is read if the first does not decide, in any parentheses") {
     const std::string table = "x,y,z,kind,size\n0,0,0,a,1\n1,0,0,b,?\n0,1,0,a,3\n";
     const auto count = [&](const std::string& where) { return read(table, Format::text, where).points.size(); };
     for (const auto& [where, points] : {std::pair("kind == 'a' and size > 1", 1U),
@@ -120,7 +120,7 @@ TEST_SUITE("molecules") {
     CHECK_THROWS_AS(read(table, Format::text, "size > 1 and kind == 'a'"), rbpa::app::BadInput);
   }
 
-  TEST_CASE("what is wrong is refused by its line") {
+  TEST_CASE("an error is refused by its line") {
     CHECK(refusal("HEADER\nATOM      1  N   LYS A   1       3.2x6  10.041  10.379  1.00  5.28           N\n",
                   Format::pdb) == "m:2: found '3.2x6' as x, expected a number");
     CHECK(refusal("HEADER\n" + pdb.substr(pdb.find("ATOM"), 79) + "ATOM      2  CA\n", Format::pdb)
@@ -194,7 +194,7 @@ TEST_SUITE("molecules") {
     CHECK(count(names + "A 1 SER CA ? 0 0 0\n", "chain == 'A' and resseq == 1 and name == 'CA'") == 1);
   }
 
-  TEST_CASE("CIF is tokens: case, lines, quotes, comments and texts are as its syntax has them") {
+  TEST_CASE("CIF is read as tokens, with case, lines, quotes, comments and texts by its syntax") {
     const std::vector<Point3> expected = {{0, 0.5, 1}, {2, 3, 4}};
     for (const std::string text :
          {"DATA_x LOOP_ _ATOM_SITE.id _Atom_Site.CARTN_X _atom_site.cartn_y _atom_site.cartn_z "
@@ -240,7 +240,7 @@ TEST_SUITE("molecules") {
                     format) == "m: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
   }
 
-  TEST_CASE("frames of a simulation are models, whatever ends them") {
+  TEST_CASE("frames of a simulation are models, however they end") {
     const std::string atom = "ATOM      1  CA  RES A   1       4.000   0.000   0.000\n";
     for (const std::string& text : {"MODEL        1\n" + atom + "MODEL        2\n" + atom,
                                     atom + "END\n" + atom + "END\n", atom + "ENDMDL\n" + atom + "ENDMDL\nEND\n",
@@ -253,7 +253,7 @@ TEST_SUITE("molecules") {
     CHECK(read(atom + "END\n", Format::pdb).remarks.empty());
   }
 
-  TEST_CASE("the cell is read where its angles are right, else why there is none") {
+  TEST_CASE("the cell is read if its angles are right, else the reason is given") {
     const std::string atom = "ATOM      1  CA  RES A   1       4.000   0.000   0.000\n";
     const std::string cif_atom = "\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n";
     const auto of_pdb = [&](const std::string& cell) { return read(cell + "\n" + atom, Format::pdb).cell; };
@@ -302,7 +302,7 @@ TEST_SUITE("molecules") {
     CHECK(rbpa::app::space_points_in(text, "m", Format::pdb, request).points.size() == 6);
   }
 
-  TEST_CASE("points that are left out keep their places among all of the file") {
+  TEST_CASE("points that are left out keep their positions in the file") {
     const auto index = [](const std::string& text, Format format, const std::string& where) {
       return read(text, format, where).index;
     };
@@ -353,7 +353,7 @@ TEST_SUITE("molecules") {
                            rbpa::app::BadInput);
   }
 
-  TEST_CASE("the program reads them by their endings, packed or not") {
+  TEST_CASE("the program reads molecules by their endings, compressed or not") {
     const Folder folder;
     folder.file("m.pdb", pdb);
     folder.file("m.ent", pdb);

@@ -160,7 +160,7 @@ class Texts {
 }  // namespace
 
 TEST_SUITE("numbers") {
-  TEST_CASE("text of any shape reads as the standard reads it: value, end and fault") {
+  TEST_CASE("any text gives the value, end and fault of the standard library") {
     Texts texts(20);
     std::size_t different = 0;
     for (int i = 0; i < rbpa_test::trials(1000000); ++i) {
@@ -173,7 +173,7 @@ TEST_SUITE("numbers") {
     CHECK(different == 0);
   }
 
-  TEST_CASE("where a rule of the notation ends, it reads as the standard reads it") {
+  TEST_CASE("texts at the limits of the notation read as by the standard library") {
     using namespace std::string_literals;
     // clang-format off
     for (const std::string& text :

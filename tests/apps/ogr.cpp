@@ -73,7 +73,7 @@ std::vector<Point> ring_of(const OGRLinearRing& ring) {
 }  // namespace
 
 TEST_SUITE("ogr") {
-  TEST_CASE("points of every format, every double to the last bit, with their system") {
+  TEST_CASE("points of every format are read to the last bit, with their system") {
     std::mt19937_64 random(3);
     std::vector<Point> points;
     while (points.size() < 500) {
@@ -108,7 +108,7 @@ TEST_SUITE("ogr") {
     }
   }
 
-  TEST_CASE("every geometry, degrees, layers, and features without one") {
+  TEST_CASE("every geometry, degrees, layers, and features without a geometry are read") {
     const Folder folder;
     const std::string path = folder.path("p.gpkg");
     {
@@ -199,7 +199,7 @@ TEST_SUITE("ogr") {
     CHECK(folder.rbpa("info c.gpkg").out.find("crs         EPSG:28992\n") != std::string::npos);
   }
 
-  TEST_CASE("what is written GDAL reads: geometries to the last bit, numbers, the system") {
+  TEST_CASE("GDAL reads the written geometries to the last bit, the numbers and the system") {
     const Folder folder;
     folder.file("p.xy", squares);
     REQUIRE(
@@ -297,7 +297,7 @@ TEST_SUITE("ogr") {
     CHECK(folder.rbpa("info none.gpkg").code == 3);
   }
 
-  TEST_CASE("groups: a multipolygon each, with what GeoJSON has of them, whether all have one or not") {
+  TEST_CASE("each group is a multipolygon with the properties of GeoJSON, whether or not all have one") {
     const std::string table =
         "x,y,name,number\n0,0,wolf,1\n1,0,wolf,1\n0,1,wolf,1\n5,5,lynx,20\n6,5,lynx,20\n5,7,lynx,20\n9,9,lynx,20\n"
         "10,9,lynx,20\n9,10,lynx,20\n";

@@ -16,7 +16,7 @@ const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 }
 
 TEST_SUITE("outputs") {
-  TEST_CASE("peak_bytes are those of the program, whoever started it") {
+  TEST_CASE("peak_bytes are those of the program, whatever started it") {
     const Folder folder;
     folder.file("p.xy", corner);
     // The parent has touched 400 MB, and hands its place to the program.
@@ -29,7 +29,7 @@ TEST_SUITE("outputs") {
     CHECK(peak < 2e8);
   }
 
-  TEST_CASE("the search makes no difference to the bytes") {
+  TEST_CASE("the search changes no bytes") {
     const Folder folder;
     REQUIRE(folder.rbpa("mesh " + points + "--alpha 0.02 -o a.ply -o a.svg -o a.png -o a.npy -q").code == 0);
     REQUIRE(folder.rbpa("mesh " + points + "--alpha 0.02 --search paper -o b.ply -o b.svg -o b.png -o b.npy -q").code ==
@@ -61,7 +61,7 @@ TEST_SUITE("outputs") {
     CHECK(nlohmann::json::parse(folder.content("s.json"))["alpha"] == "inf");
   }
 
-  TEST_CASE("choosing alpha has a time of its own, beside that of building, where the points choose it") {
+  TEST_CASE("choosing alpha by a rule has a time of its own, beside that of building") {
     const Folder folder;
     for (const std::string verb : {"mesh ", "shape "})
       for (const auto& [alpha, chosen] : {std::pair{"auto", true}, {"min", true}, {"0.02", false}}) {
@@ -87,7 +87,7 @@ TEST_SUITE("outputs") {
     }
   }
 
-  TEST_CASE("every verb can be told to be quiet") {
+  TEST_CASE("every verb has --quiet") {
     const Folder folder;
     for (const std::string verb : {"mesh --alpha 0.02 -o a.off ", "shape --alpha 0.02 -o a.wkt ", "alpha ", "info "}) {
       CAPTURE(verb);
@@ -107,7 +107,7 @@ TEST_SUITE("outputs") {
           "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   }
 
-  TEST_CASE("info says how many, how many twice, the box and the spacing") {
+  TEST_CASE("info prints the number of points and duplicates, the box and the spacing") {
     const Folder folder;
     folder.file("p.xy", "0 0\n4 0\n0 1\n4 1\n0 0\n");
     const auto info = nlohmann::json::parse(folder.rbpa("info p.xy --json").out);
@@ -119,7 +119,7 @@ TEST_SUITE("outputs") {
     CHECK(info["spacing"].get<double>() == doctest::Approx(1.0));
   }
 
-  TEST_CASE("a summary on standard error, unless quiet") {
+  TEST_CASE("a summary is printed on standard error unless quiet") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1 0\n0 1\n0 1\n9 9\n");
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off").err ==
@@ -127,7 +127,7 @@ TEST_SUITE("outputs") {
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off --quiet").err.empty());
   }
 
-  TEST_CASE("pictures of coordinates at the ends of double") {
+  TEST_CASE("coordinates at the ends of double have pictures") {
     const Folder folder;
     folder.file("p.xy", "-1.7e308 -1.7e308\n1.7e308 -1.7e308\n0 1.7e308\n5e-324 0\n");
     CHECK(folder.rbpa("mesh p.xy --alpha inf -o m.svg -o m.png -q").code == 0);

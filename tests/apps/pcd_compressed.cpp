@@ -92,7 +92,7 @@ std::string three(const std::string& data, const std::string& points = "POINTS 3
 }  // namespace
 
 TEST_SUITE("compressed pcd") {
-  TEST_CASE("the points are those of the file that is not compressed, with and without gaps between fields") {
+  TEST_CASE("compressed points are those of the uncompressed file, with and without gaps between fields") {
     for (const std::size_t count : {1U, 2U, 5U, 4095U, 4096U, 4097U, 10000U}) {
       CAPTURE(count);
       const SpacePoints expected = read(binary(count));
@@ -108,7 +108,7 @@ TEST_SUITE("compressed pcd") {
     CHECK(read(compressed(2)).points[1] == Point3{static_cast<double>(1.F / 7), 1. / 3, -1});
   }
 
-  TEST_CASE("--where selects by the fields, of several numbers too") {
+  TEST_CASE("--where selects by fields, also by those of several numbers") {
     const CloudRequest request{.where = Condition("x > 700 and z < -9995", names_of_properties())};
     const SpacePoints of_binary = read(binary(10000), request), file = read(compressed(10000), request);
     CHECK(file.points.size() == 4);
@@ -116,14 +116,14 @@ TEST_SUITE("compressed pcd") {
     CHECK(file.remarks == of_binary.remarks);
   }
 
-  TEST_CASE("what is behind the data is left alone, and no points are none") {
+  TEST_CASE("bytes after the data are ignored, and a file may have no points") {
     const std::string bytes = compressed(3);
     CHECK(read(bytes + "anything").points == read(bytes).points);
     CHECK(read(three(with_sizes("", 0), "POINTS 0")).points.empty());
     CHECK(read(three(with_sizes("x", 0), "POINTS 0")).points.empty());
   }
 
-  TEST_CASE("copies are unpacked, near and far, short and long") {
+  TEST_CASE("copies are decompressed, near and far, short and long") {
     // z is 264 bytes of x and y again, over and over.
     std::string bytes;
     for (std::size_t i = 0; i < 66; ++i) bytes += raw(static_cast<float>(i));
@@ -142,7 +142,7 @@ TEST_SUITE("compressed pcd") {
     CHECK(read(three(with_sizes(many, 12 * std::size_t{22000}), "POINTS 22000")).points == std::vector<Point3>(22000));
   }
 
-  TEST_CASE("a file that ends anywhere is refused, and the message has the place") {
+  TEST_CASE("a file cut anywhere is refused, and the message has the place") {
     const std::string whole = compressed(5);
     const std::size_t header = head("binary_compressed", 5).size();
     for (std::size_t size = 1; size < whole.size(); ++size) {
@@ -160,7 +160,7 @@ TEST_SUITE("compressed pcd") {
     }
   }
 
-  TEST_CASE("any byte that is another one is refused or read, and no more than there is") {
+  TEST_CASE("a file with any byte changed is read or refused, and nothing is read beyond it") {
     const std::string whole = compressed(4);
     std::size_t refused = 0;
     for (std::size_t i = head("binary_compressed", 4).size(); i < whole.size(); ++i)
@@ -175,7 +175,7 @@ TEST_SUITE("compressed pcd") {
     CHECK(refused > 30);
   }
 
-  TEST_CASE("damaged data, and sizes that are not those of the points") {
+  TEST_CASE("damaged data, and sizes that do not match the points, are refused") {
     const std::string zeros = lzf_repeated('\0', 36);
     CHECK(refusal(three(with_sizes(zeros, 35))) ==
           "p: found 35 bytes as the decompressed size, expected 3 points as line 4 says, of 12 bytes each");
@@ -194,7 +194,7 @@ TEST_SUITE("compressed pcd") {
           "p:5: found 'DATA binary_squeezed', expected ascii, binary or binary_compressed");
   }
 
-  TEST_CASE("nothing is allocated for what is only claimed") {
+  TEST_CASE("nothing is allocated for claimed sizes only") {
     const std::string most = "1152921504606846976";  // 2^60
     const std::vector<std::string> counts = {"POINTS " + most, "WIDTH " + most + "\nHEIGHT 1",
                                              "WIDTH 1073741824\nHEIGHT 1073741824"};

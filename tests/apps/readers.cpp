@@ -73,7 +73,7 @@ void for_each_reader(const Check& check) {
 }  // namespace
 
 TEST_SUITE("readers") {
-  TEST_CASE("names in Latin-1, of files that are packed or not") {
+  TEST_CASE("files with names in Latin-1 are read, compressed or not") {
     for_each_reader([](const Folder& folder, const Reader& reader, const std::string& expected) {
       const auto& [name, content, behind] = reader.file;
       const std::string latin = "\xE9t\xE9 " + name, shown = "\\xe9t\\xe9 " + name;
@@ -88,7 +88,7 @@ TEST_SUITE("readers") {
     });
   }
 
-  TEST_CASE("pipes with a name, whose bytes are packed or not, and come late and by pieces") {
+  TEST_CASE("named pipes are read whose bytes, compressed or not, come late and by pieces") {
     for_each_reader([](const Folder& folder, const Reader& reader, const std::string& expected) {
       const auto& [name, content, behind] = reader.file;
       for (const bool is_packed : {false, true}) {

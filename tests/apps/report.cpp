@@ -160,7 +160,7 @@ TEST_SUITE("report") {
     }
   }
 
-  TEST_CASE("auto in at most K components, or of a share of the points, is the one that is asked for") {
+  TEST_CASE("auto follows --components and --cover") {
     const Folder folder;
     const Json covering = Json::parse(element(page_of(folder, points + "--cover 0.9 --components 3"), "facts"));
     const Json report = Json::parse(folder.rbpa("alpha " + points + "--json -q --cover 0.9 --components 3").out);
@@ -184,7 +184,7 @@ TEST_SUITE("report") {
       CHECK(std::bit_cast<std::uint64_t>(found[i]) == std::bit_cast<std::uint64_t>(expected[i]));
   }
 
-  TEST_CASE("the bytes depend on the points and the name alone: not on their order, nor on threads") {
+  TEST_CASE("the bytes depend on the points and the name alone, not on their order or on threads") {
     const Folder folder;
     std::vector<std::string> lines;
     std::mt19937 random(1);
@@ -204,7 +204,7 @@ TEST_SUITE("report") {
     CHECK(page == folder.rbpa("report p.xy -o - -q").out);
   }
 
-  TEST_CASE("the unit is that of the system of coordinates, or degrees by the names of columns; else it is not known") {
+  TEST_CASE("the unit is that of the coordinate system, or degrees by the names of columns, or unknown") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     folder.file("p.csv", "lon,lat\n0,0\n6,0\n0,8\n");
@@ -229,7 +229,7 @@ TEST_SUITE("report") {
       CHECK(unit("p.xy --crs " + std::string(code)).is_null());
   }
 
-  TEST_CASE("the page has all it needs in it, and may ask for nothing") {
+  TEST_CASE("the page has everything in it, and makes no request") {
     const Folder folder;
     folder.file("p.xy", two_triangles);
     const std::string page = page_of(folder, "p.xy");
@@ -244,7 +244,7 @@ TEST_SUITE("report") {
     for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"}) CHECK(page.find(mark) == std::string::npos);
   }
 
-  TEST_CASE("a name is text, whatever is in it") {
+  TEST_CASE("a name is shown as text, whatever is in it") {
     const Folder folder;
     for (const std::string name :
          {"<script>alert(1)&<b>.xy", "a\"'b\nc.xy", "\xff\xfe.xy", "--><!--.xy", "\u202e.xy"}) {
@@ -268,7 +268,7 @@ TEST_SUITE("report") {
           "standard input");
   }
 
-  TEST_CASE("points without a triangle make a page, and that is said") {
+  TEST_CASE("points without a triangle make a page, with a message") {
     const Folder folder;
     folder.file("line.xy", "0 0\n1 1\n3 3\n");
     const Outcome line = folder.rbpa("report line.xy -o line.html");
@@ -298,7 +298,7 @@ TEST_SUITE("report") {
     CHECK(Json::parse(folder.content("s.json"))["distinct"] == 3);
   }
 
-  TEST_CASE("what cannot be meant is refused before anything is read") {
+  TEST_CASE("contradicting options are refused before anything is read") {
     const Folder folder;
     for (const auto& [wrong, said] :
          {std::pair<std::string, std::string>{"-o p.pdf", "p.pdf: found the ending 'pdf', expected html"},
@@ -323,7 +323,7 @@ TEST_SUITE("report") {
     CHECK(folder.names() == std::vector<std::string>{"p.html"});
   }
 
-  TEST_CASE("a page of points in space has its data, and asks for nothing") {
+  TEST_CASE("a page of points in space has its data, and makes no request") {
     const Folder folder;
     folder.file("octahedron.xyz", "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n");
     const std::string page = page_of(folder, "octahedron.xyz --dimension 3");

@@ -108,7 +108,7 @@ TEST_SUITE("several elements a line") {
     }
   }
 
-  TEST_CASE("words behind an element of a line of its own are passed over, as colours are") {
+  TEST_CASE("words after an element on a line of its own are skipped, as colors are") {
     const Folder folder;
     folder.file(
         "c.off",
@@ -117,7 +117,7 @@ TEST_SUITE("several elements a line") {
     CHECK(mesh_report(folder, "c.off")["faces"] == 4);
   }
 
-  TEST_CASE("what is neither is refused by its line") {
+  TEST_CASE("a line that is neither is refused by its number") {
     const Folder folder;
     // A color of the plane's vertices and a file that is cut off; two words too many; two vertices and half of one a
     // line.
@@ -149,7 +149,7 @@ TEST_SUITE("several elements a line") {
           "meshtopo: s.stl:4: found 'vertex 0 0 0 vertex 9 9 9', expected one vertex of three numbers a line\n");
   }
 
-  TEST_CASE("files of others") {
+  TEST_CASE("files of others are read") {
     const Folder folder;
     CHECK(volume_of_points(folder, finding("case_face_rows_read_as_points/two_a_line.off")) ==
           doctest::Approx(1.0 / 6).epsilon(1e-15));
@@ -181,7 +181,7 @@ TEST_SUITE("several elements a line") {
     CHECK(refusal(folder, "z.pcd") == "rbpa: z.pcd: found points without 'z', expected the fields x, y and z\n");
   }
 
-  TEST_CASE("the number of vertices right behind the word OFF, with its prefixes") {
+  TEST_CASE("the number of vertices may follow the word OFF, with its prefixes") {
     for (const std::string word : {"OFF", "COFF", "NOFF", "STOFF"}) {
       CAPTURE(word);
       const Folder folder;

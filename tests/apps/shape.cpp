@@ -45,7 +45,7 @@ void refuses(const Folder& folder, const std::string& arguments, const std::stri
 }  // namespace
 
 TEST_SUITE("shape") {
-  TEST_CASE("wkt: one multipolygon, rings closed, shells counter-clockwise") {
+  TEST_CASE("WKT is one multipolygon with closed rings and counter-clockwise shells") {
     const Folder folder;
     folder.file("p.xy", bow_tie);
     const Outcome outcome = folder.rbpa("shape p.xy --alpha 1.25 -o - --output-format wkt -q");
@@ -54,7 +54,7 @@ TEST_SUITE("shape") {
     CHECK(outcome.err.empty());
   }
 
-  TEST_CASE("geojson: a feature for each polygon, with its area, perimeter and number of holes") {
+  TEST_CASE("GeoJSON has a feature for each polygon, with its area, perimeter and number of holes") {
     const Folder folder;
     folder.file("p.xy", bow_tie);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1.25 -o s.geojson -o s.json -q").code == 0);
@@ -70,7 +70,7 @@ TEST_SUITE("shape") {
     CHECK(first["geometry"] == json::parse(R"({"type": "Polygon", "coordinates": [[[-2,-1],[0,0],[-2,1],[-2,-1]]]})"));
   }
 
-  TEST_CASE("holes run clockwise, behind their shell") {
+  TEST_CASE("holes run clockwise, and follow their shell") {
     const Folder folder;
     folder.file("p.xy", island());
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.json -q").code == 0);
@@ -92,7 +92,7 @@ TEST_SUITE("shape") {
     }
   }
 
-  TEST_CASE("filters: holes filled with the islands in them, parts dropped") {
+  TEST_CASE("filters fill holes with the islands in them, and drop parts") {
     const Folder folder;
     folder.file("p.xy", island());
     const auto areas = [&](const std::string& filter) {
@@ -130,7 +130,7 @@ TEST_SUITE("shape") {
     CHECK(shape["perimeter"] > 0);
   }
 
-  TEST_CASE("pictures: the solid and its boundary, no inner edges") {
+  TEST_CASE("pictures show the solid and its boundary, without inner edges") {
     const Folder folder;
     folder.file("p.xy", island());
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.svg -o s.png --width 200 -q").code == 0);
@@ -142,7 +142,7 @@ TEST_SUITE("shape") {
     CHECK(folder.content("s.png").substr(1, 3) == "PNG");
   }
 
-  TEST_CASE("the order of the points makes no difference to the bytes") {
+  TEST_CASE("the order of the points changes no bytes") {
     const Folder folder;
     folder.file("p.xy", "0 0\n4 0\n4 4\n0 4\n9 9\n9 8\n8 8\n");
     folder.file("q.xy", "8 8\n4 4\n9 8\n0 4\n9 9\n4 0\n0 0\n");
@@ -163,7 +163,7 @@ TEST_SUITE("shape") {
     CHECK(json::parse(folder.content("s.json"))["features"][0]["properties"]["area"].is_null());
   }
 
-  TEST_CASE("an empty shape is said, and the file is there and valid") {
+  TEST_CASE("an empty shape is reported, and the file is valid") {
     const Folder folder;
     const auto is_empty_because = [&](const std::string& points, const std::string& options,
                                       const std::string& reason) {
@@ -182,7 +182,7 @@ TEST_SUITE("shape") {
     is_empty_because(corner, "--alpha 1 --min-part-area 0.75", "no part has an area >= 0.75");
   }
 
-  TEST_CASE("wrong usage: the option, what was found, what was expected, and no file") {
+  TEST_CASE("wrong usage is refused with option, value and what is expected, without a file") {
     const Folder folder;
     folder.file("p.xy", corner);
     refuses(folder, "shape p.xy --alpha 0 -o s.wkt",
@@ -213,7 +213,7 @@ TEST_SUITE("shape") {
     CHECK(folder.names().size() == 1);
   }
 
-  TEST_CASE("a summary on standard error, unless quiet") {
+  TEST_CASE("a summary is printed on standard error unless quiet") {
     const Folder folder;
     folder.file("p.xy", bow_tie);
     CHECK(folder.rbpa("shape p.xy --alpha 1.25 -o s.wkt").err ==

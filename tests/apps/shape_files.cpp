@@ -51,7 +51,7 @@ TEST_SUITE("shape files") {
         "]}\n");
   }
 
-  TEST_CASE("CSV has every point with its polygon, and the isolated points their index") {
+  TEST_CASE("CSV has every point with its polygon, and isolated points have their index") {
     const Folder folder;
     folder.file("p.xy", squares);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated i.csv -q").code == 0);
@@ -67,7 +67,7 @@ TEST_SUITE("shape files") {
           "x,y,polygon\n0,0,\n1,0,\n1,1,\n0,1,\n3,3,\n10,0,\n11,0,\n11,1,\n10,1,\n11,1,\n90,90,\n");
   }
 
-  TEST_CASE("all that is written is read again, to the last bit, and agrees") {
+  TEST_CASE("written files are read again, to the last bit, and agree") {
     const Folder folder;
     std::string text;
     for (const Point& p : rbpa_test::uniform(3000, 5))
@@ -106,7 +106,7 @@ TEST_SUITE("shape files") {
     }
   }
 
-  TEST_CASE("a system of coordinates goes from file to file; what is no WGS 84 is said once") {
+  TEST_CASE("a coordinate system is carried from file to file; another than WGS 84 is warned of once") {
     const Folder folder;
     folder.file("p.wkt", "SRID=28992;MULTIPOINT (0 0, 1 0, 1 1, 0 1)");
     const Outcome first = folder.rbpa("shape p.wkt --alpha 1 -o a.geojson -o b.geojson --isolated i.geojson");
@@ -129,7 +129,7 @@ TEST_SUITE("shape files") {
     CHECK(folder.content("a.geojson").find("crs") == std::string::npos);
   }
 
-  TEST_CASE("ewkt names the system, and must know it") {
+  TEST_CASE("EWKT contains the system, and requires a known one") {
     const Folder folder;
     folder.file("p.xy", "0 0\n1 0\n1 1\n0 1\n9 9\n");
     REQUIRE(folder.rbpa("shape p.xy --crs EPSG:28992 --alpha 1 -o s.ewkt -o s.wkt --isolated i.ewkt -q").code == 0);
@@ -154,7 +154,7 @@ TEST_SUITE("shape files") {
           "rbpa: n.ewkt: found points in ESRI:102100" + expected);
   }
 
-  TEST_CASE("coordinates that are no degrees, of no known system") {
+  TEST_CASE("coordinates beyond degrees, of no known system, give a warning") {
     const Folder folder;
     const std::string but = ", but GeoJSON means degrees of WGS 84 (--crs EPSG:CODE names their system)\n";
     folder.file("p.xy", "0 0\n181 0\n0 1\n");
@@ -176,7 +176,7 @@ TEST_SUITE("shape files") {
               but + "rbpa: 3 points, 1 polygon with 0 holes, area 0.5 -> s.geojson\n");
   }
 
-  TEST_CASE("--isolated: endings, and files that must differ") {
+  TEST_CASE("--isolated accepts known endings, and a file of its own") {
     const Folder folder;
     folder.file("p.xy", squares);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.svg").err ==

@@ -41,7 +41,7 @@ void refuses(const Folder& folder, const std::string& arguments, const std::stri
 }  // namespace
 
 TEST_SUITE("shape groups") {
-  TEST_CASE("GeoJSON has a feature for each group, and CSV a line; what has no polygon says why") {
+  TEST_CASE("GeoJSON has a feature for each group, and CSV a line; a group without a polygon has the reason") {
     const Folder folder;
     folder.file("p.csv", fixes);
     const Outcome outcome = folder.rbpa("shape p.csv --group-by animal --alpha auto -o s.geojson -o s.csv -o s.svg");
@@ -71,7 +71,7 @@ TEST_SUITE("shape groups") {
     CHECK(folder.content("s.svg").find("<svg") != std::string::npos);
   }
 
-  TEST_CASE("numbers go in their order, with a condition on the same column") {
+  TEST_CASE("groups of numbers are in numerical order, also with a condition on the same column") {
     const Folder folder;
     folder.file("p.csv", fixes);
     REQUIRE(folder.rbpa("shape p.csv --group-by id --alpha inf -o s.geojson -q").code == 0);
@@ -91,8 +91,7 @@ TEST_SUITE("shape groups") {
     CHECK(found[1]["points"] == 2);
   }
 
-  TEST_CASE(
-      "a group is the shape of its points, by every rule, in any order of the points and with any number of threads") {
+  TEST_CASE("a group is the shape of its points alone, by every rule, in any order and with any number of threads") {
     const Folder folder;
     rbpa_test::Random random(3);
     std::vector<std::string> lines;
@@ -142,7 +141,7 @@ TEST_SUITE("shape groups") {
             3);
   }
 
-  TEST_CASE("what cannot be grouped is refused before anything is written") {
+  TEST_CASE("formats that cannot be grouped are refused before anything is written") {
     const Folder folder;
     folder.file("p.csv", fixes);
     folder.file("p.xy", "0 0\n1 0\n0 1\n");
@@ -170,7 +169,9 @@ TEST_SUITE("shape groups") {
     CHECK(folder.content("s.csv").find("\nK\xf6ln,3,1,") != std::string::npos);
   }
 
-  TEST_CASE("a property of Features of GeoJSON is a key: a text, a number, true or false; null and none are no group") {
+  TEST_CASE(
+      "a property of GeoJSON Features is a key: a text, a number, true or false; without one, or with null, a point is "
+      "in no group") {
     const Folder folder;
     const auto feature = [](const std::string& properties, const std::string& points) {
       return "{\"type\":\"Feature\",\"properties\":" + properties +
@@ -217,7 +218,7 @@ TEST_SUITE("shape groups") {
             "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires", 3);
   }
 
-  TEST_CASE("names are numbers only where JSON reads each of them as itself") {
+  TEST_CASE("names are numbers only if JSON reads each of them as itself") {
     const Folder folder;
     const auto kind_of = [&](const std::string& a, const std::string& b) {
       folder.file("k.csv", "x,y,g\n0,0," + a + "\n1,1," + b + "\n");
@@ -267,7 +268,7 @@ TEST_SUITE("shape groups") {
           "all)\n");
   }
 
-  TEST_CASE("radii of a column: one for each group, or a problem of the group; --stats counts groups") {
+  TEST_CASE("a column of radii gives one for each group, or a problem of the group; --stats counts groups") {
     const Folder folder;
     folder.file("p.csv",
                 "x,y,g,r\n0,0,a,1\n1,0,a,1.0\n0,1,a,1\n5,5,b,1\n6,5,b,2\n5,6,b,1\n0,0,c,0.5\n1,0,c,.5\n0,1,c,0.5\n"
@@ -334,7 +335,7 @@ TEST_SUITE("shape groups") {
     CHECK(folder.rbpa("alpha p.csv --group-by animal --persistence").code == 2);
   }
 
-  TEST_CASE("pictures have a colour for each group, and show both where one lies on another") {
+  TEST_CASE("pictures have a color for each group, and show both where groups overlap") {
     const Folder folder;
     std::string points = "x,y,g\n";
     constexpr int groups = 24;

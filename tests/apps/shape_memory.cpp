@@ -44,7 +44,7 @@ TEST_SUITE("shape") {
     }
   }
 
-  TEST_CASE("where memory would not suffice, a line says so before the work, and names what needs less") {
+  TEST_CASE("a warning before the work says that memory may not suffice, and names rbpa stream") {
     const Folder folder;
     make_points(folder);
     const auto limited = [&](std::size_t mebibytes, const std::string& more) {

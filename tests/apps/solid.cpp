@@ -90,7 +90,7 @@ TEST_SUITE("solid") {
     CHECK(outcome.err.ends_with(" -> t.npy, t.vtu, t.mesh, t.msh, t.png, b.ply\n"));
   }
 
-  TEST_CASE("the boundary is closed and without defects, where the solid touches itself as well") {
+  TEST_CASE("the boundary is closed and without defects, also if the solid touches itself") {
     const Folder folder;
     // Two tetrahedra that have an edge in common, given twice, and one that has a point in common with the second.
     folder.file("c.xyz",
@@ -126,7 +126,7 @@ TEST_SUITE("solid") {
     CHECK(json::parse(folder.rbpa("solid c.xyz --alpha inf --json -q").out)["alpha"] == "inf");
   }
 
-  TEST_CASE("the order of the points and threads change no tetrahedron, a column and a condition choose them") {
+  TEST_CASE("order and threads change no tetrahedron, and columns and conditions choose the points") {
     const Folder folder;
     folder.file(
         "c.csv", "x,y,z,class\n" + [] {
@@ -183,7 +183,7 @@ TEST_SUITE("solid") {
     refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls requires a finite --alpha");
   }
 
-  TEST_CASE("where there is no tetrahedron it says why") {
+  TEST_CASE("the reason for an empty solid is printed") {
     const Folder folder;
     const auto says = [&](const std::string& points, const std::string& alpha, const std::string& why) {
       folder.file("p.xyz", points);

@@ -76,7 +76,7 @@ TEST_SUITE("solid box") {
     CHECK(folder.content("t.png").size() > 1000);
   }
 
-  TEST_CASE("wherever the points are, the box has the same tetrahedra, all of them at infinity") {
+  TEST_CASE("points moved by the sides of the box give the same tetrahedra, and inf gives all") {
     const Folder folder;
     folder.file("near.xyz", cube_of(4));
     std::string far;
@@ -137,7 +137,7 @@ TEST_SUITE("solid box") {
     CHECK(percolates("2.511 --complex solid"));
   }
 
-  TEST_CASE("what is wrong with a box is said") {
+  TEST_CASE("a wrong box is refused, or warned of") {
     const Folder folder;
     folder.file("c.xyz", cube_of(4));
     const auto atom = [](int number, double x, const char* name) {
@@ -180,7 +180,7 @@ TEST_SUITE("solid box") {
     CHECK(folder.has("t.mesh"));
   }
 
-  TEST_CASE("the box is that of the file of a molecule where --box says auto, and another one is noted") {
+  TEST_CASE("--box auto is the cell of a molecule's file, and another box gives a warning") {
     const Folder folder;
     std::string atoms;
     for (int x = 0; x < 4; ++x)
@@ -217,7 +217,7 @@ TEST_SUITE("solid box") {
           "rbpa: --box auto: found a format without a cell, expected cif or pdb\n");
   }
 
-  TEST_CASE("what does not go with a box is refused") {
+  TEST_CASE("options that cannot be combined with --box are refused") {
     const Folder folder;
     folder.file("c.xyz", cube_of(4));
     const auto refuses = [&](const std::string& options, const std::string& message) {

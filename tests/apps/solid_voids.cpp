@@ -127,7 +127,7 @@ TEST_SUITE("solid voids") {
   }
 
   TEST_CASE(
-      "the full complex has the voids that its triangles part, as closed surfaces, and Betti numbers of its own") {
+      "the full complex has the voids that its triangles separate, as closed surfaces, and Betti numbers of its own") {
     const Folder folder;
     // A tetrahedron with edges of √8: its triangles come at 1.633, and itself at 1.732. Around it a larger one, and a
     // point.
@@ -176,7 +176,7 @@ TEST_SUITE("solid voids") {
     CHECK(outcome.err == "rbpa: --complex: found 'most', expected solid or full\n");
   }
 
-  TEST_CASE("voids that are asked for are those of the full complex, which a ball cannot leave") {
+  TEST_CASE("requested voids are those of the full complex, which a ball cannot leave") {
     const Folder folder;
     // A ball at the center of C60 is 3.55 from all atoms, and passes no hexagon, which has no tetrahedron within 3.1.
     const std::string data = "'" RBPA_TEST_DATA "/findings/mol_04_c60/";
@@ -235,7 +235,7 @@ TEST_SUITE("solid voids") {
     }
   }
 
-  TEST_CASE("no void is an empty list, a table without lines, and no group") {
+  TEST_CASE("without voids there is an empty list, a table without lines, and no group") {
     const Folder folder;
     folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     for (const char* name : {"v.json", "v.csv", "v.obj"})
@@ -247,7 +247,7 @@ TEST_SUITE("solid voids") {
     CHECK(folder.content("v.obj").empty());
   }
 
-  TEST_CASE("radii at which voids close and are filled, and pockets with their mouths") {
+  TEST_CASE("voids have the radii at which they close and are filled, and pockets have mouths") {
     const Folder folder;
     folder.file("c.xyz", hollow_cube());
     for (const char* complex : {"solid", "full"}) {
@@ -293,7 +293,7 @@ TEST_SUITE("solid voids") {
     refuses("--pockets p.csv --voids p.csv", "p.csv");
   }
 
-  TEST_CASE("another ending is refused, and the name of another output") {
+  TEST_CASE("unknown endings and the names of other outputs are refused") {
     const Folder folder;
     folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     Outcome outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.ply");

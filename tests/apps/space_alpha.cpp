@@ -29,7 +29,7 @@ std::string sphere(int count) {
 }  // namespace
 
 TEST_SUITE("space alpha") {
-  TEST_CASE("a sphere has one void that lasts, in words, JSON and CSV") {
+  TEST_CASE("a sphere has one lasting void, in text, JSON and CSV") {
     const Folder folder;
     folder.file("s.xyz", sphere(500));
     const Outcome text = folder.rbpa("alpha s.xyz --dimension 3 -q");
@@ -100,7 +100,7 @@ TEST_SUITE("space alpha") {
     CHECK(json::parse(folder.content("none.json")).size() == 1);  // what never ends
   }
 
-  TEST_CASE("points in a plane, on a line and one alone have an answer: that of the plane") {
+  TEST_CASE("points in a plane, on a line and a single one have the answer of the plane") {
     const Folder folder;
     for (const std::string name : {"coplanar.xyz", "two.xyz"})
       folder.file(name, read_file(RBPA_TEST_DATA "/findings/case_coplanar_persistence/" + name));
@@ -139,7 +139,7 @@ TEST_SUITE("space alpha") {
     CHECK(all[4]["edges"].size() == 4);
   }
 
-  TEST_CASE("what it does not know is refused") {
+  TEST_CASE("options without meaning in space are refused") {
     const Folder folder;
     folder.file("s.xyz", sphere(20));
     const auto refuses = [&](const std::string& options, int code, const std::string& message) {

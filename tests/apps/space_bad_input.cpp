@@ -67,7 +67,7 @@ const double no_number = __builtin_nan(""), inf = __builtin_inf();
 }  // namespace
 
 TEST_SUITE("bad points of space") {
-  TEST_CASE("no such file, a folder, an empty file") {
+  TEST_CASE("a missing file, a folder and an empty file are refused") {
     const Folder folder;
     CHECK_THROWS_WITH_AS(read_space_points(folder.path("none.xyz"), Format::text),
                          (folder.path("none.xyz") + ": found no such file, expected a file of points").c_str(),
@@ -78,7 +78,7 @@ TEST_SUITE("bad points of space") {
       CHECK(refusal("", format) == "p: found an empty file, expected points");
   }
 
-  TEST_CASE("what is of no format at all is not the one that its name says") {
+  TEST_CASE("a file of no known format is refused as any format") {
     const std::string text = "hello, world\n";
     CHECK(table(text) == "p:1: found 'hello, world', expected 3 or 6 numbers");
     CHECK(refusal(text, Format::ply) == "p: found no PLY signature, expected a .ply file");
@@ -91,7 +91,7 @@ TEST_SUITE("bad points of space") {
     CHECK(refusal(text, Format::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
   }
 
-  TEST_CASE("a wrong number of columns") {
+  TEST_CASE("a wrong number of columns is refused") {
     CHECK(table("0 0\n1 0\n") == "p:1: found 2 columns ('0 0'), expected 3 or 6");
     CHECK(table("0 0 0 1\n") ==
           "p:1: found 4 columns ('0 0 0 1'), expected 3 or 6 (--columns X,Y,Z chooses some of more)");
@@ -110,7 +110,7 @@ TEST_SUITE("bad points of space") {
           "p:15: found '256', expected a channel of a color, from 0 to 255");
   }
 
-  TEST_CASE("columns that are not there, or are one") {
+  TEST_CASE("missing or repeated columns are refused") {
     CHECK(table("0 0 0\n", "1,2,4") ==
           "p:1: found 3 columns ('0 0 0'), expected at least 4 columns, as --columns requires");
     CHECK(table("a,b,c\n1,2,3\n", "a,b,d") == "p:1: found 'a,b,c', expected a header with a column 'd'");
@@ -126,7 +126,7 @@ TEST_SUITE("bad points of space") {
     CHECK(table("", "1,2,0") == "--columns: found '0', expected a column number from 1 or a column name");
   }
 
-  TEST_CASE("a field that is no number, or none that is finite") {
+  TEST_CASE("a field that is no finite number is refused") {
     CHECK(table("0 0 0\n# x\n1 2 abc\n") == "p:3: found 'abc', expected a number");
     CHECK(table("0 0 0\n1 2 3x\n") == "p:2: found '3x', expected a number");
     CHECK(table("0 0 0\n1 nan 3\n") == "p:2: found 'nan', expected a finite number" + skip);
@@ -165,7 +165,7 @@ TEST_SUITE("bad points of space") {
     CHECK(npy("(2, 6)", numbers({0., 0., 0., 1., 0., 0., 0., 0., 0., 0., 0., 0.})) == message);
   }
 
-  TEST_CASE("a file that ends before all that it announces, found before memory is asked for") {
+  TEST_CASE("a file that ends too early is refused before memory is allocated") {
     CHECK(off("OFF\n2 0 0\n0 0 0\n# a comment that is long enough\n") ==
           "p: found 1 vertex line, expected 2 vertex lines as line 2 says");
     CHECK(off("OFF\n99999999999999 0 0\n0 0 0\n") ==
@@ -209,7 +209,7 @@ TEST_SUITE("bad points of space") {
           "whole)");
   }
 
-  TEST_CASE("a header of PCD that says what cannot be") {
+  TEST_CASE("an impossible header of PCD is refused") {
     CHECK(pcd("", "DATA binary", "DATA hex") == "p:9: found 'DATA hex', expected ascii, binary or binary_compressed");
     CHECK(pcd("", "DATA binary\n", "") == "p: found the end of the file in the header, expected DATA");
     CHECK(pcd(std::string(24, '\0'), "FIELDS x y z", "FIELDS x y h") ==
@@ -238,7 +238,7 @@ TEST_SUITE("bad points of space") {
           "p:6: found '1e+300', expected a color of 4 bytes");
   }
 
-  TEST_CASE("a normal or a vertex that a face of OBJ names and the file has not") {
+  TEST_CASE("a missing normal or vertex that a face of OBJ names is refused") {
     const std::string v = "v 0 0 0\nvn 1 0 0\n";
     CHECK(obj(v + "f 1//2\n") == "p:3: found '2', expected a normal number from 1 to 1");
     CHECK(obj(v + "f 2//1\n") == "p:3: found '2', expected a vertex number from 1 to 1");
@@ -249,7 +249,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj("f 1//1\nv 0 0 0\n") == "none");  // no normals at all: nothing to be wrong about
   }
 
-  TEST_CASE("heights of LAS that are none") {
+  TEST_CASE("scales and offsets of LAS that give no finite heights are refused") {
     LasFile file{.points = {{.x = 1}}};
     file.scale[2] = 0;
     CHECK(refusal(bytes_of(file), Format::las) == "p: found a scale of '0', expected a finite number other than 0");

@@ -101,7 +101,7 @@ std::string pcd_binary() {
 }  // namespace
 
 TEST_SUITE("points of space") {
-  TEST_CASE("a name or an ending is a format") {
+  TEST_CASE("a name and an ending give a format") {
     CHECK(find_format(Use::space, "XYZ") == Format::text);
     CHECK(find_format(Use::space, "csv") == Format::text);
     CHECK(find_format(Use::space, "pcd") == Format::pcd);
@@ -114,7 +114,7 @@ TEST_SUITE("points of space") {
     }
   }
 
-  TEST_CASE("tables have 3 columns or 6, under every separator, with comments, quotes and a header") {
+  TEST_CASE("tables have 3 or 6 columns, with every separator, comments, quotes and a header") {
     is(table("0.5 -1 2\n3 4e-3 1e6\n"));
     is(table("\xEF\xBB\xBF# said\n\n 0.5   -1  2 # first\r\n3 +.004 1e6"));
     is(table("0.5,-1,2\n\"3\", 4e-3 ,1e6\n"));
@@ -124,7 +124,7 @@ TEST_SUITE("points of space") {
     is(table("x y z nx ny nz\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n"), normals);
   }
 
-  TEST_CASE("a header says where they are, in whatever order") {
+  TEST_CASE("a header names coordinates and normals, in any order") {
     const SpacePoints file =
         table("id,Normal_Z,Y,red,Z,X,normal_x,normal_y\n7,2,-1,NA,2,0.5,0,0\n8,0,4e-3,text,1e6,3,-1,0.25\n");
     is(file, normals);
@@ -143,7 +143,7 @@ TEST_SUITE("points of space") {
     is(table("0.5 -1 2 2 0 0\n3 4e-3 1e6 0 .25 -1\n", "1,2,3,6,5,4"), {{0, 0, 2}, {-1, .25, 0}});
   }
 
-  TEST_CASE("a header names colours, in whatever order, beside normals or without") {
+  TEST_CASE("a header names colors, in any order, with normals or without") {
     for (const std::string names : {"r,g,b", "red,green,blue", "R,G,B", "Red,Green,Blue"}) {
       CAPTURE(names);
       is(table("x,y,z," + names + "\n0.5,-1,2,1,2,255\n3,4e-3,1e6,128,0,7\n"), {}, colors);
@@ -163,8 +163,7 @@ TEST_SUITE("points of space") {
     CHECK(partly.remarks == std::vector<std::string>{"colors are left out, as line 3 has none"});
   }
 
-  TEST_CASE(
-      "six unnamed columns have colours where all of the last three are whole numbers, else normals; it is said") {
+  TEST_CASE("six unnamed columns have colors if the last three are whole numbers, else normals, with a warning") {
     const std::string as_colors =
         "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)";
     const std::string as_normals = "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)";
@@ -196,7 +195,7 @@ TEST_SUITE("points of space") {
     CHECK(table("0 0 1 0 0 2\n", "1,2,3,4,5,6").remarks.empty());
   }
 
-  TEST_CASE("longitudes, latitudes and heights are points of space, and what that means is said") {
+  TEST_CASE("longitudes, latitudes and heights are points in space, with a warning") {
     const SpacePoints file = table("height,lat,lon\n100,60,5\n110,60,6\n");
     CHECK(file.points == Places{{5, 60, 100}, {6, 60, 110}});
     REQUIRE(file.remarks.size() == 2);
@@ -213,14 +212,14 @@ TEST_SUITE("points of space") {
     CHECK(of_las.remarks[0].starts_with("x and y are degrees"));
   }
 
-  TEST_CASE("a decimal comma is one") {
+  TEST_CASE("a decimal comma is read") {
     const SpacePoints file = table("0,5;-1;2\n3;0,004;1e6\n");
     is(file);
     CHECK(file.remarks == std::vector<std::string>{"the decimal sign is a comma: 0,5 is read as 0.5"});
     is(table("0,5 -1 2\n3 0,004 1e6\n"));
   }
 
-  TEST_CASE("PLY of every kind, its properties in any order, lists and other elements between") {
+  TEST_CASE("PLY of every kind is read, with properties in any order, and lists and other elements between") {
     std::string text = ply_head("ascii") + "9\n-1 0 0.5 1 0 2 255 2 5 2\n4e-3 -1 3 128 0.25 0 7 1e6 5 0\n";
     is(read(text, Format::ply), normals, colors);
     is(read(ply_binary_of(std::endian::little), Format::ply), normals, colors);
@@ -233,7 +232,7 @@ TEST_SUITE("points of space") {
     }
   }
 
-  TEST_CASE("what PLY has of normals and colours in part is left out, and said") {
+  TEST_CASE("incomplete normals and colors of PLY are left out, with a warning") {
     const SpacePoints file = read(
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty float "
         "nx\n"
@@ -246,7 +245,7 @@ TEST_SUITE("points of space") {
                                    "colors are left out, as red, green and blue are not three of type uchar"});
   }
 
-  TEST_CASE("OFF has the normals of its prefix N and the colours of its prefix C, and nothing else") {
+  TEST_CASE("OFF has normals with the prefix N and colors with the prefix C, and nothing else") {
     is(read("OFF\n2 1 0\n0.5 -1 2 9 9 9\n3 4e-3 1e6\n3 0 1 0\n", Format::off));
     is(read("NOFF\n2 0 0\n0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n", Format::off), normals);
     is(read("STCNOFF 2 0 0\n0.5 -1 2 0 0 2 1 2 255 1 0 0\n3 4e-3 1e6 -1 .25 0 128 0 7 1 0 1\n", Format::off), normals,
@@ -256,7 +255,7 @@ TEST_SUITE("points of space") {
        {{255, 255, 255}, {0, 128, 255}});
   }
 
-  TEST_CASE("OBJ has the colours behind its vertices, from 0 to 1, or to 255 where one is greater than 1") {
+  TEST_CASE("OBJ has colors after its vertices, from 0 to 1, or to 255 if one is greater than 1") {
     const auto with = [](const std::string& first, const std::string& second) {
       return read("v 0.5 -1 2 " + first + "\nvn 0 0 2\nv 3 4e-3 \\\n1e6 " + second + "\nvn -1 .25 0\n", Format::obj);
     };
@@ -269,7 +268,7 @@ TEST_SUITE("points of space") {
     CHECK(with("", "1").remarks.empty());
   }
 
-  TEST_CASE("colours of text that are there in part, or are none, are left out, and that is said") {
+  TEST_CASE("incomplete or wrong colors of text are left out, with a warning") {
     const auto says = [](const std::string& text, Format format, const std::string& why) {
       const SpacePoints file = read(text, format);
       is(file);
@@ -300,7 +299,7 @@ TEST_SUITE("points of space") {
     is(read(v + "vn 0 0 2\nvn 0 0 2\nvn -1 .25 0\nf 1//1 2//3 1//2\n", Format::obj), normals);  // equal ones
   }
 
-  TEST_CASE("where OBJ does not say one normal for each vertex there are none, and that is said") {
+  TEST_CASE("OBJ without one normal for each vertex has none, with a warning") {
     const std::string v = "v 0.5 -1 2\nv 3 4e-3 1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
     const auto says = [&](const std::string& text, const std::string& why) {
       const SpacePoints file = read(v + text, Format::obj);
@@ -313,7 +312,7 @@ TEST_SUITE("points of space") {
     says(n + "f 1//1 2 1//1\n", "no face gives vertex 2 one");
   }
 
-  TEST_CASE("PCD, as text and binary, with fields that do not count between") {
+  TEST_CASE("PCD is read as text and binary, with other fields between") {
     const auto text = [](const std::string& first, const std::string& second) {
       return pcd_head("ascii") + "0.5 -1 2 " + first + " 1 2 3 0 0 2\n3 4e-3 1e6 " + second + " 1 2 3 -1 .25 0\n";
     };
@@ -323,7 +322,7 @@ TEST_SUITE("points of space") {
             Format::pcd));
   }
 
-  TEST_CASE("a colour of PCD may be in the bits of a float") {
+  TEST_CASE("a color of PCD may be in the bits of a float") {
     const float bits = std::bit_cast<float>(packed(colors[0]) & 0xffffffU);
     const SpacePoints file = read(
         "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
@@ -354,7 +353,7 @@ TEST_SUITE("points of space") {
           Places{{1, -2, 3}});
   }
 
-  TEST_CASE("LAS has x, y and z as its scales say, of all versions, and of those that --where takes") {
+  TEST_CASE("LAS of all versions has x, y and z by its scales, of the points that --where takes") {
     for (unsigned minor = 0; minor <= 4; ++minor) {
       LasFile file{.minor = minor};
       file.scale[2] = 0.5;
@@ -369,7 +368,7 @@ TEST_SUITE("points of space") {
     }
   }
 
-  TEST_CASE("LAS has the colours of every format that has any, of 16 bits or 8, and black is none") {
+  TEST_CASE("LAS has the colors of every format with any, of 16 or 8 bits; all black is none") {
     for (unsigned format = 0; format <= 10; ++format) {
       CAPTURE(format);
       LasFile file{.minor = 4, .format = format};
@@ -387,7 +386,7 @@ TEST_SUITE("points of space") {
     }
   }
 
-  TEST_CASE("lines that are no point are left out and counted, if that is asked for") {
+  TEST_CASE("lines that are no point are left out and counted with --skip-invalid") {
     const auto skipping = [](const std::string& text) {
       return space_points_in(text, "p", Format::text, {.skip_invalid = true});
     };
@@ -436,7 +435,7 @@ TEST_SUITE("points of space") {
                          BadInput);
   }
 
-  TEST_CASE("--where: vertices of PLY by their properties, points of PCD by their fields") {
+  TEST_CASE("--where takes vertices of PLY by their properties, and points of PCD by their fields") {
     const auto where = [](const std::string& condition) {
       return CloudRequest{.where = Condition(condition, names_of_properties())};
     };

@@ -45,7 +45,7 @@ void is(const SpacePoints& file, const Places& normals = {}, const Colors& with_
 }  // namespace
 
 TEST_SUITE("tables of space") {
-  TEST_CASE("pts: the number of points may come first; intensities and colours behind x, y, z") {
+  TEST_CASE("pts may have the number of points first, and intensities and colors after x, y, z") {
     for (const std::string count : {"", "2\n", "# said\n 2 \r\n\n"}) {
       CAPTURE(count);
       is(read(count + "0.5 -1 2\n3 4e-3 1e6\n", Format::pts));
@@ -60,7 +60,7 @@ TEST_SUITE("tables of space") {
     is(read("2\n9 0.5 -1 2\n9 3 4e-3 1e6\n", Format::pts, {.columns = parse_space_columns("2,3,4")}));
   }
 
-  TEST_CASE("pts: no more and no fewer points than the first line says, unless invalid ones are skipped") {
+  TEST_CASE("pts has exactly the points that the first line counts, unless invalid ones are skipped") {
     const std::string one = "0.5 -1 2 1\n", two = one + "3 4e-3 1e6 1\n", way = " (--skip-invalid reads what is there)";
     CHECK(refusal("2\n" + one, Format::pts) == "p: found 1 line of points, expected 2 as line 1 says" + way);
     CHECK(refusal("# a\n\n1\n" + two, Format::pts) == "p: found 2 lines of points, expected 1 as line 3 says" + way);
@@ -78,7 +78,7 @@ TEST_SUITE("tables of space") {
     CHECK(file.remarks == Remarks{"--where selects 1 of 2 lines"});
   }
 
-  TEST_CASE("pts: a file that ends anywhere within its numbers is refused or has whole points only") {
+  TEST_CASE("pts cut anywhere within its numbers is refused, or has whole points only") {
     const std::string whole = "3\n0.5 -1 2 7 1 2 255\n3 4 1 7 128 0 7\n5 6 7 8 9 10 11\n";
     for (std::size_t size = 1; size + 3 < whole.size(); ++size) {
       const std::string message = refusal(whole.substr(0, size), Format::pts);
@@ -88,7 +88,7 @@ TEST_SUITE("tables of space") {
     }
   }
 
-  TEST_CASE("pts: other numbers of columns are refused by their line") {
+  TEST_CASE("pts with other numbers of columns is refused by its line") {
     const std::string wanted = ", expected 3, 4, 6 or 7: x, y, z, intensity, red, green, blue";
     CHECK(refusal("1\n0 0\n", Format::pts) == "p:2: found 2 columns ('0 0')" + wanted);
     CHECK(refusal("1\n0 0 0 0 0\n", Format::pts) == "p:2: found 5 columns ('0 0 0 0 0')" + wanted);
@@ -97,7 +97,7 @@ TEST_SUITE("tables of space") {
     CHECK(refusal("2\n0 0 0\n1\n0 0 0\n", Format::pts) == "p:3: found 1 column ('1'), expected 3 as in line 2");
   }
 
-  TEST_CASE("xyzn: always normals, whole numbers too") {
+  TEST_CASE("xyzn has normals, also of whole numbers") {
     is(read("0.5 -1 2 0 0 2\n3 4e-3 1e6 128 0 7\n", Format::xyzn), {{0, 0, 2}, {128, 0, 7}});
     is(read("# x\n0.5,-1,2,0,0,2\n3,4e-3,1e6,-1,0.25,0\n", Format::xyzn), {{0, 0, 2}, {-1, .25, 0}});
     is(read("x y z nx ny nz\n0.5 -1 2 0 0 2\n3 4e-3 1e6 128 0 7\n", Format::xyzn), {{0, 0, 2}, {128, 0, 7}});
@@ -110,7 +110,7 @@ TEST_SUITE("tables of space") {
           "p:2: found 5 columns ('0 0 0 0 0'), expected 6 as in line 1");
   }
 
-  TEST_CASE("xyzrgb: always colours, from 0 to 1 as Open3D writes them, or to 255") {
+  TEST_CASE("xyzrgb has colors, from 0 to 1 as Open3D writes them, or to 255") {
     is(read("0.5 -1 2 1 2 255\n3 4e-3 1e6 128 0 7\n", Format::xyzrgb), {}, colors);
     is(read("0.5 -1 2 0.003922 0.007843 1.0\n3 4e-3 1e6 0.501961 0 0.027451\n", Format::xyzrgb), {}, colors);
     is(read("0.5 -1 2 0 0 0\n3 4e-3 1e6 1 1 1\n", Format::xyzrgb), {}, {{0, 0, 0}, {255, 255, 255}});
@@ -121,7 +121,7 @@ TEST_SUITE("tables of space") {
           "p:1: found 3 columns ('0 0 0'), expected 6: x, y, z, red, green, blue");
   }
 
-  TEST_CASE("in the plane they have x and y, and say that heights are left out") {
+  TEST_CASE("in the plane these tables have x and y, with a warning that heights are left out") {
     for (const auto& [format, text] : {std::pair<Format, std::string>{Format::pts, "2\n0.5 -1 2 9\n3 4 5 9\n"},
                                        {Format::xyzn, "0.5 -1 2 0 0 1\n3 4 5 0 0 1\n"},
                                        {Format::xyzrgb, "0.5 -1 2 0 0 1\n3 4 5 0 0 1\n"}}) {
@@ -134,7 +134,7 @@ TEST_SUITE("tables of space") {
                          BadInput);
   }
 
-  TEST_CASE("a comment right before the numbers that names x, y and z names all columns") {
+  TEST_CASE("a comment right before the numbers that contains x, y and z names all columns") {
     const std::string said = "' names the columns (--columns chooses others)";
     is(read("# x y z r g b\n0.5 -1 2 1 2 255\n3 4e-3 1e6 128 0 7\n", Format::text), {}, colors,
        {"the comment 'x y z r g b" + said});
@@ -156,7 +156,7 @@ TEST_SUITE("tables of space") {
     is(read("# z y x\nx y z\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));  // a header is nearer
   }
 
-  TEST_CASE("headers as other programs write them") {
+  TEST_CASE("headers of other programs are read") {
     // CloudCompare: behind two slashes, and fractions of colors by their own names.
     is(read("//X Y Z R G B Nx Ny Nz\n0.5 -1 2 1 2 255 0 0 1\n3 4e-3 1e6 128 0 7 0 1 0\n", Format::text),
        {{0, 0, 1}, {0, 1, 0}}, colors,
@@ -171,7 +171,7 @@ TEST_SUITE("tables of space") {
        {{0, 0, 1}, {0, 1, 0}});
   }
 
-  TEST_CASE("the program reads them by their endings, packed or from standard input") {
+  TEST_CASE("the program reads these tables by their endings, compressed, or from standard input") {
     const Folder folder;
     const std::string four = "0 0 0 9\n1 0 0 9\n0 1 0 9\n1 1 0 9\n";
     folder.file("p.pts", "4\n" + four);

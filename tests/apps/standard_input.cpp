@@ -42,7 +42,7 @@ std::string refusal(const std::string& text, bool polygons = false) {
 }  // namespace
 
 TEST_SUITE("standard input") {
-  TEST_CASE("content says the format of points, packed or not, with options of that format") {
+  TEST_CASE("points have the format of their content, compressed or not, with options of that format") {
     const Folder folder;
     REQUIRE(folder.file("t.off", off).size() > 0);
     REQUIRE(folder.meshtopo("t.off --repair t.ply --quiet").code == 0);
@@ -84,7 +84,7 @@ TEST_SUITE("standard input") {
     refuses("info - --vertices < p.las", 2, "--vertices: found standard input in a format without lines and polygons");
   }
 
-  TEST_CASE("content says the format of points of space, meshes and polygons; where nothing does, that is said") {
+  TEST_CASE("points in space, meshes and polygons have the format of their content; an unknown one is refused") {
     const Folder folder;
     folder.file("m.off", off);
     for (const std::string ending : {"ply", "obj", "stl"})
@@ -122,7 +122,7 @@ TEST_SUITE("standard input") {
     CHECK(ending_of_content("TITLE x y\n1 2\n").empty());
   }
 
-  TEST_CASE("GeoJSON: what is wrong is in a feature, by number and id") {
+  TEST_CASE("an error in GeoJSON is named by the number and id of the feature") {
     const auto feature = [](const std::string& before, const std::string& coordinates, const std::string& behind) {
       return "{\"type\":\"Feature\"," + before +
              "\"properties\":{\"id\":9},\"geometry\":{\"type\":\"Point\",\"coordinates\":" + coordinates + "}" +

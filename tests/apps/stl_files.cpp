@@ -50,7 +50,7 @@ const std::string two_cubes = "case_stl_undoes_repair/two_cubes_edge.stl";
 }  // namespace
 
 TEST_SUITE("STL: behind the last facet") {
-  TEST_CASE("whatever it is is left out, and said") {
+  TEST_CASE("attributes of any kind are left out, with a warning") {
     const std::string cube = stl_binary(pyramid_triangles);
     for (const auto& [tail, said] : std::vector<std::pair<std::string, std::string>>{
              {"\n", "1 byte behind the last facet is"},
@@ -70,7 +70,7 @@ TEST_SUITE("STL: behind the last facet") {
     }
   }
 
-  TEST_CASE("facets with attributes, of one length or several") {
+  TEST_CASE("facets have attributes of one length or several") {
     const std::string plain = stl_binary(pyramid_triangles);
     std::string content = plain.substr(0, 84);
     for (std::size_t f = 0; f < 6; ++f) {
@@ -95,7 +95,7 @@ TEST_SUITE("STL: behind the last facet") {
     CHECK(folder.meshtopo("short.stl -q").code == 3);
   }
 
-  TEST_CASE("text: capital letters, several solids, zeros and the mark of the end behind them") {
+  TEST_CASE("ASCII STL may have capital letters, several solids, and zeros or the mark of the end after them") {
     const std::string one = stl_text(pyramid_triangles);
     std::string capitals = one;
     for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -112,7 +112,7 @@ TEST_SUITE("STL: behind the last facet") {
     CHECK(folder.meshtopo("m.stl -q").code == 3);
   }
 
-  TEST_CASE("files of others") {
+  TEST_CASE("files of others are read") {
     for (const std::string name : {"tail92", "payload", "newline"}) {
       const Folder folder;
       holds(folder, finding("case_stl_tails/" + name + ".stl"), "closed,genus=0,vertices=8,faces=12");
@@ -137,7 +137,7 @@ TEST_SUITE("single precision") {
     CHECK(folder.rbpa("solid m.off --alpha inf --boundary o.ply --shift auto").code == 2);
   }
 
-  TEST_CASE("meshtopo refuses what rounding takes away, and a shift keeps it") {
+  TEST_CASE("meshtopo refuses to lose faces by rounding, and a shift keeps them") {
     const Folder folder;
     const std::string utm = finding("case_stl_single_precision/utm.off");
     const Outcome refused = folder.meshtopo(utm + " --repair o.stl --check closed,manifold -q");
@@ -161,7 +161,7 @@ TEST_SUITE("single precision") {
     CHECK(folder.content("p.stl") == folder.content("o.stl"));
   }
 
-  TEST_CASE("--check is of the file: STL joins what a repair has cut") {
+  TEST_CASE("--check examines the file: STL joins vertices that a repair has cut") {
     const Folder folder;
     const std::string cubes = finding(two_cubes);
     const Outcome outcome = folder.meshtopo(cubes + " --repair o.stl --check closed,manifold,components=2 -q");
@@ -185,7 +185,7 @@ TEST_SUITE("single precision") {
     CHECK(json::parse(folder.meshtopo("p.off --repair o.stl --check pinches=1 --json").out)["result"]["pinches"] == 1);
   }
 
-  TEST_CASE("what every verb writes as STL passes the check that was promised, near and far from the origin") {
+  TEST_CASE("STL of every verb passes the promised check, near and far from the origin") {
     // A shift of whole numbers changes nothing; beside a map's coordinates the sphere has some hundred places in single
     // precision.
     for (const double far : {0.0, 100.0, 500000.0, 3e7}) {
@@ -215,7 +215,7 @@ TEST_SUITE("single precision") {
     }
   }
 
-  TEST_CASE("points that are near each other, and where no shift helps") {
+  TEST_CASE("points too close to each other are refused if no shift helps") {
     const Folder folder;
     const std::string in =
         "surface " + finding("scan_stl_float/cube_ulp.xyz") + " --radius auto --keep-largest 1 --watertight -q -o ";

@@ -35,7 +35,7 @@ Ending with_reader_of(std::size_t bytes, const Folder& folder, const Child::Comm
 }  // namespace
 
 TEST_SUITE("standard output") {
-  TEST_CASE("help and version fail where they cannot be written") {
+  TEST_CASE("help and version fail if they cannot be written") {
     const Folder folder;
     for (const std::string what : {"--help", "--version", "mesh --help", "info --help"}) {
       CAPTURE(what);
@@ -51,7 +51,7 @@ TEST_SUITE("standard output") {
     }
   }
 
-  TEST_CASE("a reader that goes away ends a run with 141, without a word, and nothing is left") {
+  TEST_CASE("a reader that goes away ends a run with 141, silently, and nothing is left") {
     const Folder folder;
     std::string points;
     std::mt19937 random(1);
@@ -83,7 +83,7 @@ TEST_SUITE("standard output") {
     CHECK(folder.content("errors").empty());
   }
 
-  TEST_CASE("where it is closed, its bytes do not get into a file") {
+  TEST_CASE("bytes for a closed stream do not get into a file") {
     const Folder folder;
     const std::string path = folder.file("p.xy", corner);
     Child child({RBPA_PROGRAM, "alpha", path, "-o", folder.path("a.svg"), "--stats", folder.path("s.json")},
@@ -103,7 +103,7 @@ TEST_SUITE("standard output") {
 TEST_SUITE("messages") {
   using rbpa::app::printable;
 
-  TEST_CASE("what a terminal would obey is written out, and letters of any script stay") {
+  TEST_CASE("control characters are escaped, and letters of any script stay") {
     CHECK(printable("a b'c\"d\\e") == "a b'c\"d\\e");
     CHECK(printable("für 雪 \xF0\x9F\x8C\x8D") == "für 雪 \xF0\x9F\x8C\x8D");
     CHECK(printable("a\nb\rc\td") == "a\\nb\\rc\\td");
@@ -116,7 +116,7 @@ TEST_SUITE("messages") {
     CHECK(printable("\xE2\x80\xA6") == "\xE2\x80\xA6");     // three dots
   }
 
-  TEST_CASE("bytes that are no UTF-8 are written out one by one") {
+  TEST_CASE("bytes that are no UTF-8 are escaped one by one") {
     CHECK(printable("\xFF"
                     "a\x80") == "\\xffa\\x80");
     CHECK(printable("\xC3") == "\\xc3");  // cut off
@@ -127,7 +127,7 @@ TEST_SUITE("messages") {
     CHECK(printable("\xF8\x88\x80\x80\x80") == "\\xf8\\x88\\x80\\x80\\x80");
   }
 
-  TEST_CASE("whatever is in a name, a message is one line") {
+  TEST_CASE("a message is one line, whatever is in a name") {
     const Folder folder;
     const std::string name = "a\x1b[31m\nb\xFF.xy", shown = "a\\x1b[31m\\nb\\xff.xy";
     CHECK(folder.rbpa("info '" + name + "'").err ==

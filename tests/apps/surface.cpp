@@ -92,7 +92,7 @@ TEST_SUITE("surface") {
     CHECK(folder.content("e.npy") == folder.content("m.npy"));
   }
 
-  TEST_CASE("a hole is said, drawn as a polyline, and in JSON with its causes") {
+  TEST_CASE("a hole is reported, drawn as a polyline, and in JSON with its causes") {
     const Folder folder;
     folder.file("s.xyz", sphere(500, 0.7));
     const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --holes h.obj --json");
@@ -115,7 +115,7 @@ TEST_SUITE("surface") {
     CHECK(lines.ends_with(loop));
   }
 
-  TEST_CASE("what --stats and --json both have is the same, and unused points are listed beside their number") {
+  TEST_CASE("--stats and --json agree, and unused points are listed beside their number") {
     const Folder folder;
     folder.file("s.xyz", "9 9 9 0 0 1\n" + sphere(500, 0.7) + "5 5 5 0 0 1\n");
     const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --json --stats s.json");
@@ -137,7 +137,7 @@ TEST_SUITE("surface") {
     CHECK(report["holes"].size() == report["boundary_curves"]);
   }
 
-  TEST_CASE("--where and --skip-invalid say which points count, of formats that have such") {
+  TEST_CASE("--where and --skip-invalid choose the points, of formats that allow it") {
     const Folder folder;
     const std::string sphere_of_file = sphere(500);
     std::string table = "x y z nx ny nz keep\n";
@@ -182,7 +182,7 @@ TEST_SUITE("surface") {
             "10");
   }
 
-  TEST_CASE("colours of a table are those of the surface") {
+  TEST_CASE("colors of a table are those of the surface") {
     const Folder folder;
     folder.file("c.csv", "x,y,z,r,g,b\n0,0,0,255,0,1\n1,0,0,0,7,0\n0,1,0,3,4,5\n");
     CHECK(folder.rbpa("surface c.csv --radius 2 --normals none -o m.ply").code == 0);
@@ -192,7 +192,7 @@ TEST_SUITE("surface") {
     CHECK(ply.find(std::string("\x03\x04\x05", 3)) != std::string::npos);
   }
 
-  TEST_CASE("without normals both sides, the outer one first") {
+  TEST_CASE("without normals both sides are made, the outer one first") {
     const Folder folder;
     folder.file("s.xyz", sphere(500));
     CHECK(folder.rbpa("surface s.xyz --radius 0.3 --normals none -o both.off -o b.npy -q").err.empty());
@@ -204,7 +204,7 @@ TEST_SUITE("surface") {
     CHECK(indices_of(folder.content("b.npy")).size() == 3 * 2 * 996);
   }
 
-  TEST_CASE("normals are turned toward a viewpoint, or around, those of the file as well") {
+  TEST_CASE("normals, also those of the file, are turned toward a viewpoint, or around") {
     const Folder folder;
     folder.file("bare.xyz", sphere(500, 2, false));
     folder.file("own.xyz", sphere(500));
@@ -226,7 +226,7 @@ TEST_SUITE("surface") {
     CHECK(fewer.err.find("normals estimated") != std::string::npos);
   }
 
-  TEST_CASE("wrong neighbours and viewpoints, and no file") {
+  TEST_CASE("wrong neighbors and viewpoints are refused without a file") {
     const Folder folder;
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
     for (const std::string text : {"1", "2.5", "1001", "x"})
@@ -242,7 +242,7 @@ TEST_SUITE("surface") {
             "--neighbors requires --normals estimate");
   }
 
-  TEST_CASE("colours and normals stay with their vertices, and --compact drops the others") {
+  TEST_CASE("colors and normals stay with their vertices, and --compact drops the others") {
     const Folder folder;
     folder.file("p.ply",
                 "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -258,7 +258,7 @@ TEST_SUITE("surface") {
     CHECK(indices_of(folder.content("c.npy")) == std::vector<std::uint32_t>{1, 2, 3});
   }
 
-  TEST_CASE("nothing is an answer, with the radius that gives something") {
+  TEST_CASE("an empty surface is an answer, with a radius that gives triangles") {
     const Folder folder;
     folder.file("s.xyz", sphere(200));
     const Outcome empty = folder.rbpa("surface s.xyz --radius 0.001 -o m.off -q");
@@ -275,7 +275,7 @@ TEST_SUITE("surface") {
           "rbpa: there is no triangle: fewer than three distinct points\n");
   }
 
-  TEST_CASE("wrong usage, and no file") {
+  TEST_CASE("wrong usage is refused without a file") {
     const Folder folder;
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
     const std::string number = ", expected a radius: a number above 0, several with commas between them, or auto";
@@ -308,7 +308,7 @@ TEST_SUITE("surface") {
     CHECK(folder.names() == std::vector<std::string>{"p.xyz"});
   }
 
-  TEST_CASE("bad input, and no file") {
+  TEST_CASE("bad input is refused without a file") {
     const Folder folder;
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
     refuses(folder, "p.xyz --radius 1 --normals file -o m.off", 3,

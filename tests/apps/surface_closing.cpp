@@ -42,7 +42,7 @@ constexpr const char* ball = "surface s.xyz --radius 0.2 --json ";
 }  // namespace
 
 TEST_SUITE("surface") {
-  TEST_CASE("holes are filled, rims and islands stay, and what stays keeps its causes") {
+  TEST_CASE("holes are filled, rims and islands stay, and curves that stay keep their causes") {
     const Folder folder;
     folder.file("s.xyz", joined(lines(0.9)));
     const json open = json::parse(folder.rbpa(std::string(ball) + "-o open.off").out);
@@ -106,8 +106,7 @@ TEST_SUITE("surface") {
     CHECK(filled("length=1e9") == 2);
   }
 
-  TEST_CASE(
-      "a watertight surface is closed, of one manifold, without islands, and the same for any order and threads") {
+  TEST_CASE("a watertight surface is a closed manifold without islands, the same for any order and threads") {
     const Folder folder;
     for (const double top : {0.9, -0.2}) {  // the second is less than half a sphere: its curve is a rim
       CAPTURE(top);
@@ -143,7 +142,7 @@ TEST_SUITE("surface") {
     }
   }
 
-  TEST_CASE("triangles around holes that cannot be filled are given up, where that closes the surface") {
+  TEST_CASE("triangles around holes that cannot be filled are removed if that closes the surface") {
     const Folder folder;
     // Points as the file has them, so that they can be shuffled.
     std::istringstream mesh(read_file(RBPA_TEST_DATA "/m3_spot.off"));
@@ -185,7 +184,7 @@ TEST_SUITE("surface") {
     CHECK(plate.err.find("given up") == std::string::npos);
   }
 
-  TEST_CASE("what cannot be closed is named, nothing is written, and the exit code is 1") {
+  TEST_CASE("a surface that cannot be closed is named, nothing is written, and the exit code is 1") {
     const Folder folder;
     folder.file("t.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
     const Outcome flat = folder.rbpa("surface t.xyz --radius 1 --watertight --json -q -o m.ply");

@@ -43,7 +43,7 @@ void refuses(const Folder& folder, const std::string& options, const std::string
 }  // namespace
 
 TEST_SUITE("surface") {
-  TEST_CASE("the rim of a stray triangle is an island's, not a hole, in words, JSON and the file of curves") {
+  TEST_CASE("the rim of a stray triangle is that of an island, not a hole, in text, JSON and the file of curves") {
     const Folder folder;
     folder.file("s.xyz", sphere_and_island());
     const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --holes h.obj --json -o m.npy");
@@ -66,7 +66,7 @@ TEST_SUITE("surface") {
     CHECK(curves.ends_with("\ng island\nl 1 3 2 1\n"));
   }
 
-  TEST_CASE("what is small or not among the largest is dropped, everywhere, and its points are counted") {
+  TEST_CASE("components that are small or not among the largest are dropped everywhere, and their points are counted") {
     const Folder folder;
     folder.file("s.xyz", sphere_and_island());
     const std::string run = "surface s.xyz --radius 0.3 --holes h.obj --json ";
@@ -104,7 +104,7 @@ TEST_SUITE("surface") {
     CHECK(none.err == "rbpa: there is no triangle: 2 components dropped, and none kept\n");
   }
 
-  TEST_CASE("the outer shell of a closed body is what printers want, without its inside and what is in there") {
+  TEST_CASE("the outer shell of a closed body is kept, without the inside and bodies in it") {
     const Folder folder;
     std::string points;
     for (const auto& [radius, count] : {std::pair{1.0, 800}, std::pair{0.3, 100}})
@@ -132,7 +132,7 @@ TEST_SUITE("surface") {
     }
   }
 
-  TEST_CASE("bodies that touch are a manifold file with --manifold, and the summary says so without") {
+  TEST_CASE("bodies that touch are a manifold file with --manifold, and without it the summary gives a warning") {
     const Folder folder;
     folder.file("t.xyz", touching);
     const std::string run = "surface t.xyz --radius 0.7 --normals none --json ";

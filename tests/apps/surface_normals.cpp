@@ -58,7 +58,7 @@ std::vector<Vertex> vertices_of(const std::string& ply, bool colors) {
 }  // namespace
 
 TEST_SUITE("surface normals") {
-  TEST_CASE("in doubt: as many as have a certainty below a half, with a word where they are one in twenty") {
+  TEST_CASE("normals of a confidence below a half are counted as in doubt, with a warning from one in twenty") {
     const Folder folder;
     for (const double noise : {0.0, 2.0}) {
       CAPTURE(noise);
@@ -79,7 +79,7 @@ TEST_SUITE("surface normals") {
     }
   }
 
-  TEST_CASE("--color normals: from blue, which is sure, to orange; points left out count as in doubt") {
+  TEST_CASE("--color normals goes from blue for confidence to orange; points left out count as in doubt") {
     const Folder folder;
     folder.file("p.xyz", sphere(2000, 1.5) + "50 50 50\n");
     REQUIRE(
@@ -101,7 +101,7 @@ TEST_SUITE("surface normals") {
     CHECK(folder.content("m.png") != colored);
   }
 
-  TEST_CASE("what is not estimated has no certainty, and no colour by it") {
+  TEST_CASE("normals that are not estimated have no confidence, and no color by it") {
     const Folder folder;
     folder.file("n.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
     REQUIRE(folder.rbpa("surface n.xyz --radius 1 -q -o m.ply --stats s.json").code == 0);
@@ -121,7 +121,7 @@ TEST_SUITE("surface normals") {
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply -q --color normals --normals estimate").code == 0);
   }
 
-  TEST_CASE("columns say where each point was seen from, also where some are left out") {
+  TEST_CASE("columns give the viewpoint of each point, also if some points are left out") {
     const Folder folder;
     // Two level sheets, the upper one seen from below.
     std::string lines = "x,y,z,vx,vy,vz\n900,900,900,0,0,0\n";
@@ -160,7 +160,7 @@ TEST_SUITE("surface normals") {
     CHECK_MESSAGE(nan.err.find("q.csv:3: found 'nan', expected a finite number") != std::string::npos, nan.err);
   }
 
-  TEST_CASE("--max-radius: what auto chooses beyond becomes that, once") {
+  TEST_CASE("--max-radius replaces larger radii of auto, once") {
     const Folder folder;
     std::string lines;
     for (int i = 0; i < 900; ++i) lines += std::to_string(i % 30) + " " + std::to_string(i / 30) + " 0\n";

@@ -99,7 +99,7 @@ TEST_SUITE("surface outliers") {
     CHECK(loop.find(" 2") != std::string::npos);
   }
 
-  TEST_CASE("what is no factor is refused; without outliers nothing changes") {
+  TEST_CASE("a wrong factor is refused; without outliers nothing changes") {
     const Folder folder;
     folder.file("p.xyz", Cloud().clean);
     for (const std::string bad : {"0.5", "x", "-3", "inf"}) {

@@ -63,7 +63,7 @@ std::array<int, 3> middle_of(const std::string& bytes) {
 }  // namespace
 
 TEST_SUITE("surface picture") {
-  TEST_CASE("upright is y, or z where y is looked along or z is much taller, and its positive end is above") {
+  TEST_CASE("y is upright, or z if y is the direction of view or z is much taller, and its positive end is above") {
     constexpr std::size_t y = 1, z = 2;
     for (const double unit : {1.0, 1e-300, 1e300}) {
       CAPTURE(unit);
@@ -75,7 +75,7 @@ TEST_SUITE("surface picture") {
     }
   }
 
-  TEST_CASE("upright is as before when the points are turned a little, and when they come in another order") {
+  TEST_CASE("the upright axis stays if the points are turned a little or come in another order") {
     std::mt19937_64 random(1);
     std::vector<Point3> points = box(3, 2, 1);
     const double c = std::cos(0.3), s = std::sin(0.3);
@@ -88,7 +88,7 @@ TEST_SUITE("surface picture") {
     CHECK(std::equal(view.at.begin(), view.at.begin() + 4, view_of(points, 400).at.begin()));
   }
 
-  TEST_CASE("triangles have the mean colour of their corners from the front, as light falls, and none from behind") {
+  TEST_CASE("triangles have the shaded mean color of their corners from the front, and none from behind") {
     const Folder folder;
     const auto ply = [](const std::string& normal, const std::string& colors) {
       std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n";
@@ -117,7 +117,7 @@ TEST_SUITE("surface picture") {
     CHECK(middle("0 0 -1", red) == behind);
   }
 
-  TEST_CASE("what fills a hole is green") {
+  TEST_CASE("triangles that fill a hole are green") {
     // A flat ring of points: its hole is in the middle of the picture.
     std::string text;
     for (int x = -4; x <= 4; ++x)

@@ -59,7 +59,7 @@ TEST_SUITE("surface") {
     }
   }
 
-  TEST_CASE("with colours, estimated normals, outliers and moved points as well") {
+  TEST_CASE("refining works with colors, estimated normals, outliers and moved points") {
     const Folder folder;
     folder.file("s.txt", "x y z nx ny nz r g b\n9 9 9 0 0 1 1 2 3\n" + bowl(0.8, " 40 80 120"));
     const json with_outlier = json::parse(

@@ -65,7 +65,7 @@ Named named(const json& report) {
 }  // namespace
 
 TEST_SUITE("surface") {
-  TEST_CASE("each hole has a remedy, which closes it when it is done") {
+  TEST_CASE("each hole has a suggested repair, which closes it") {
     const Folder folder;
     std::vector<Line> lines = sphere_lines(0.93, 300);
     folder.file("s.xyz", text_of(lines));
@@ -92,7 +92,7 @@ TEST_SUITE("surface") {
     CHECK(!without["holes"][0].contains("remedy"));
   }
 
-  TEST_CASE("remedies name points of the file though outliers are left out, and stay where components are dropped") {
+  TEST_CASE("repairs name points of the file also without outliers, and stay if components are dropped") {
     const Folder folder;
     const std::vector<Line> lines = sphere_lines(1, 300);
     folder.file("s.xyz", "9 9 9 0 0 1\n" + text_of(lines));
@@ -104,7 +104,7 @@ TEST_SUITE("surface") {
     CHECK(remedies_of(report)[0] == json::parse(R"({"kind": "turn_normals", "points": [301]})"));
   }
 
-  TEST_CASE("rims have no remedy, a hole in a sheet is closed by a ball, wrong usage is refused") {
+  TEST_CASE("rims have no suggested repair, a hole in a sheet is closed by a ball, and wrong usage is refused") {
     const Folder folder;
     std::string sheet;
     for (int x = 0; x < 8; ++x)

@@ -55,7 +55,7 @@ double deviation(const Folder& folder, const std::string& name) {
 }  // namespace
 
 TEST_SUITE("surface") {
-  TEST_CASE("noise of half a spacing leaves a closed surface with nearly all points, on the points as they came") {
+  TEST_CASE("noise of half a spacing gives a closed surface with nearly all points, at their original positions") {
     const Folder folder;
     std::vector<std::string> lines = noisy_lines();
     folder.file("p.xyz", joined(lines));

@@ -92,7 +92,7 @@ std::string sheet(double origin) {
 }  // namespace
 
 TEST_SUITE("surface scenes") {
-  TEST_CASE("a scene has the positions, triangles, normals and linear colours of the surface") {
+  TEST_CASE("a scene has the positions, triangles, normals and linear colors of the surface") {
     const Folder folder;
     folder.file("s.txt", sheet(0));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.glb -o m.obj --manifold -q").code == 0);
@@ -126,7 +126,7 @@ TEST_SUITE("surface scenes") {
     }
   }
 
-  TEST_CASE("map coordinates are moved to the middle of their box, and nothing of a millimetre is lost") {
+  TEST_CASE("map coordinates are moved to the middle of their box, to less than a millimeter") {
     const Folder folder;
     folder.file("s.txt", sheet(4500000.1));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.glb -o m.obj -q").code == 0);
@@ -159,7 +159,7 @@ TEST_SUITE("surface scenes") {
     for (const float x : scene.positions()) CHECK(x < 9);
   }
 
-  TEST_CASE("without a triangle the scene is empty; a coordinate beyond floats is refused, and no file is there") {
+  TEST_CASE("without a triangle the scene is empty; a coordinate beyond floats is refused without a file") {
     const Folder folder;
     folder.file("far.txt", "0 0 0\n9 0 0\n0 9 0\n");
     CHECK(folder.rbpa("surface far.txt --radius 1 --normals none -o m.glb -q").code == 0);
@@ -175,7 +175,7 @@ TEST_SUITE("surface scenes") {
     CHECK_FALSE(folder.has("huge.glb"));
   }
 
-  TEST_CASE("a grid of VTK has doubles, normals, colours, and the input index of each vertex") {
+  TEST_CASE("a grid of VTK has doubles, normals, colors, and the input index of each vertex") {
     const Folder folder;
     folder.file("s.txt", sheet(0.1));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.vtu -o m.npy -q").code == 0);

@@ -128,7 +128,7 @@ TEST_SUITE("systems of coordinates") {
     }
   }
 
-  TEST_CASE("names of systems: of either case, and of a compound one its horizontal part") {
+  TEST_CASE("systems are named in either case, and a compound one by its horizontal part") {
     for (const auto& [name, crs] : std::vector<std::pair<std::string, std::string>>{
              {"EPSG:6339", "EPSG:6339"},
              {"epsg:6339+5703", "EPSG:6339"},
@@ -148,7 +148,7 @@ TEST_SUITE("systems of coordinates") {
     }
   }
 
-  TEST_CASE("LAS as people have it") {
+  TEST_CASE("LAS files of others have their systems") {
     const Folder folder;
     for (const auto& [file, crs] :
          std::vector<std::pair<std::string, std::string>>{{"case_las_compound_crs/wkt_compound.las", "EPSG:26910"},
@@ -166,7 +166,7 @@ TEST_SUITE("systems of coordinates") {
     CHECK_FALSE(folder.has("o.ewkt"));
   }
 
-  TEST_CASE("a vertical system is none of the plane, whoever names it") {
+  TEST_CASE("a vertical system is never that of the plane") {
     const Folder folder;
     for (const std::string vertical_code : {"5703", "3855", "5773", "6360", "9279"}) {
       CAPTURE(vertical_code);
@@ -204,7 +204,7 @@ TEST_SUITE("systems of coordinates") {
     }
   }
 
-  TEST_CASE("a code in meters beside feet is said in words, with the codes to give") {
+  TEST_CASE("a code in meters beside feet gives a warning with the codes to give") {
     const Folder folder;
     const auto remark = [&](const LasRecord& one) {
       folder.file("p.las", las({one}));
@@ -234,7 +234,7 @@ TEST_SUITE("systems of coordinates") {
     }
   }
 
-  TEST_CASE("files of two systems, or of one and none, are joined by no verb") {
+  TEST_CASE("no verb joins files of two systems, or of one and none") {
     const Folder folder;
     std::filesystem::create_directory(folder.path("tiles"));
     const std::string named = las({record(projcs(metre, code))}),

@@ -107,7 +107,7 @@ TEST_SUITE("quotes and separators") {
             }
   }
 
-  TEST_CASE("a separator at the end of lines, of the header, or of both, is none") {
+  TEST_CASE("a separator at the end of lines, of the header, or of both, is ignored") {
     for (const std::string trailing : {"", ",", ",,", ";", "\t"}) {
       const char separator = trailing.empty() ? ',' : trailing[0];
       for (const bool all : {false, true}) {
@@ -131,7 +131,7 @@ TEST_SUITE("quotes and separators") {
     CHECK(refusal("x,y,name,\n1,2\n") == "t.csv:2: found 2 columns ('1,2'), expected 4 as in line 1");
   }
 
-  TEST_CASE("a comma in texts of the first lines does not decide, in quotes or not") {
+  TEST_CASE("a comma in texts of the first lines does not decide the separator, in quotes or not") {
     for (const char separator : {';', '\t'}) {
       const std::string s(1, separator);
       const std::string lines = "Amsterdam, NL" + s + "4.880" + s + "52.370\nUtrecht, NL" + s + "4.900" + s +
@@ -164,7 +164,7 @@ TEST_SUITE("quotes and separators") {
     CHECK(block == read(far, {.skip_invalid = true}).points);
   }
 
-  TEST_CASE("lines behind a text of several lines have their own numbers") {
+  TEST_CASE("lines after a text of several lines have their own numbers") {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
       const std::string text = "name,x,y" + end + "\"a" + end + end + "b\",1,2" + end + "c,3,z" + end;
       CHECK(refusal(text) == "t.csv:5: found 'z', expected a number");

@@ -40,7 +40,7 @@ const CloudRequest skipping{.skip_invalid = true};
 }  // namespace
 
 TEST_SUITE("tables of people") {
-  TEST_CASE("columns are found by their names, whatever their order and what is beside them") {
+  TEST_CASE("columns are found by their names, in any order and beside any others") {
     struct Names {
       std::string x, y;
       bool degrees;
@@ -84,7 +84,7 @@ TEST_SUITE("tables of people") {
         }
   }
 
-  TEST_CASE("what is taken by name is said") {
+  TEST_CASE("columns taken by name are reported") {
     CHECK(read("lat,lon\n1,2\n").remarks ==
           std::vector<std::string>{
               "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
@@ -96,7 +96,7 @@ TEST_SUITE("tables of people") {
     CHECK_FALSE(transposed.degrees);
   }
 
-  TEST_CASE("of several pairs of names the leftmost; of none the first columns") {
+  TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
     CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
     CHECK(read("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
@@ -106,7 +106,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("lat,lon\n1,2\n", {.columns = parse_columns("1,2")}).points == std::vector<Point>{{1, 2}});
   }
 
-  TEST_CASE("a decimal comma, and what is none") {
+  TEST_CASE("a decimal comma is distinguished from a separator") {
     const std::vector<Point> points = {{13.4, 52.5}, {7, -0.25}, {1e10, 3}};
     for (const std::string text :
          {"13,4;52,5\n7;-0,25\n1e10;3\n", "x;y\n13,4;52,5\n7;-0,25\n1e10;3\n", "13,4\t52,5\n7\t-0,25\n1e10\t3\n",
@@ -168,7 +168,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y\n1,2\n", skipping).remarks.empty());
   }
 
-  TEST_CASE("what spreadsheets write before the table") {
+  TEST_CASE("lines that spreadsheets write before the table are skipped") {
     CHECK(read("sep=;\nx;y\n1,5;2\n").points == std::vector<Point>{{1.5, 2}});
     CHECK(read("\xEF\xBB\xBFsep=,\r\nlat,lon\r\n1,2\r\n").points == std::vector<Point>{{2, 1}});
     CHECK(read("sep=,x\n1,2\n").points == std::vector<Point>{{1, 2}});  // a header
@@ -225,7 +225,7 @@ TEST_SUITE("tables of people") {
     CHECK(refused("grp == 'A").find("expected a number or the name of a column") != std::string::npos);
   }
 
-  TEST_CASE("geometries go before coordinates beside them, where there are any, and that is said") {
+  TEST_CASE("geometries are preferred to coordinates beside them, with a message") {
     const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
     const PointFile file = read(lines);
     CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});
@@ -239,7 +239,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y,geom\n1,2,\n").remarks.empty());
   }
 
-  TEST_CASE("a column of geometries") {
+  TEST_CASE("a column of geometries is read") {
     const std::vector<Point> points = {{1, 2}, {3, 4}, {5, 6}};
     CHECK(read("id,WKT\n7,POINT (1 2)\n8,\"MULTIPOINT (3 4, 5 6)\"\n").points == points);
     CHECK(read("WKT\nPOINT (1 2)\nMULTIPOINT ((3 4), (5 6))\n").points == points);
@@ -261,7 +261,7 @@ TEST_SUITE("tables of people") {
           std::vector<Point>{{1, 2}});
   }
 
-  TEST_CASE("gzip: every format, several members, and what is broken") {
+  TEST_CASE("gzip is read for every format and several members, and broken files are refused") {
     const Folder folder;
     std::string text;
     for (int i = 0; i < 200000; ++i) text += std::to_string(i) + " " + std::to_string(i * 7 % 1000) + "\n";
@@ -299,7 +299,7 @@ TEST_SUITE("tables of people") {
     CHECK(folder.rbpa("info n.f64xy").out.starts_with("points      1\n"));
   }
 
-  TEST_CASE("longitudes and latitudes: a word about degrees, about the antimeridian, and the way out") {
+  TEST_CASE("longitudes and latitudes give warnings about degrees and the antimeridian, with the option to use") {
     const Folder folder;
     folder.file("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
     const std::string columns =
@@ -333,7 +333,7 @@ TEST_SUITE("tables of people") {
           "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360, as --shift-longitude requires\n");
   }
 
-  TEST_CASE("a system of coordinates is said, or refused") {
+  TEST_CASE("a coordinate system is reported, or refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string name :
@@ -348,14 +348,14 @@ TEST_SUITE("tables of people") {
     }
   }
 
-  TEST_CASE("what is not read names what converts it") {
+  TEST_CASE("a format that is not read is refused with the program that converts it") {
     const Folder folder;
     CHECK(folder.rbpa("info p.laz").err.find("(pdal translate p.laz points.las)") != std::string::npos);
     CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f GeoJSON points.geojson p.gpx)") != std::string::npos);
     CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
   }
 
-  TEST_CASE("--where: lines by columns that the header names") {
+  TEST_CASE("--where selects lines by columns that the header names") {
     const auto where = [](const std::string& condition, bool skip = false) {
       return CloudRequest{.where = Condition(condition, names_of_columns()), .skip_invalid = skip};
     };

@@ -66,7 +66,7 @@ const std::string gone = "\r\x1b[K";
 }  // namespace
 
 TEST_SUITE("terminal") {
-  TEST_CASE("that no plateau stands out is said when the line of progress is gone") {
+  TEST_CASE("the warning that no plateau stands out comes after the line of progress") {
     const Folder folder;
     const std::string points = folder.file("p.xy", corner);
     const std::string seen = seen_of_rbpa({"shape", points, "--alpha", "plateau", "-o", folder.path("s.wkt")});
@@ -74,8 +74,7 @@ TEST_SUITE("terminal") {
     CHECK(contains(seen, gone + "rbpa: --alpha plateau: no range of alpha stands out"));
   }
 
-  TEST_CASE(
-      "every part of a run says on a terminal that it goes on, and leaves nothing there; with --quiet none does") {
+  TEST_CASE("every part of a run shows progress on a terminal, and leaves nothing there; with --quiet none does") {
     const Folder folder;
     const std::string points = folder.file("p.xy", many_points());
     const std::string alpha = seen_of_rbpa({"alpha", points, "--persistence"});
@@ -100,7 +99,7 @@ TEST_SUITE("terminal") {
     CHECK(seen_of_rbpa({"info", points, "-q"}).empty());
   }
 
-  TEST_CASE("so does every part of a run of meshtopo") {
+  TEST_CASE("every part of a run of meshtopo shows progress on a terminal") {
     const Folder folder;
     const std::string mesh = folder.file("m.off", pyramid_off);
     const std::string seen =
@@ -112,7 +111,7 @@ TEST_SUITE("terminal") {
     CHECK(seen_of_meshtopo({mesh, "-q"}).empty());
   }
 
-  TEST_CASE("the line goes on while a program waits") {
+  TEST_CASE("the line of progress moves while a program waits") {
     const Folder folder;
     const std::string pipe = folder.path("p.xy");
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
@@ -122,7 +121,7 @@ TEST_SUITE("terminal") {
     CHECK(contains(seen, "reading, 1 s"));
   }
 
-  TEST_CASE("the line is not in the way of what is written to the terminal") {
+  TEST_CASE("the line of progress does not mix with output to the terminal") {
     const Folder folder;
     const std::string points = folder.file("p.xy", corner), mesh = folder.file("m.off", pyramid_off);
     CHECK_FALSE(contains(seen_of_rbpa({"alpha", points, "--csv"}, true), "writing"));
@@ -136,7 +135,7 @@ TEST_SUITE("terminal") {
 TEST_SUITE("progress") {
   using rbpa::app::progress_text;
 
-  TEST_CASE("what is left is said when there is something to judge by") {
+  TEST_CASE("the time left is shown when it can be estimated") {
     CHECK(progress_text({0, 1000}, 0.1) == "0 triangles");
     CHECK(progress_text({100, 1000000}, 0.02) == "100 triangles, 5.00 k/s");
     CHECK(progress_text({19999, 1000000}, 60) == "20.0 k triangles, 333/s");
@@ -144,7 +143,7 @@ TEST_SUITE("progress") {
     CHECK(progress_text({1000000, 1000000}, 2) == "1.00 M triangles, 500 k/s, at most 2 s left");
   }
 
-  TEST_CASE("a long time is said in minutes and hours") {
+  TEST_CASE("a long time is shown in minutes and hours") {
     CHECK(progress_text({20000, 1000000}, 1) == "20.0 k triangles, 20.0 k/s");
     CHECK(progress_text({20000, 1000000}, 3) == "20.0 k triangles, 6.67 k/s, at most 4 min left");
     CHECK(progress_text({20000, 1000000}, 100) == "20.0 k triangles, 200/s, at most 2 h left");

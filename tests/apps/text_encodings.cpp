@@ -126,7 +126,7 @@ void check_utf16(const std::string& text, const std::function<void(const std::st
 }  // namespace
 
 TEST_SUITE("text encodings") {
-  TEST_CASE("points of space are the same with any mark and any line ends") {
+  TEST_CASE("points in space are the same with any byte-order mark and any line ends") {
     for (const Sample& sample : of_space) {
       CAPTURE(sample.ending);
       for (const Writing& writing : writings) {
@@ -137,7 +137,7 @@ TEST_SUITE("text encodings") {
     }
   }
 
-  TEST_CASE("points of the plane are the same with any mark and any line ends, at once, by pieces and packed") {
+  TEST_CASE("points of the plane are the same with any mark and line ends, at once, by pieces and compressed") {
     const Folder folder;
     for (const Sample& sample : of_plane) {
       CAPTURE(sample.ending);
@@ -157,7 +157,7 @@ TEST_SUITE("text encodings") {
     }
   }
 
-  TEST_CASE("meshes are the same with any mark and any line ends, packed too") {
+  TEST_CASE("meshes are the same with any mark and any line ends, also compressed") {
     std::vector<Sample> samples = {{Format::stl, "stl", stl}};
     for (const Sample& sample : of_space)
       if (find_format(Use::mesh, sample.ending)) samples.push_back(sample);
@@ -204,7 +204,7 @@ TEST_SUITE("text encodings") {
       });
   }
 
-  TEST_CASE("behind a header in any line ends binary numbers stay as they are") {
+  TEST_CASE("binary numbers after a header stay as they are, with any line ends of the header") {
     // The first number begins with LF, and CR and CRLF are among them.
     const std::string numbers("\x0A\x0D\x0D\x41\x0D\x0A\x0D\x41\x0D\x00\x0D\x41", 12);
     const std::string ply =

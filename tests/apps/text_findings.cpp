@@ -20,7 +20,7 @@ void says(const Outcome& outcome, const std::string& text) {
 }  // namespace
 
 TEST_SUITE("reported texts") {
-  TEST_CASE("a byte-order mark takes no point and no format") {
+  TEST_CASE("a byte-order mark changes neither points nor format") {
     const Folder folder;
     const std::string lost = data + "case_bom_loses_first_point/", refused = data + "case_bom_refused/";
     says(folder.rbpa("solid " + lost + "bom.pdb --alpha inf -o out.npy"), "rbpa: 8 points");
@@ -43,7 +43,7 @@ TEST_SUITE("reported texts") {
     says(folder.rbpa("solid " + cr + "cr.pdb --alpha inf -o out.npy"), "rbpa: 8 points");
   }
 
-  TEST_CASE("CSV is read as RFC 4180 has it, and as spreadsheets and ogr2ogr write it") {
+  TEST_CASE("CSV is read by RFC 4180, and as spreadsheets and ogr2ogr write it") {
     const Folder folder;
     const std::string doubled = data + "case_csv_doubled_quotes/", broken = data + "case_csv_line_break_in_quotes/",
                       comma = data + "case_comma_in_text_of_first_line/", ogr = data + "gis_ogr_csv/";
@@ -65,7 +65,7 @@ TEST_SUITE("reported texts") {
     says(folder.rbpa("info " + ogr + "xy.csv"), "points      ");
   }
 
-  TEST_CASE("what stands first is a number, a name or a count") {
+  TEST_CASE("the first text is recognized as a number, a name or a count") {
     const Folder folder;
     const std::string first = data + "case_first_line_lost_as_header/",
                       skipped = data + "case_skip_invalid_first_line/", cloud = data + "case_cloudcompare_header/";

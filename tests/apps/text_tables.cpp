@@ -111,7 +111,7 @@ void for_each_shape(const Check& check) {
 }  // namespace
 
 TEST_SUITE("text tables") {
-  TEST_CASE("every line of a table is a point, whatever the lines around it look like") {
+  TEST_CASE("every line of a table is a point, whatever the lines around it") {
     for_each_shape([](Tables tables, const Columns& columns) {
       Table table;
       for (int i = 0; i < 100; ++i) tables.add_line(table);
@@ -121,7 +121,7 @@ TEST_SUITE("text tables") {
     });
   }
 
-  TEST_CASE("a bad line is named by its number, whatever the lines before it look like") {
+  TEST_CASE("a bad line is named by its number, whatever the lines before it") {
     for_each_shape([](Tables tables, const Columns& columns) {
       Table table;
       while (table.points.size() < 50) tables.add_line(table);

@@ -81,7 +81,7 @@ std::size_t most_threads_seen(const Folder& folder, const std::string& arguments
 }  // namespace
 
 TEST_SUITE("threads") {
-  TEST_CASE("their number changes no byte") {
+  TEST_CASE("the number of threads changes no byte") {
     const Folder folder;
     scattered(folder, many);
     for (const std::string& run : runs) {
@@ -94,7 +94,7 @@ TEST_SUITE("threads") {
     }
   }
 
-  TEST_CASE("there are no more than asked for") {
+  TEST_CASE("at most the requested number of threads run") {
     const Folder folder;
     scattered(folder, 4 * many);
     for (const std::string& run : runs) {
@@ -108,7 +108,7 @@ TEST_SUITE("threads") {
     CHECK(most >= 2);
   }
 
-  TEST_CASE("statistics say how many may have worked") {
+  TEST_CASE("statistics have the number of threads") {
     const Folder folder;
     const auto said = [&](const std::string& run) {
       CAPTURE(run);
@@ -128,7 +128,7 @@ TEST_SUITE("threads") {
     CHECK(said(runs[0] + " --threads 2") == 1);
   }
 
-  TEST_CASE("what is no number of threads is refused before anything is read") {
+  TEST_CASE("a wrong number of threads is refused before anything is read") {
     const Folder folder;
     for (const std::string verb :
          {"mesh none.xy --alpha 1 -o m.off", "shape none.xy --alpha 1 -o s.wkt", "alpha none.xy"})

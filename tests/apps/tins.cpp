@@ -133,7 +133,7 @@ std::string all_writers() {
 }  // namespace
 
 TEST_SUITE("heights of triangles") {
-  TEST_CASE("every format with a third coordinate times every writer of vertices") {
+  TEST_CASE("every format with a third coordinate keeps it in every format with vertices") {
     for (const auto& [name, content] : inputs()) {
       const Folder folder;
       CAPTURE(name);
@@ -150,7 +150,7 @@ TEST_SUITE("heights of triangles") {
     }
   }
 
-  TEST_CASE("groups, --compact, the full complex and files in groups keep heights; a duplicate has its own") {
+  TEST_CASE("groups, --compact, the full complex and files in groups keep heights; duplicates keep their own") {
     const Folder folder;
     folder.file("p.csv", "x,y,z,g\n9,9,7,b\n0,0,1,a\n1,0,2,a\n0,1,3,a\n0,0,50,a\n8,9,5,b\n9,8,6,b\n30,30,4,b\n");
     const Places all = {{9, 9, 7}, {0, 0, 1}, {1, 0, 2}, {0, 1, 3}, {0, 0, 50}, {8, 9, 5}, {9, 8, 6}, {30, 30, 4}},
@@ -184,8 +184,7 @@ TEST_SUITE("heights of triangles") {
     CHECK(features[1].at("properties") == Json::parse(R"({"number":2,"group":"b","points":4,"alpha":2,"area":0.5})"));
   }
 
-  TEST_CASE(
-      "where there are no heights z is 0, positions of GeoJSON have two numbers, and pictures and arrays want none") {
+  TEST_CASE("without heights z is 0, positions of GeoJSON have two numbers; pictures and arrays need none") {
     const Folder folder;
     folder.file("p.xy", corner);
     REQUIRE(folder.rbpa("mesh p.xy --alpha 2 -o t.obj -o t.geojson -q").code == 0);
@@ -200,7 +199,7 @@ TEST_SUITE("heights of triangles") {
     CHECK(folder.rbpa("stream p.csv --alpha 2 -o t.wkt").err.find("z = 0") == std::string::npos);
   }
 
-  TEST_CASE("fill keeps heights of polygons, and what is new lies on the surface between them") {
+  TEST_CASE("fill keeps heights of polygons, and new points lie on the surface between them") {
     const Folder folder;
     const std::string square = std::string(RBPA_TEST_DATA) + "/findings/gis_tin_z/z.geojson";
     REQUIRE(folder.rbpa("fill " + square + " --size inf -q" + all_writers()).code == 0);

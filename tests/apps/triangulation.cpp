@@ -69,7 +69,7 @@ void check_same(const Points& points, double alpha) {
 }  // namespace
 
 TEST_SUITE("triangulation") {
-  TEST_CASE("drawings, on sets of every kind, with pinches") {
+  TEST_CASE("arrays and meshes give the same drawings, on sets of every kind, with pinches") {
     for (const NamedSet& set : generated_sets()) {
       CAPTURE(set.name);
       const Points points = set.make();

@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
 }  // namespace
 
 TEST_SUITE("well-known text in") {
-  TEST_CASE("points, however they are written") {
+  TEST_CASE("points are read in every way of writing") {
     const std::vector<Point> expected = {{1, 2}, {-3.5, 4e2}};
     for (const std::string text :
          {"POINT (1 2)\nPOINT (-3.5 4e2)\n", "point(1 2)point(-3.5 400)", "MULTIPOINT (1 2, -3.5 400)",
@@ -45,7 +45,7 @@ TEST_SUITE("well-known text in") {
     CHECK(points_of("  \n").empty());
   }
 
-  TEST_CASE("vertices of lines and polygons; the point at which a ring closes counts once") {
+  TEST_CASE("vertices of lines and polygons are points; the closing point of a ring counts once") {
     const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     CHECK(vertices_of("LINESTRING (0 0, 1 0, 1 1, 0 1)") == square);
     CHECK(vertices_of("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))") == square);
@@ -57,7 +57,7 @@ TEST_SUITE("well-known text in") {
     CHECK(vertices_of("LINESTRING (0 0, 1 0, 0 0)").size() == 3);  // a line that comes back is no ring
   }
 
-  TEST_CASE("every double to the last bit") {
+  TEST_CASE("every double is read to the last bit") {
     std::mt19937_64 random(6);
     std::vector<Point> points;
     std::string text;
@@ -78,7 +78,7 @@ TEST_SUITE("well-known text in") {
     }
   }
 
-  TEST_CASE("the system of an SRID, one for all") {
+  TEST_CASE("the system is that of the SRID, one for all") {
     CHECK(read_wkt_points("SRID=28992;POINT(1 2)\nPOINT(3 4)\n", "p", false).crs->text() == "EPSG:28992");
     CHECK_FALSE(read_wkt_points("SRID=0;POINT(1 2)\n", "p", false).crs);
     CHECK(refusal("SRID=28992;POINT(1 2)\nSRID=4326;POINT(1 2)\n") ==
@@ -88,7 +88,7 @@ TEST_SUITE("well-known text in") {
     CHECK(refusal("SRID=1 POINT(1 2)") == "p.wkt:1: found 'POINT(1 2)', expected ';'");
   }
 
-  TEST_CASE("what is no geometry, by its line") {
+  TEST_CASE("an invalid geometry is refused by its line") {
     CHECK(refusal("POINT (1 2)\n\nCURVE (1 2)\n") ==
           "p.wkt:3: found 'CURVE (1 2)', expected a geometry, such as 'POINT (1 2)'");
     CHECK(refusal("1 2\n") == "p.wkt:1: found '1 2', expected a geometry, such as 'POINT (1 2)'");

@@ -77,7 +77,7 @@ class Attack {
 }  // namespace
 
 TEST_SUITE("robustness") {
-  TEST_CASE("a gzip file that unpacks to more than there is memory for") {
+  TEST_CASE("a gzip file that decompresses to more than fits into memory ends the run with a message") {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     MESSAGE("SKIPPED: sanitizers take memory for themselves");
 #else

@@ -185,11 +185,11 @@ class SmallDisk {
 }  // namespace
 
 TEST_SUITE("robustness") {
-  TEST_CASE("a signal") {
+  TEST_CASE("a signal leaves no file behind") {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) signals(signal);
   }
 
-  TEST_CASE("no file may be larger") {
+  TEST_CASE("a limit of file size leaves old outputs or whole new ones") {
     for_each_moment(runs_into_files(), 11, [](const Scene& scene, const Reference& reference, Random& random) {
       const auto most = static_cast<std::size_t>(up_to(1.1 * static_cast<double>(largest_of(reference)), random));
       Child child(scene.command(), [&] {
@@ -203,7 +203,7 @@ TEST_SUITE("robustness") {
     });
   }
 
-  TEST_CASE("a full disk") {
+  TEST_CASE("a full disk leaves old outputs or whole new ones") {
     const SmallDisk disk;
     if (!disk.is_there()) {
       MESSAGE("SKIPPED: no small disk can be mounted here");
@@ -227,7 +227,7 @@ TEST_SUITE("robustness") {
     });
   }
 
-  TEST_CASE("a full disk for standard output") {
+  TEST_CASE("a full disk for standard output is reported") {
     for_each_moment(runs_to_standard_output(), 12, [](const Scene& scene, const Reference& reference, Random&) {
       Child child(scene.command(), [&] {
         scene.record();
@@ -239,7 +239,7 @@ TEST_SUITE("robustness") {
     });
   }
 
-  TEST_CASE("a pipe that its reader closes") {
+  TEST_CASE("a pipe that its reader closes ends the run") {
     for_each_moment(runs_to_standard_output(), 13, [](const Scene& scene, const Reference& reference, Random& random) {
       int ends[2];
       REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
@@ -259,7 +259,7 @@ TEST_SUITE("robustness") {
     });
   }
 
-  TEST_CASE("little memory") {
+  TEST_CASE("too little memory ends the run with a message") {
     if (with_address_sanitizer) {
       MESSAGE("SKIPPED: the address sanitizer takes memory for itself");
       return;
@@ -288,7 +288,7 @@ TEST_SUITE("robustness") {
     });
   }
 
-  TEST_CASE("an input that somebody shortens") {
+  TEST_CASE("an input that is shortened is refused") {
     for_each_moment(runs_into_files(), 15, [](const Scene& scene, const Reference& reference, Random& random) {
       Child child(scene.command(), [&] { scene.record(); });
       sleep(up_to(std::min(reference.seconds, 0.03), random));

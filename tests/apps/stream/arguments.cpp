@@ -24,7 +24,7 @@ std::string said(const Folder& folder, const std::string& arguments, int code) {
 
 }  // namespace
 
-TEST_CASE("a run says what it has made, and leaves nothing else") {
+TEST_CASE("a run prints what it has made, and leaves nothing else") {
   const Folder folder;
   folder.file("a.xy", square);
   folder.file("b.xy", "1 1\n5 5\n");
@@ -53,7 +53,7 @@ TEST_CASE("a run says what it has made, and leaves nothing else") {
   CHECK(folder.content("e.wkt") == "MULTIPOLYGON EMPTY\n");
 }
 
-TEST_CASE("folders are their files of points by name, and a mesh of each tile is a file") {
+TEST_CASE("folders are read as their files of points by name, and each tile has a mesh file") {
   const Folder folder;
   std::filesystem::create_directory(folder.path("in"));
   std::filesystem::create_directory(folder.path("out"));
@@ -78,7 +78,7 @@ TEST_CASE("folders are their files of points by name, and a mesh of each tile is
   CHECK(faces == 66);
 }
 
-TEST_CASE("what is refused, and why") {
+TEST_CASE("wrong arguments are refused with the reason") {
   const Folder folder;
   folder.file("a.xy", square);
   folder.file("b.geojson", "x");
@@ -112,7 +112,7 @@ TEST_CASE("what is refused, and why") {
   CHECK(folder.names() == std::vector<std::string>{"a.xy", "b.geojson", "none"});
 }
 
-TEST_CASE("files of different systems of coordinates are not one input") {
+TEST_CASE("files of different coordinate systems are refused as one input") {
   const Folder folder;
   folder.file("a.csv", "geometry\n\"SRID=28992;POINT (1 2)\"\n");
   folder.file("b.csv", "geometry\n\"SRID=31370;POINT (1 2)\"\n");
@@ -121,7 +121,7 @@ TEST_CASE("files of different systems of coordinates are not one input") {
   CHECK(folder.rbpa("stream a.csv b.csv --alpha 1 --crs EPSG:28992 -o p.wkt -q").code == 0);
 }
 
-TEST_CASE("too many points within 2 alpha: where, how many, and what would do") {
+TEST_CASE("too many points within 2 alpha are refused with place, number and the memory that suffices") {
   const Folder folder;
   std::string points(16 * 300'000, '\0');
   double* values = reinterpret_cast<double*>(points.data());

@@ -44,7 +44,7 @@ pid_t dead_process() {
 
 }  // namespace
 
-TEST_CASE("twelve runs at once in one folder, beside what dead ones have left: all are done, nothing is left") {
+TEST_CASE("twelve runs at once in one folder, beside the leftovers of dead ones, all finish and leave nothing") {
   const Folder folder;
   make_input(folder, 2000);
   Child alone(command(folder, "t.npy"));
@@ -74,7 +74,7 @@ TEST_CASE("twelve runs at once in one folder, beside what dead ones have left: a
   }
 }
 
-TEST_CASE("a folder of a process of the same number, as another container may have, is in nobody's way") {
+TEST_CASE("a folder of a process with the same number, as in another container, hinders no run") {
   const Folder folder;
   make_input(folder, 2000);
   std::string other;
@@ -89,7 +89,7 @@ TEST_CASE("a folder of a process of the same number, as another container may ha
   CHECK(folder.names() == std::vector<std::string>{other, "a.f64xy", "t.npy"});
 }
 
-TEST_CASE("killed while the scratch is made, a run leaves nothing that the next does not remove") {
+TEST_CASE("a run killed while the scratch is made leaves nothing that the next does not remove") {
   const Folder folder;
   make_input(folder, 2000);
   const std::vector<std::string> more = {"--scratch", folder.path("s"), "--resume"};

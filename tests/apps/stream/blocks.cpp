@@ -68,7 +68,7 @@ std::string doubles(std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
+TEST_CASE("raw numbers, arrays and LAS are the same by blocks and at once") {
   const Folder folder;
   const std::string numbers = doubles(many);
   check_same({.path = folder.file("p.f64xy", numbers), .format = Format::raw});
@@ -97,7 +97,7 @@ TEST_CASE("raw numbers, arrays and LAS by blocks are what they are at once") {
   CHECK(about.crs->text() == "EPSG:28992");
 }
 
-TEST_CASE("text by pieces is what it is at once, packed or not") {
+TEST_CASE("text is the same by pieces and at once, compressed or not") {
   const Folder folder;
   rbpa_test::Random random(3);
   std::string text = "\xEF\xBB\xBF# many\n\nid,lon,lat,name\n";
@@ -125,7 +125,7 @@ TEST_CASE("text by pieces is what it is at once, packed or not") {
   check_same({.path = folder.file("comments.xy", "# nothing\n\n")});
 }
 
-TEST_CASE("what is wrong with a file is said by its line or point, as when it is read at once") {
+TEST_CASE("an error in a file is named by its line or point, as when it is read at once") {
   const Folder folder;
   std::string text;
   for (std::size_t i = 0; i < many; ++i) text += "1234.5 7654.25\n";
@@ -165,7 +165,7 @@ TEST_CASE("what is wrong with a file is said by its line or point, as when it is
 
 // The shadow memory of a sanitizer alone is more than any limit.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST_CASE("a line that does not end, and points that begin where no file does, take no memory") {
+TEST_CASE("an endless line, and points that begin after the file, take no memory") {
   const Folder folder;
   constexpr std::size_t mebibyte = std::size_t{1} << 20U;
   folder.file("p.xy.gz", apps_test::bomb("0 0\n1 0\n", std::string(1, '\0'), 256 * mebibyte));

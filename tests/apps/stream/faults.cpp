@@ -105,7 +105,7 @@ std::string refusal(const Folder& folder, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("killed at any moment, and again, a run is gone on with") {
+TEST_CASE("a run killed at any moment, and again, is resumed") {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> share(0, 1.05);
   const int moments = robustness::moments() > 8 ? 150 : robustness::moments();  // two kills each, in the mean
@@ -126,7 +126,7 @@ TEST_CASE("killed at any moment, and again, a run is gone on with") {
   }
 }
 
-TEST_CASE("a signal ends a run at once; its scratch stays only where one was named") {
+TEST_CASE("a signal ends a run at once; its scratch stays only if it was named") {
   for (const bool named : {false, true})
     for (const double share : {0.1, 0.6}) {
       const Folder folder;
@@ -146,7 +146,7 @@ TEST_CASE("a signal ends a run at once; its scratch stays only where one was nam
     }
 }
 
-TEST_CASE("what a run that was killed has left beside its target, the next one removes") {
+TEST_CASE("the next run removes the leftovers of a killed one beside its target") {
   const Folder folder;
   make_input(folder, 10 * some);
   Child child(command(folder, {}));
@@ -198,7 +198,7 @@ TEST_CASE("files of tiles that were changed or cut off are made again") {
   }
 }
 
-TEST_CASE("another run_key is not what the run in the scratch was about") {
+TEST_CASE("a run with another request is not resumed") {
   const Folder folder;
   make_input(folder, 1000);
   const std::string same = "a.f64xy b.f64xy --alpha 3 -o t.npy --scratch s --keep-tiles -q";
@@ -227,7 +227,7 @@ TEST_CASE("another run_key is not what the run in the scratch was about") {
         std::string::npos);
 }
 
-TEST_CASE("another run is at work in the folder") {
+TEST_CASE("a folder that another run uses is refused") {
   const Folder folder;
   make_input(folder, 20 * some);
   Child child(with_scratch(folder));
@@ -239,7 +239,7 @@ TEST_CASE("another run is at work in the folder") {
   }
 }
 
-TEST_CASE("no file may be larger: one line, and the next run goes on") {
+TEST_CASE("a limit of file size gives one line, and the next run continues") {
   std::mt19937 random(21);
   for (int moment = 0; moment < robustness::moments() / 2; ++moment) {
     const Folder folder;
@@ -265,7 +265,7 @@ TEST_CASE("no file may be larger: one line, and the next run goes on") {
   }
 }
 
-TEST_CASE("a full disk: one line, and the next run goes on") {
+TEST_CASE("a full disk gives one line, and the next run continues") {
   const Folder place;
   const std::string disk = place.path("disk");
   fs::create_directory(disk);
@@ -300,7 +300,7 @@ TEST_CASE("a full disk: one line, and the next run goes on") {
   umount2(disk.c_str(), MNT_DETACH);
 }
 
-TEST_CASE("a run takes no more memory than it may") {
+TEST_CASE("a run stays within its memory") {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   MESSAGE("SKIPPED: sanitizers take memory for themselves");
 #else

@@ -60,7 +60,8 @@ const std::vector<Listing> listings = {
 }  // namespace
 
 TEST_SUITE("stream folders") {
-  TEST_CASE("what is read of a folder and what is not is listed, and points that cannot be read are refused") {
+  TEST_CASE(
+      "the files of a folder that are read, and are not, are listed, and points that cannot be read are refused") {
     for (const Listing& listing : listings) {
       const Folder folder;
       std::filesystem::create_directory(folder.path("t"));
@@ -88,7 +89,7 @@ TEST_SUITE("stream folders") {
     }
   }
 
-  TEST_CASE("a filter of rbpa shape is refused with what has it") {
+  TEST_CASE("a filter of rbpa shape is refused with a hint at that verb") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string option : {"--min-hole-area", "--min-part-area"}) {

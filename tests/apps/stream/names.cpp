@@ -38,7 +38,7 @@ void check_refused(const Folder& folder, const std::string& arguments, const std
 
 }  // namespace
 
-TEST_CASE("names in Latin-1 are names: of inputs, targets, scratch, tasks, tiles, partials") {
+TEST_CASE("inputs, targets, scratch, tasks, tiles and partials may have names in Latin-1") {
   const std::string e = "\xe9";
   const Folder plain, folder;
   plain.file("p.xy", points());

@@ -52,7 +52,7 @@ void give(PolygonSink& sink, const std::vector<CornerPolygon>& polygons) {
 
 }  // namespace
 
-TEST_CASE("polygons of any size, some of their holes before them, with any memory, after any stop") {
+TEST_CASE("polygons of any size, some with holes before them, are sorted with any memory, after any stop") {
   rbpa_test::Random random(1);
   const auto ring = [&](std::size_t corners) {
     rbpa::CornerRing made;
@@ -134,7 +134,7 @@ TEST_CASE("polygons of any size, some of their holes before them, with any memor
   }
 }
 
-TEST_CASE("a hole of no polygon, and a polygon without a hole that was taken, are said") {
+TEST_CASE("a hole without its polygon, and a polygon without its hole, are reported") {
   const rbpa::CornerRing ring = {{0, {0, 0}}, {1, {1, 0}}, {2, {0, 1}}};
   const std::vector<rbpa::TakenHoles> taken = {{{1, 2, 3}, {ring}}};
   for (const bool is_named : {false, true}) {

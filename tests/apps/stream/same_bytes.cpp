@@ -33,7 +33,7 @@ void check_all_tiles(const Points& points, double alpha, const std::vector<std::
 
 }  // namespace
 
-TEST_CASE("generated sets, in tiles of a few points and of some more") {
+TEST_CASE("generated sets have the same bytes in tiles of a few points and of more") {
   std::size_t number = 0;
   for (const rbpa_test::NamedSet& set : rbpa_test::generated_sets()) {
     if (robustness::moments() <= 8 && number++ % 3 != 0) continue;
@@ -57,7 +57,7 @@ TEST_CASE("generated sets, in tiles of a few points and of some more") {
   }
 }
 
-TEST_CASE("points on the borders and corners of tiles, with circles through corners") {
+TEST_CASE("points on borders and corners of tiles, with circles through corners, give the same bytes") {
   Points points;
   for (int x = -20; x < 20; ++x)
     for (int y = -20; y < 20; ++y)
@@ -66,7 +66,7 @@ TEST_CASE("points on the borders and corners of tiles, with circles through corn
   check_all_tiles(points, 3.0, {100});
 }
 
-TEST_CASE("one dense cell, far and few points, empty tiles, a ring around everything") {
+TEST_CASE("a dense cell, few far points, empty tiles and a ring around everything give the same bytes") {
   rbpa_test::Random random(5);
   const auto some = [&](double from, double to) {
     return from + (to - from) * double(random.below(1U << 30U)) / double(1U << 30U);
@@ -86,7 +86,7 @@ TEST_CASE("one dense cell, far and few points, empty tiles, a ring around everyt
   check_all_tiles(ring, 2.5, {3, 40});
 }
 
-TEST_CASE("one polygon that is everywhere, with thousands of holes") {
+TEST_CASE("one polygon in all tiles, with thousands of holes, has the same bytes") {
   rbpa_test::Random random(8);
   Points points;
   for (int i = 0; i < 40'000; ++i)
@@ -94,7 +94,7 @@ TEST_CASE("one polygon that is everywhere, with thousands of holes") {
   check_all_tiles(points, 0.0048, {400, 3000});
 }
 
-TEST_CASE("coordinates at both ends of the doubles, and both zeros") {
+TEST_CASE("coordinates at both ends of double, and both zeros, give the same bytes") {
   Points points;
   for (const double scale : {0x1p-1060, 1.0, 0x1p1000})
     for (int x = -4; x <= 4; ++x)
@@ -102,7 +102,7 @@ TEST_CASE("coordinates at both ends of the doubles, and both zeros") {
   for (const double alpha : {0x1p-1060, 1.0, 0x1p1000}) check_all_tiles(points, alpha, {3, 1000});
 }
 
-TEST_CASE("files cut at random and of several kinds, one point in several files, any number of threads") {
+TEST_CASE("files of several kinds, cut at random, with one point in several, give the same bytes with any threads") {
   rbpa_test::Random random(6);
   Points points;
   for (int i = 0; i < 6000; ++i) points.push_back({double(random.below(4000)) / 100, double(random.below(4000)) / 100});
@@ -131,7 +131,7 @@ TEST_CASE("files cut at random and of several kinds, one point in several files,
   }
 }
 
-TEST_CASE("shuffled points: the same polygons") {
+TEST_CASE("shuffled points give the same polygons") {
   rbpa_test::Random random(7);
   Points points;
   for (int i = 0; i < 3000; ++i) points.push_back({double(random.below(60)), double(random.below(60))});
@@ -146,7 +146,7 @@ TEST_CASE("shuffled points: the same polygons") {
   CHECK(made.triangles == wanted(folder, "q.f64xy", 0.75).triangles);
 }
 
-TEST_CASE("points that the project did not make") {
+TEST_CASE("sets of others give the same bytes") {
   for (const char* name : {"lidar_strip_1000.xy", "shape_smap_dstorm.xy", "geo_us_zipcodes.xy",
                            "shape_hdbscan_clusterable.xy", "rob_delaunator_issue43.xy", "rob_jts_concavehull_155.xy"}) {
     CAPTURE(name);

@@ -47,7 +47,7 @@ double any_double(rbpa_test::Random& random) {
 
 }  // namespace
 
-TEST_CASE("what is packed comes back to the bit") {
+TEST_CASE("compressed blocks come back to the bit") {
   rbpa_test::Random random(1);
   const auto block = [&](std::size_t count, auto coordinate) {
     IndexedPoints points;
@@ -76,7 +76,7 @@ TEST_CASE("what is packed comes back to the bit") {
   }
 }
 
-TEST_CASE("every point is in one tile, and is told to every tile near it") {
+TEST_CASE("every point is in one tile, and reaches every tile near it") {
   rbpa_test::Random random(2);
   for (int round = 0; round < 50; ++round) {
     TileTree tree;
@@ -119,7 +119,7 @@ TEST_CASE("every point is in one tile, and is told to every tile near it") {
   }
 }
 
-TEST_CASE("counts add up in as many cells as are allowed, whatever comes") {
+TEST_CASE("counts add up in the allowed number of cells, for any points") {
   rbpa_test::Random random(3);
   for (int round = 0; round < 30; ++round) {
     CellCounts counts(100);
@@ -141,7 +141,7 @@ TEST_CASE("counts add up in as many cells as are allowed, whatever comes") {
   }
 }
 
-TEST_CASE("by the counts, tiles are as small as they have to be and not much smaller") {
+TEST_CASE("planned tiles are as small as required and not much smaller") {
   rbpa_test::Random random(4);
   std::vector<Point> points(100'000);
   for (Point& p : points) p = {double(random.below(1'000'000)) / 1000, double(random.below(1'000'000)) / 1000};
@@ -160,7 +160,7 @@ TEST_CASE("by the counts, tiles are as small as they have to be and not much sma
   CHECK_THROWS_AS(plan_tiles(counts, {.points = 3000, .owned = 3000, .reach = 500}), TooDense);
 }
 
-TEST_CASE("a file of a tile is what was written, or damaged") {
+TEST_CASE("a file of a tile is read as written, or is damaged") {
   const apps_test::Folder folder;
   const std::string path = folder.path("t.tile");
   const Region box{0, -INFINITY, INFINITY, 50};

@@ -62,7 +62,7 @@ void check(std::uint64_t points, std::uint64_t file_bytes) {
 
 }  // namespace
 
-TEST_CASE("rows of four and of eight bytes, in one file and in many, after any stop") {
+TEST_CASE("rows of four and of eight bytes are sorted, in one file and in many, after any stop") {
   check(1000, 1'000'000);
   check(100'000, 300'000);
   check(5'000'000'000, 100'000'000'000);

@@ -61,7 +61,7 @@ const std::string all = "T/partials/1-*.partial";
 
 }  // namespace
 
-TEST_CASE("tasks are asked for alone, in an empty folder") {
+TEST_CASE("--tasks is used alone, with an empty folder") {
   const Folder folder;
   folder.file("p.xy", corner);
   const std::string run = "stream p.xy --alpha 1 -o t.npy ";
@@ -83,7 +83,7 @@ TEST_CASE("tasks are asked for alone, in an empty folder") {
   CHECK(folder.names() == std::vector<std::string>{"T", "p.xy"});
 }
 
-TEST_CASE("names of files say what is wanted") {
+TEST_CASE("endings of outputs are checked") {
   const Folder folder;
   make_run(folder);
   const std::string tile = "tile T/tiles/000000.tile ";
@@ -106,7 +106,7 @@ TEST_CASE("names of files say what is wanted") {
   CHECK(folder.names() == std::vector<std::string>{"T", "p.xy"});
 }
 
-TEST_CASE("what is missing is named, and what is twice") {
+TEST_CASE("missing and repeated parts are named") {
   const Folder folder;
   make_run(folder);
   REQUIRE(folder.has("T/partials/1-000005.partial"));
@@ -131,7 +131,7 @@ TEST_CASE("what is missing is named, and what is twice") {
   CHECK(folder.names() == std::vector<std::string>{"T", "a.wkt", "p.xy", "two.partial"});
 }
 
-TEST_CASE("partials and tiles of another run") {
+TEST_CASE("partials and tiles of another run are refused") {
   const Folder folder;
   make_run(folder);
   folder.file("q.xy", points(52));
@@ -165,7 +165,7 @@ TEST_CASE("partials and tiles of another run") {
   CHECK(folder.rbpa("merge " + all + " -o b.wkt -q").code == 0);
 }
 
-TEST_CASE("a damaged file is named and nothing is written; done again, all is as it was") {
+TEST_CASE("a damaged file is named and nothing is written; done again, the result is the same") {
   const Folder folder;
   make_run(folder);
   REQUIRE(folder.rbpa("merge " + all + " -o t.npy -o p.wkt -q").code == 0);
@@ -219,7 +219,7 @@ TEST_CASE("a damaged file is named and nothing is written; done again, all is as
   CHECK(folder.content("p.wkt") == polygons);
 }
 
-TEST_CASE("a task says what it has done, and --stats of the last has the counts of the whole") {
+TEST_CASE("a task prints what it has done, and --stats of the last has the counts of the whole") {
   const Folder folder;
   make_run(folder);
   REQUIRE(folder.rbpa("stream p.xy --alpha 90 -o p.wkt -q --stats want.json").code == 0);
@@ -242,7 +242,7 @@ TEST_CASE("a task says what it has done, and --stats of the last has the counts 
   CHECK(folder.rbpa("merge " + all + " -o - --output-format wkt -q").out == folder.content("q.wkt"));
 }
 
-TEST_CASE("the only tile of a run in the place of another's is found by its points") {
+TEST_CASE("the only tile of a run, in place of another's, is recognized by its points") {
   const Folder folder;
   folder.file("p.xy", points(54));
   folder.file("q.xy", points(54, 399));

@@ -74,7 +74,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("make, under names that shells and make take for something else; it does again what is missing only") {
+TEST_CASE("make runs the tasks under difficult names, and repeats only missing ones") {
   const Folder folder;
   make_input(folder);
   const std::string odd = "a b'c$x#y:z%(\\é,";
@@ -102,7 +102,7 @@ TEST_CASE("make, under names that shells and make take for something else; it do
   check_made(folder, odd + "/");
 }
 
-TEST_CASE("xargs, and GNU parallel where it is") {
+TEST_CASE("xargs runs the tasks, and so does GNU parallel if it is installed") {
   const Folder folder;
   make_input(folder);
   const auto lines = ways(folder, "--tasks 'my tasks' -o t.npy -o p.geojson");
@@ -118,7 +118,7 @@ TEST_CASE("xargs, and GNU parallel where it is") {
   check_made(folder);
 }
 
-TEST_CASE("Slurm gets an array for each list, every line of it once, each array after the one before") {
+TEST_CASE("Slurm gets an array for each list, with every line once, each after the one before") {
   const Folder folder;
   make_input(folder);
   const auto lines = ways(folder, "--tasks 'my tasks' -o t.npy -o p.geojson");
@@ -159,7 +159,8 @@ TEST_CASE("Slurm gets an array for each list, every line of it once, each array 
   check_made(folder);
 }
 
-TEST_CASE("make killed with its tasks at any moment, and again: the next goes on, and no file is half written") {
+TEST_CASE(
+    "make killed with its tasks at any moment, and again, is continued by the next, and no file is half written") {
   std::mt19937 random(42);
   for (int moment = 0; moment < robustness::moments() / 4; ++moment) {
     const Folder folder;
@@ -191,7 +192,7 @@ TEST_CASE("make killed with its tasks at any moment, and again: the next goes on
   }
 }
 
-TEST_CASE("cutting killed at any moment is gone on with by --resume") {
+TEST_CASE("cutting killed at any moment is continued by --resume") {
   std::mt19937 random(43);
   for (int moment = 0; moment < robustness::moments() / 4; ++moment) {
     const Folder folder;
@@ -208,7 +209,7 @@ TEST_CASE("cutting killed at any moment is gone on with by --resume") {
   }
 }
 
-TEST_CASE("a task that has no room says so in one line, leaves nothing, and is run again") {
+TEST_CASE("a task without room fails with one line, leaves nothing, and can be run again") {
   const Folder folder;
   make_input(folder);
   ways(folder, "--tasks T -o t.npy -o p.geojson");

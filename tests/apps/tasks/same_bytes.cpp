@@ -60,7 +60,7 @@ Points some_points(std::uint64_t seed, unsigned size) {
 
 }  // namespace
 
-TEST_CASE("generated sets: the tasks of a list in any order, some of them twice") {
+TEST_CASE("generated sets give the same bytes with the tasks of a list in any order, some twice") {
   rbpa_test::Random random(31);
   std::size_t number = 0;
   for (const rbpa_test::NamedSet& set : rbpa_test::generated_sets()) {
@@ -78,7 +78,7 @@ TEST_CASE("generated sets: the tasks of a list in any order, some of them twice"
   }
 }
 
-TEST_CASE("points that the project did not make") {
+TEST_CASE("sets of others give the same bytes") {
   rbpa_test::Random random(32);
   for (const char* name : {"lidar_strip_1000.xy", "shape_smap_dstorm.xy", "shape_hdbscan_clusterable.xy"}) {
     CAPTURE(name);
@@ -90,7 +90,7 @@ TEST_CASE("points that the project did not make") {
   }
 }
 
-TEST_CASE("there are as many lists as merges take, and every task of a list needs those before it only") {
+TEST_CASE("there are as many lists as merges need, and the tasks of a list need only lists before it") {
   const Folder folder;
   folder.file("p.f64xy", stream_test::raw(some_points(1, 50)));
   cut(folder, 0.75, 12);
@@ -120,7 +120,7 @@ TEST_CASE("there are as many lists as merges take, and every task of a list need
   }
 }
 
-TEST_CASE("partials merged in any groups and any order: one file, to the byte") {
+TEST_CASE("partials merged in any groups and any order give the same bytes") {
   rbpa_test::Random random(33);
   const Folder folder;
   const Made wanted = wanted_of(folder, some_points(2, 100), 0.75);
@@ -163,13 +163,13 @@ TEST_CASE("partials merged in any groups and any order: one file, to the byte") 
   }
 }
 
-TEST_CASE("one tile, and points without a triangle") {
+TEST_CASE("one tile, and points without a triangle, give the same bytes") {
   rbpa_test::Random random(34);
   check({{0, 0}, {1, 0}, {0, 1}}, 1, 100, random);
   check({{0, 0}, {9, 0}, {0, 9}, {0, 0}}, 1, 1, random);
 }
 
-TEST_CASE("files of triangles that are read in several pieces") {
+TEST_CASE("files of triangles read in several pieces give the same bytes") {
   rbpa_test::Random random(35);
   check(some_points(3, 240), 1.0, 200'000, random);  // more than a megabyte
 }
