@@ -20,72 +20,71 @@ constexpr const char* program = "meshtopo";
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
-  CLI::App app("Topology of a mesh: what it has of everything, and where it is no surface", program);
+  CLI::App app("Report the topology of a mesh, and list where it is not a manifold", program);
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
   TopologyArguments arguments;
   app.add_option("MESH", arguments.meshes, "Mesh files, or - for standard input");
   app.add_option("--format", arguments.format,
-                 "Format of the meshes, where their ending does not say: " + std::string(mesh_formats))
+                 "Set the format of the meshes, if their ending does not tell: " + std::string(mesh_formats))
       ->type_name("NAME");
-  app.add_flag("--json", arguments.json, "The report as JSON")->disable_flag_override();
+  app.add_flag("--json", arguments.json, "Write the report as JSON")->disable_flag_override();
   app.add_option(
          "-o,--output", arguments.output,
-         "File to write the report to, by its ending json or txt; - is standard output. With --repair that names no "
-         "file, or with an option that changes the mesh and the ending of one, the mesh")
+         "Write the report to this file, as JSON or text by its ending json or txt; - is standard output. With "
+         "--repair without OUT, or with an option that changes the mesh and an ending of a mesh, write the mesh")
       ->type_name("OUT");
   const CLI::Option* const repair =
       app.add_option("--repair", arguments.repaired,
-                     "Write an oriented surface made of MESH, and say what was done: " + std::string(mesh_formats))
+                     "Write an oriented surface made of MESH, and list the changes: " + std::string(mesh_formats))
           ->type_name("OUT")
           ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
-                 "Format of the mesh that is written, where its ending does not say")
+                 "Set the format of the written mesh, if its ending does not tell")
       ->type_name("NAME");
   app.add_option("--shift", arguments.shift,
-                 "Of a mesh that is written as .stl, in single precision: subtract X,Y,Z from all coordinates, or the "
-                 "middle of their box. What is subtracted is said, and stands in the file's header")
+                 "Subtract X,Y,Z, or the center of their box, from all coordinates of a mesh written as .stl, which "
+                 "has single precision. Print the offset, and write it into the file's header")
       ->type_name("X,Y,Z|auto");
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
       ->type_name("OUT");
   app.add_flag("--shortest", arguments.shortest,
-               "With --generators: the basis of the least total length, which large meshes take minutes for")
+               "With --generators, write the basis of the least total length, which takes minutes for large meshes")
       ->disable_flag_override();
   app.add_option("--weld", arguments.weld,
-                 "Make one vertex of those that a chain with no step longer than D joins; 0: of those at equal "
-                 "places. Drops faces that become degenerate or repeat another")
+                 "Merge vertices that a chain with no step longer than D joins; 0: those at equal positions. Drop "
+                 "faces that become degenerate or repeat another")
       ->type_name("D");
-  app.add_option("--keep-largest", arguments.keep_largest, "Keep only so many components, those of the largest area")
+  app.add_option("--keep-largest", arguments.keep_largest, "Keep only the K components with the largest areas")
       ->type_name("K");
-  app.add_option("--drop-small", arguments.drop_small,
-                 "Drop components of fewer than N triangles, or of an area below A, in squared units of the vertices")
-      ->type_name("N|area=A");
-  app.add_flag(
-         "--orient", arguments.orient,
-         "Reverse faces so that those of a component agree, and closed ones face outward, or inward where they are "
-         "the walls of cavities: in an odd number of others")
-      ->disable_flag_override();
   app.add_option(
-         "--fill-holes", arguments.fill_holes,
-         "Fill holes by triangles between their vertices that cross nothing: all, rims of sheets as well, those "
-         "of at most N edges, or of a length of at most L; after a repair")
+         "--drop-small", arguments.drop_small,
+         "Drop components with fewer than N triangles, or with an area below A, in squared units of the vertices")
+      ->type_name("N|area=A");
+  app.add_flag("--orient", arguments.orient,
+               "Reverse faces so that those of a component agree, and closed components face outward, or inward if "
+               "they are walls of cavities: within an odd number of others")
+      ->disable_flag_override();
+  app.add_option("--fill-holes", arguments.fill_holes,
+                 "Fill holes, after a repair, by triangles between their vertices that intersect nothing: all holes; "
+                 "rims: the rims of sheets as well; N: holes of at most N edges; length=L: holes at most that long")
       ->type_name("all|rims|N|length=L");
   app.add_option("--close-tunnels-below", arguments.close_tunnels_below,
-                 "Cut handles and close tunnels around which a loop shorter than L goes, where nothing crosses; after "
-                 "holes are filled")
+                 "Cut handles and close tunnels that have a loop shorter than L around them, if nothing intersects; "
+                 "after holes are filled")
       ->type_name("L");
   app.add_option("--check", arguments.checks,
-                 "Properties that each mesh is to have, such as closed,manifold,oriented,genus=0,components=1; exit "
-                 "code 4 when one does not hold, and a line for each on standard error. Of the mesh as a reader of the "
-                 "file finds it, when one is written, and as it is changed")
+                 "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
+                 "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "
+                 "written mesh as a reader of the file finds it")
       ->type_name("LIST")
       ->expected(1)
       ->take_all();
-  app.add_option("--max-defects", arguments.max_defects, "How many defects the report for people names")
+  app.add_option("--max-defects", arguments.max_defects, "List at most N defects in the text report")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.quiet, "Neither progress nor a report for people")->disable_flag_override();
+  app.add_flag("-q,--quiet", arguments.quiet, "Print neither progress nor the text report")->disable_flag_override();
   app.footer(
       "Examples:\n"
       "  meshtopo bunny.ply\n"
