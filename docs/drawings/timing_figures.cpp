@@ -116,15 +116,6 @@ std::string bytes(double value) { return with_unit(value, "B"); }
 /// Returns curves whose values are no times.
 std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks) { return curves_of(all, looks, 1); }
 
-std::string scale_merge() {
-  static constexpr std::array looks{Look{"measured", "measured", colour::curve},
-                                    Look{"model", "by the model, from other ground", colour::touched, true}};
-  const Measured few = read_measured("scale_merge_100.csv"), many = read_measured("scale_merge_10000.csv");
-  return two_charts("Bytes of a Partial against how many tiles are merged in it", many,
-                    {"(a) of 100 tiles", "tiles", thousands, bytes, curves_of(few, looks)},
-                    {"(b) of 10,000 tiles", "tiles", thousands, bytes, curves_of(many, looks)});
-}
-
 /// Returns a chart of memory and disk use of a run, from its first tenth of a second on.
 std::string scale_run() {
   static constexpr std::array looks{Look{"resident", "resident memory", colour::curve},
@@ -139,12 +130,10 @@ std::string scale_run() {
 }  // namespace
 
 std::span<const Figure> timing_figures() {
-  static constexpr std::array figures = {Figure{"paper_6_timing", paper_6_timing},
-                                         Figure{"performance_scaling", performance_scaling},
-                                         Figure{"performance_alpha", performance_alpha},
-                                         Figure{"performance_density", performance_density},
-                                         Figure{"scale_merge", scale_merge},
-                                         Figure{"scale_run", scale_run}};
+  static constexpr std::array figures = {
+      Figure{"paper_6_timing", paper_6_timing}, Figure{"performance_scaling", performance_scaling},
+      Figure{"performance_alpha", performance_alpha}, Figure{"performance_density", performance_density},
+      Figure{"scale_run", scale_run}};
   return figures;
 }
 

@@ -90,23 +90,6 @@ void LidarPoints::make_row() {
   ++row_;
 }
 
-void LidarPoints::in_squares(const Squares& squares, std::vector<rbpa::Point>& points,
-                             std::vector<std::uint64_t>& indices) {
-  points.clear();
-  indices.clear();
-  for (std::int64_t row = squares.row; row < squares.last_row; ++row)
-    for (std::int64_t column = squares.column; column < squares.last_column; ++column) {
-      const Spot spot = jittered(column, row);
-      if (!is_ground(spot.x, spot.y)) continue;
-      points.push_back(point_at(spot.x, spot.y));
-      indices.push_back(static_cast<std::uint64_t>(row) << 32U | static_cast<std::uint64_t>(column));
-    }
-}
-
-rbpa::Point LidarPoints::corner_of(std::int64_t column, std::int64_t row) {
-  return point_at(column * unit, row * unit);
-}
-
 bool LidarPoints::next(std::vector<rbpa::Point>& block, std::size_t most) {
   block.clear();
   while (block.size() < most) {

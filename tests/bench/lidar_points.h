@@ -1,6 +1,6 @@
 // What: points as in a survey of the ground, row by row, made on demand: map coordinates in whole hundredths, lakes
 //       with an island each, gaps such as houses leave.
-// Law:  the points are a function of the set, the number of points and the seed; any part of them can be made again.
+// Law:  the points are a function of the set, the number of points and the seed.
 // Cost: a few hashes per point; nothing is kept.
 #pragma once
 
@@ -25,16 +25,6 @@ class LidarPoints {
 
   /// Replaces `block` by the next points, at most `most`. Returns: false at the end.
   bool next(std::vector<rbpa::Point>& block, std::size_t most);
-
-  /// Range of squares of side 1: columns from column to last_column, which is not included; rows likewise.
-  struct Squares {
-    std::int64_t column, row, last_column, last_row;
-  };
-  /// Writes the points of these squares of unbounded jittered ground, independent of next(), each with the number of
-  /// its square. Requires: numbers from 0 to 2³¹.
-  void in_squares(const Squares& squares, std::vector<rbpa::Point>& points, std::vector<std::uint64_t>& indices);
-  /// Returns the lower left corner of a square, which belongs to no adjacent square.
-  static rbpa::Point corner_of(std::int64_t column, std::int64_t row);
 
  private:
   struct Disk {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -60,39 +59,6 @@ TEST_CASE("lidar points are as many as were requested, whatever the blocks, and 
     }));
   }
   CHECK(points_of(Ground::jittered, 1, 5).size() == 1);
-}
-
-TEST_CASE("the points of squares are those that come row by row") {
-  LidarPoints points(Ground::jittered, 40000, 3);
-  std::vector<rbpa::Point> by_row, some;
-  points.next(by_row, 40000);
-  const rbpa::Point low = LidarPoints::corner_of(20, 50), high = LidarPoints::corner_of(90, 110);
-  const auto is_outside = [&](const rbpa::Point& p) {
-    return !(low.x <= p.x && p.x < high.x && low.y <= p.y && p.y < high.y);
-  };
-  by_row.erase(std::remove_if(by_row.begin(), by_row.end(), is_outside), by_row.end());
-  std::vector<std::uint64_t> indices;
-  points.in_squares({20, 50, 90, 110}, some, indices);
-  CHECK(some.size() > 1000);
-  CHECK(some == by_row);
-  CHECK(indices.size() == some.size());
-  CHECK(std::is_sorted(indices.begin(), indices.end()));
-  CHECK(std::adjacent_find(indices.begin(), indices.end()) == indices.end());
-}
-
-TEST_CASE("the model of merges is near the bytes that tiles of other ground send") {
-  const Folder folder;
-  const std::string file = folder.path() + "/merge.csv";
-  const Report all = run(RBPA_BENCH_MERGE, "--across=4 --side=48 --calibrate=5 --predict=3 " + file);
-  CHECK(all.code == 0);
-  const std::size_t at = all.text.find("| all | | | ");
-  REQUIRE(at != std::string::npos);
-  double measured = 0, modelled = 0, ratio = 0;
-  CHECK(std::sscanf(all.text.c_str() + at, "| all | | | %lf | %lf | %lf |", &measured, &modelled, &ratio) == 3);
-  CHECK(measured > 16 * 1000);
-  CHECK(ratio == doctest::Approx(1).epsilon(0.3));
-  CHECK(fs::file_size(file) > 100);
-  CHECK(run(RBPA_BENCH_MERGE, "--across=0").code == 2);
 }
 
 TEST_CASE("a run in tiles finds the result of the run in memory, reports that, and leaves no file") {
