@@ -28,21 +28,8 @@ one() {
   local bin=$1 side=$2 program=$3
   shift 3
   cd "$work/$side" && rm -rf out && mkdir out || exit 2
-  if [ "$program" = tasks ]; then
-    tasks "$bin" "$@" > out/standard_output 2> /dev/null
-  else
-    timeout 600 "$bin/$program" "$@" > out/standard_output 2> out/standard_error < "${input:-/dev/null}"
-  fi
+  timeout 600 "$bin/$program" "$@" > out/standard_output 2> out/standard_error < "${input:-/dev/null}"
   echo $? > out/exit_code
-}
-
-# tasks FOLDER_OF_PROGRAMS ARGUMENT...: runs the tasks of rbpa stream, rbpa tile and rbpa merge, one after the other.
-tasks() {
-  local bin=$1 list
-  shift
-  "$bin/rbpa" stream "$@" --tasks out/tasks -o out/x.npy -o out/x.geojson > /dev/null || return
-  for list in out/tasks/[1-9]-*.txt; do xargs -d '\n' -n 1 sh -c < "$list" || return; done
-  rm -rf out/tasks
 }
 
 # same PROGRAM ARGUMENT...
@@ -232,7 +219,7 @@ PYTHON
     "$work"/in/{all.csv,colours.xyz} ${las:+"$las"}; do broken "$file" space; done
   for file in "$work"/in/solid.{ply,stl,obj} "$work"/in/plane.off; do broken "$file" mesh; done
 
-  same tasks "in/$(basename "$points")" --alpha 1 --tile-size 500
+  same rbpa stream "in/$(basename "$points")" --alpha 1 --tile-size 500 -o out/x.npy -o out/x.geojson
 
   # Wrong command lines, missing files, standard input.
   same rbpa info in/none.xy

@@ -1,12 +1,10 @@
 // What: the program `rbpa`: reads the command line and runs a verb.
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cli/verbs.h"
@@ -31,7 +29,7 @@ std::string asked_for(const CLI::App& app) {
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
   if (app.get_subcommands().empty())
-    return found + "mesh, alpha, shape, fill, surface, solid, stream, tile, merge, info or report (see rbpa --help)";
+    return found + "mesh, alpha, shape, fill, surface, solid, stream, info or report (see rbpa --help)";
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";
@@ -65,17 +63,12 @@ int main(int argc, char** argv) {
   MeshArguments mesh;
   ShapeArguments shape;
   StreamArguments stream;
-  TileArguments tile;
-  MergeArguments merge;
   InfoArguments info;
   AlphaArguments alpha;
   ReportArguments report_page;
   FillArguments fill;
   SurfaceArguments surface;
   SolidArguments solid;
-  // Tasks call the program as it was called.
-  if (argc > 0 && std::string_view(argv[0]).find('/') != std::string_view::npos)
-    stream.program = std::filesystem::absolute(argv[0]).lexically_normal().string();
   struct Verb {
     const CLI::App* declared;
     std::function<void()> run;
@@ -87,8 +80,6 @@ int main(int argc, char** argv) {
                                    {add_surface(app, surface), [&] { run_surface(surface); }},
                                    {add_solid(app, solid), [&] { run_solid(solid); }},
                                    {add_stream(app, stream), [&] { run_stream(stream); }},
-                                   {add_tile(app, tile), [&] { run_tile(tile); }},
-                                   {add_merge(app, merge), [&] { run_merge(merge); }},
                                    {add_info(app, info), [&] { run_info(info); }},
                                    {add_report(app, report_page), [&] { run_report(report_page); }}};
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);

@@ -1,4 +1,4 @@
-// What: parses the arguments that the verbs about tiles share. Each function throws WrongUsage that names the value.
+// What: parses the arguments of `rbpa stream`. Each function throws WrongUsage that names the value.
 #pragma once
 
 #include <cstdint>

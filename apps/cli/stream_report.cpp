@@ -9,18 +9,14 @@
 
 namespace rbpa::app {
 
-Stats stats_of(const PartialCounts& counts, double alpha, unsigned threads) {
-  return {.points = counts.points,
-          .distinct = counts.points - counts.duplicates,
-          .threads = threads,
-          .alpha = alpha,
-          .alpha_rule = "given",
-          .isolated = counts.isolated};
-}
-
 void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result) {
   const PartialCounts& counts = result.counts;
-  Stats stats = stats_of(counts, request.alpha, request.threads);
+  Stats stats{.points = counts.points,
+              .distinct = counts.points - counts.duplicates,
+              .threads = request.threads,
+              .alpha = request.alpha,
+              .alpha_rule = "given",
+              .isolated = counts.isolated};
   stats.counts = ComplexCounts{};
   stats.counts->triangles = counts.triangles;
   stats.counts->points_covered = counts.vertices;
@@ -36,10 +32,8 @@ void write_stream_stats(OutputFile& file, const StreamRequest& request, const St
   }
   stats.tiles = result.tiles;
   stats.read_seconds = result.count_seconds + result.cut_seconds;
-  if (result.count_seconds > 0) {  // a merge of tasks does not count
-    stats.count_seconds = result.count_seconds;
-    stats.cut_seconds = result.cut_seconds;
-  }
+  stats.count_seconds = result.count_seconds;
+  stats.cut_seconds = result.cut_seconds;
   stats.build_seconds = result.compute_seconds;
   stats.write_seconds = result.write_seconds;
   write_stats(file, stats);

@@ -1,15 +1,11 @@
 // What: reports on a run over tiles when it is done.
 #pragma once
 
-#include "cli/stats.h"
 #include "io/bytes/output_file.h"
 #include "stream/request.h"
 #include "stream/run_stream.h"
 
 namespace rbpa::app {
-
-/// Returns the statistics that the counts of a complex or of a tile contain.
-Stats stats_of(const PartialCounts& counts, double alpha, unsigned threads);
 
 /// Writes the file of --stats.
 void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -8,12 +7,10 @@
 #include "cli/stream_report.h"
 #include "cli/verbs.h"
 #include "io/bytes/number.h"
-#include "io/bytes/output_file.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/progress_line.h"
 #include "stream/run_stream.h"
-#include "tasks/write_lists.h"
 
 namespace rbpa::app {
 namespace {
@@ -76,20 +73,6 @@ std::string reading_options(const PointArguments& arguments) {
   return text;
 }
 
-/// Makes the folder of --tasks the scratch, and gives each task one processor unless --threads is given.
-void ask_for_tasks(const StreamArguments& arguments, StreamRequest& request) {
-  if (arguments.tasks->empty()) throw WrongUsage("--tasks: found an empty name, expected a folder");
-  if (arguments.scratch) throw WrongUsage("--scratch cannot be combined with --tasks, whose folder has the tiles");
-  if (arguments.keep_tiles) throw WrongUsage("--keep-tiles cannot be combined with --tasks, which keeps the tiles");
-  if (arguments.output_format)
-    throw WrongUsage("--output-format cannot be combined with --tasks (give OUT an ending that tells its format)");
-  if (std::find(arguments.outputs.begin(), arguments.outputs.end(), "-") != arguments.outputs.end())
-    throw WrongUsage("-o - cannot be combined with --tasks, as another process writes the output (give a file name)");
-  request.tasks = true;
-  request.scratch = arguments.tasks;
-  if (!arguments.run.threads) request.threads = 1;
-}
-
 /// The least --tile-size: with fewer points a tile, handling files would be all the work.
 constexpr std::size_t least_tile = 16;
 
@@ -114,7 +97,6 @@ StreamRequest parse_request(const StreamArguments& arguments) {
           "a larger --alpha has fewer)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
-  if (arguments.tasks) ask_for_tasks(arguments, request);
   if (arguments.scratch && arguments.scratch->empty())
     throw WrongUsage("--scratch: found an empty name, expected a folder");
   for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
@@ -136,29 +118,11 @@ void require_different_files(const StreamRequest& request) {
   for (const PointSource& source : request.sources) require_different(files, source.path, "points");
 }
 
-void write_tasks(const StreamRequest& request, const std::string& program) {
-  const TaskOptions options{.program = program, .threads = request.threads};
-  require_lines(request, options);
-  TaskLists lists;
-  std::string folder;
-  const StreamResult result = prepare_tasks(request, [&](const Scratch& scratch, const Manifest& manifest) {
-    folder = scratch.folder();
-    lists = write_lists(request, options, scratch, manifest);
-  });
-  if (request.quiet) return;
-  OutputFile out("-");
-  out.write(how_to_run(folder));
-  out.finish();
-  say("rbpa", counted(result.counts.points, "point") + " in " + counted(result.tiles, "tile") + ", " +
-                  counted(lists.tasks, "task") + " in " + counted(lists.levels.size(), "list") + " -> " + folder);
-}
-
 }  // namespace
 
 void run_stream(const StreamArguments& arguments) {
   const StreamRequest request = parse_request(arguments);
   require_different_files(request);
-  if (request.tasks) return write_tasks(request, arguments.program);
   Run run("", arguments.outputs, {.quiet = request.quiet});
   const StreamResult result = run_stream(request, run.files(), [&](const StreamResult& done) {
     if (request.stats) run.add(*request.stats, [&](OutputFile& file) { write_stream_stats(file, request, done); });

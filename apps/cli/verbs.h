@@ -142,34 +142,12 @@ struct StreamArguments : PointArguments, OutputArguments {
   std::string memory = "1G";
   std::optional<std::string> tile_size;
   std::optional<std::string> scratch;
-  std::optional<std::string> tasks;
-  std::string program = "rbpa";  ///< the program as it was called
   bool keep_tiles = false;
   bool resume = false;
   std::optional<std::string> min_hole_area, min_part_area;  ///< recognized to be refused with a hint
   RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);
-
-/// The arguments of `rbpa tile`: the task of one tile that `rbpa stream --tasks` has cut.
-struct TileArguments {
-  std::string tile;
-  std::vector<std::string> outputs;
-  std::optional<std::string> stats;
-  RunArguments run;
-};
-void run_tile(const TileArguments& arguments);
-constexpr const char* tile_formats = "partial, npy (its triangles), ply (its mesh)";
-
-/// The arguments of `rbpa merge`, which merges partials of `rbpa tile` into one, or into the final files.
-struct MergeArguments : OutputArguments {
-  std::vector<std::string> partials;
-  std::string memory = "1G";
-  std::optional<std::string> scratch;
-  bool quiet = false;
-};
-void run_merge(const MergeArguments& arguments);
-constexpr const char* merge_formats = "partial, or of all tiles geojson, json, wkt, npy";
 
 /// Add a verb with its options, help and examples to the program, and return it. Parsing the command line fills in
 /// `arguments`, to which the verb keeps a reference.
@@ -180,8 +158,6 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
 CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);
 CLI::App* add_stream(CLI::App& app, StreamArguments& arguments);
-CLI::App* add_tile(CLI::App& app, TileArguments& arguments);
-CLI::App* add_merge(CLI::App& app, MergeArguments& arguments);
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_report(CLI::App& app, ReportArguments& arguments);
 

@@ -1,4 +1,4 @@
-// What: declares the verbs that work tile by tile, on more points than fit into memory.
+// What: declares the verb that works tile by tile, on more points than fit into memory.
 #include <CLI/App.hpp>
 #include <string>
 #include <utility>
@@ -38,10 +38,6 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
                   "Limit tiles to S points, at least 16 (by default as many as memory allows)")
       ->type_name("S");
   add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Keep the files of tiles in --scratch");
-  verb.add_option("--tasks", arguments.tasks,
-                  "Only cut tiles, and write to this folder, new or empty, the lists of commands (rbpa tile, rbpa "
-                  "merge) that do the rest, on any machines that see it; --memory holds for each command")
-      ->type_name("DIR");
   // Options of rbpa shape, hidden from the help: the refusal names the verb that has them.
   for (const auto& [name, value] :
        {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
@@ -55,56 +51,6 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       "The files have the same bytes as those of rbpa shape and rbpa mesh for all points in one file. Files are read "
       "twice, and the scratch takes about as much room as LAS files do. Some megabytes of .npy, .f64xy, LAS and text "
       "are in memory at a time; files in other formats are read as a whole.\n" +
-      std::string(exit_codes));
-  return &verb;
-}
-
-CLI::App* add_tile(CLI::App& app, TileArguments& arguments) {
-  CLI::App& verb = *app.add_subcommand("tile", "Do a task of rbpa stream --tasks: compute the part of one tile");
-  verb.add_option("TILE", arguments.tile, "File of the tile, in its folder")->required();
-  verb.add_option("-o,--output", arguments.outputs,
-                  "Write this file, in the format of its ending: " + std::string(tile_formats) +
-                      "; may be given once of each kind")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
-  add_stats_option(verb, arguments.stats);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
-  verb.footer(
-      "Example:\n"
-      "  rbpa tile tasks/tiles/000012.tile -o 12.partial -o 12.npy\n\n"
-      "Finished polygons are in files beside the partial, 12.polygons and 12.holes. Triangles have the indices of "
-      "the whole input. A task that is run again writes the same.\n" +
-      std::string(exit_codes));
-  return &verb;
-}
-
-CLI::App* add_merge(CLI::App& app, MergeArguments& arguments) {
-  CLI::App& verb =
-      *app.add_subcommand("merge", "Do a task of rbpa stream --tasks: merge partials into one, or into the whole");
-  verb.add_option("PARTIALS", arguments.partials, "Partials of rbpa tile or rbpa merge, any number in any order")
-      ->required();
-  verb.add_option(
-          "-o,--output", arguments.outputs,
-          "Write this file, in the format of its ending: " + std::string(merge_formats) + "; - is standard output")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
-  verb.add_option("--output-format", arguments.output_format, "Set the format of each OUT whose ending does not tell")
-      ->type_name("NAME");
-  verb.add_option("--memory", arguments.memory, "Limit the memory for sorting at the end, such as 500M or 4G")
-      ->type_name("SIZE")
-      ->capture_default_str();
-  verb.add_option("--scratch", arguments.scratch,
-                  "Use this folder, new or empty, for data that do not fit into memory at the end (by default one "
-                  "beside the first OUT)")
-      ->type_name("DIR");
-  add_stats_option(verb, arguments.stats);
-  add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor summary");
-  verb.footer(
-      "Examples:\n"
-      "  rbpa merge 0.partial 1.partial 2.partial -o half.partial\n"
-      "  rbpa merge half.partial other.partial -o footprint.geojson -o triangles.npy\n\n"
-      "For all tiles it writes the bytes that rbpa shape and rbpa mesh write for all points. The order of the "
-      "partials changes nothing, but merge neighbors first: fewer parts stay open between them.\n" +
       std::string(exit_codes));
   return &verb;
 }

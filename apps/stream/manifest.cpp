@@ -85,14 +85,23 @@ Json json_of(const RunKey& run_key) {
   for (const InputFile& file : run_key.inputs) inputs.push_back({json_text(file.path), file.size, file.changed});
   Json targets = Json::array();
   for (const std::string& path : run_key.targets) targets.push_back(json_text(path));
-  return {{"inputs", inputs},
-          {"options", json_text(run_key.options)},
-          {"alpha", run_key.alpha},
-          {"memory", run_key.memory},
-          {"tile_size", run_key.tile_size},
-          {"keep_tiles", run_key.keep_tiles},
-          {"tasks", run_key.tasks},
+  return {{"inputs", inputs},         {"options", json_text(run_key.options)}, {"alpha", run_key.alpha},
+          {"memory", run_key.memory}, {"tile_size", run_key.tile_size},        {"keep_tiles", run_key.keep_tiles},
           {"targets", targets}};
+}
+
+void add_facts(Json& json, const PointsFacts& facts) {
+  json["box"] = {facts.least.x, facts.least.y, facts.greatest.x, facts.greatest.y};
+  json["crs"] = facts.crs ? Json({facts.crs->authority, facts.crs->code, facts.crs->degrees}) : Json();
+  json["degrees"] = facts.degrees;
+}
+
+void read_facts(const Json& json, PointsFacts& facts) {
+  const Json &box = json.at("box"), &crs = json.at("crs");
+  facts.least = {box.at(0), box.at(1)};
+  facts.greatest = {box.at(2), box.at(3)};
+  if (!crs.is_null()) facts.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
+  facts.degrees = json.at("degrees");
 }
 
 /// Throws WrongUsage that names a difference between the request and that of the run in the folder.
@@ -127,8 +136,7 @@ RunKey run_key_of(const StreamRequest& request) {
                  .alpha = request.alpha,
                  .memory = request.memory,
                  .tile_size = request.tile_size.value_or(0),
-                 .keep_tiles = request.keep_tiles,
-                 .tasks = request.tasks};
+                 .keep_tiles = request.keep_tiles};
   for (const PointSource& source : request.sources) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0)
@@ -141,28 +149,6 @@ RunKey run_key_of(const StreamRequest& request) {
   }
   for (const StreamTarget& target : request.targets) run_key.targets.push_back(absolute(target.path));
   return run_key;
-}
-
-std::uint64_t id_of(const Manifest& manifest) {
-  // FNV-1a.
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : json_of(manifest.run_key).dump() + json_of(manifest.tree).dump())
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
-void add_facts(Json& json, const PointsFacts& facts) {
-  json["box"] = {facts.least.x, facts.least.y, facts.greatest.x, facts.greatest.y};
-  json["crs"] = facts.crs ? Json({facts.crs->authority, facts.crs->code, facts.crs->degrees}) : Json();
-  json["degrees"] = facts.degrees;
-}
-
-void read_facts(const Json& json, PointsFacts& facts) {
-  const Json &box = json.at("box"), &crs = json.at("crs");
-  facts.least = {box.at(0), box.at(1)};
-  facts.greatest = {box.at(2), box.at(3)};
-  if (!crs.is_null()) facts.crs = Crs{crs.at(0), crs.at(1), crs.at(2)};
-  facts.degrees = json.at("degrees");
 }
 
 void save(const Manifest& manifest, const Scratch& scratch) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +30,7 @@ struct RunKey {
   std::string options = {};  ///< how they are read
   double alpha = 0;
   std::uint64_t memory = 0, tile_size = 0;
-  bool keep_tiles = false, tasks = false;
+  bool keep_tiles = false;
   std::vector<std::string> targets = {};
 
   /// Returns the size of all inputs.
@@ -52,10 +51,6 @@ struct PointsFacts {
   bool degrees = false;
 };
 
-/// Add the facts to a JSON object, and read them from it; reading throws what the JSON library throws.
-void add_facts(nlohmann::ordered_json& json, const PointsFacts& facts);
-void read_facts(const nlohmann::ordered_json& json, PointsFacts& facts);
-
 struct Manifest {
   enum class Pass { count, cut, compute };
 
@@ -74,9 +69,6 @@ struct Manifest {
   std::uint64_t next_index = 0;
   std::vector<TileSummary> tiles = {};  ///< by number
 };
-
-/// Returns a number that identifies the request, the input files and the tiles of a run.
-std::uint64_t id_of(const Manifest& manifest);
 
 void save(const Manifest& manifest, const Scratch& scratch);
 

@@ -15,6 +15,28 @@ namespace {
 
 constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
+/// The key by which polygons, and the holes of one, are sorted: the first two points of a ring.
+struct RingKey {
+  Point first, second;
+  friend auto operator<=>(const RingKey&, const RingKey&) = default;
+};
+
+/// The head of a polygon's record. The rings that are with it follow: each is its number of points and the points.
+struct PolygonHead {
+  std::uint64_t size;   // bytes of the rings with their numbers
+  std::uint64_t taken;  // number of holes that are in the other file
+  PolygonFacts facts;
+};
+static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
+
+/// The head of a hole's record. The points of the hole follow, or, if `points` is 0, the key of the polygon that has
+/// holes of this name.
+struct HoleHead {
+  std::uint64_t points;
+  ComponentName name;
+};
+static_assert(sizeof(HoleHead) == 32 && std::is_trivially_copyable_v<HoleHead>);
+
 /// The key of a hole among the holes of all polygons.
 struct HoleKey {
   RingKey polygon, hole;
@@ -216,14 +238,32 @@ void PolygonLog::resume(const LogState& state) {
 }
 
 void PolygonLog::add(std::span<const CornerPolygon> polygons) {
-  for (const CornerPolygon& polygon : polygons)
-    put_record(
-        polygon, [&](std::string_view bytes) { polygons_.append(bytes); },
-        [&](std::string_view bytes) { holes_.append(bytes); });
+  const auto append_ring = [&](const CornerRing& ring) {
+    polygons_.append(std::uint64_t{ring.size()});
+    for (const Corner& corner : ring) polygons_.append(corner.at);
+  };
+  for (const CornerPolygon& polygon : polygons) {
+    std::uint64_t corners = polygon.shell.size();
+    for (const CornerRing& hole : polygon.holes) corners += hole.size();
+    const std::uint64_t rings = polygon.holes.size() + 1;
+    polygons_.append(PolygonHead{rings * sizeof(std::uint64_t) + corners * sizeof(Point),
+                                 polygon.taken_holes,
+                                 {polygon.area, polygon.perimeter, rings - 1 + polygon.taken_holes, polygon.points}});
+    append_ring(polygon.shell);
+    for (const CornerRing& hole : polygon.holes) append_ring(hole);
+    for (const ComponentName& name : polygon.names) {
+      holes_.append(HoleHead{0, name});
+      holes_.append(RingKey{polygon.shell[0].at, polygon.shell[1].at});
+    }
+  }
 }
 
 void PolygonLog::add(std::span<const TakenHoles> holes) {
-  for (const TakenHoles& taken : holes) put_record(taken, [&](std::string_view bytes) { holes_.append(bytes); });
+  for (const TakenHoles& taken : holes)
+    for (const CornerRing& hole : taken.holes) {
+      holes_.append(HoleHead{hole.size(), taken.component});
+      for (const Corner& corner : hole) holes_.append(corner.at);
+    }
 }
 
 LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }

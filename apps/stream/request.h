@@ -31,7 +31,6 @@ struct StreamRequest {
   std::optional<std::string> scratch = std::nullopt;      ///< the folder; absent: beside the first target
   bool keep_tiles = false;
   bool resume = false;
-  bool tasks = false;    ///< only cut the points, and leave the scratch to tasks
   unsigned threads = 1;  ///< at most this many
   bool quiet = false;
   bool shows_progress = false;

@@ -41,27 +41,16 @@ class Run {
     return result_;
   }
 
-  StreamResult run_tasks(const std::function<void(const Scratch&, const Manifest&)>& write_work) {
-    if (prepare()) repair();
-    write_work(scratch_, manifest_);
-    result_.counts.points = manifest_.points;
-    result_.tiles = manifest_.tiles.size();
-    return result_;
-  }
-
  private:
-  /// Returns true if everything was done before.
-  bool prepare() {
+  void prepare() {
     begin();
     return_freed_memory(request_.memory, budget_.workers);
-    const bool is_done = manifest_.pass == Pass::compute;
     if (manifest_.pass == Pass::count) count();
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
     cut_smaller(request_, budget_, scratch_, manifest_);
     return_free_pages();  // memory of the points that waited for their tiles
     result_.cut_seconds = lap();
-    return is_done;
   }
 
   double lap() {
@@ -71,7 +60,7 @@ class Run {
 
   void begin() {
     manifest_.run_key = run_key_;
-    budget_ = divide(request_.memory, request_.tasks ? 1 : request_.threads);
+    budget_ = divide(request_.memory, request_.threads);
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, run_key_);
@@ -120,10 +109,9 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Plans tiles. Small tiles are fastest unless there are many points around them. A task is a process, and should
-  /// take at least a second.
+  /// Plans tiles. Small tiles are fastest unless there are many points around them.
   TilePlan plan_for(const CellCounts& counts) const {
-    const std::uint64_t small = request_.tasks ? 1U << 20U : 1U << 17U;
+    constexpr std::uint64_t small = 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
                       reach_of(request_.alpha)};
     while (true) {
@@ -145,20 +133,6 @@ class Run {
     }
     manifest_.pass = Pass::compute;
     save(manifest_, scratch_);
-  }
-
-  /// Makes the files of tiles that were damaged since the run before again.
-  void repair() {
-    for (std::uint32_t tile = 0; tile < manifest_.tiles.size(); ++tile) {
-      try {
-        TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
-        if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
-        for_each_block(reader, [](const IndexedPoints&) {});
-      } catch (const Damaged&) {
-        cut_again(request_, budget_, scratch_, manifest_, tile);
-        save(manifest_, scratch_);
-      }
-    }
   }
 
   void compute() {
@@ -187,12 +161,6 @@ class Run {
 };
 
 }  // namespace
-
-StreamResult prepare_tasks(const StreamRequest& request,
-                           const std::function<void(const Scratch&, const Manifest&)>& write_work) {
-  OutputSet none;
-  return Run(request, none).run_tasks(write_work);
-}
 
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names) {

@@ -12,9 +12,7 @@
 
 #include "io/bytes/output_file.h"
 #include "rbpa/partial.h"
-#include "stream/manifest.h"
 #include "stream/request.h"
-#include "stream/scratch.h"
 
 namespace rbpa::app {
 
@@ -33,11 +31,5 @@ struct StreamResult {
 /// Throws BadInput, WrongUsage, Failure, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
-
-/// Counts and cuts the points into the scratch, which has to be named and stays; write_work() writes there the tasks
-/// for the tiles. The result has points, tiles and seconds. If the scratch was cut before, it is checked, and damaged
-/// tiles are made again. Throws as run_stream() does.
-StreamResult prepare_tasks(const StreamRequest& request,
-                           const std::function<void(const Scratch&, const Manifest&)>& write_work);
 
 }  // namespace rbpa::app

@@ -162,7 +162,6 @@ Scratch::Scratch(const StreamRequest& request)
 }
 
 bool Scratch::make(const StreamRequest& request) {
-  const std::string option = request.tasks ? "--tasks" : "--scratch";
   std::error_code error;
   is_new_ = is_asked_for_ ? make_marked() : fs::create_directory(folder_, error);
   if (error || !fs::is_directory(folder_))
@@ -178,10 +177,10 @@ bool Scratch::make(const StreamRequest& request) {
     };
     const fs::directory_iterator entries(folder_);
     if (std::any_of(begin(entries), end(entries), is_other))
-      throw WrongUsage(option + ": found other files in " + folder_ + ", expected an empty folder, or none");
+      throw WrongUsage("--scratch: found other files in " + folder_ + ", expected an empty folder, or none");
   }
   if (has_run_ && !request.resume)
-    throw WrongUsage(option + ": found a run in " + folder_ + ", expected --resume to continue it, or another folder");
+    throw WrongUsage("--scratch: found a run in " + folder_ + ", expected --resume to continue it, or another folder");
   const Lock lock = lock_file(folder_ + lock_name, O_CREAT, lock_);
   if (lock == Lock::gone || (lock == Lock::busy && !is_asked_for_)) return false;
   if (lock == Lock::busy) throw Failure(folder_ + ": another run is using the folder");

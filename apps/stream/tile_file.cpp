@@ -95,20 +95,14 @@ TileSummary TileWriter::finish() {
   return summary_;
 }
 
-TileReader::TileReader(const std::string& path) : path_(path) {
+TileReader::TileReader(const std::string& path, const Region& box, double alpha) : path_(path) {
   if (access(path.c_str(), F_OK) != 0) throw Damaged(path + ": found no file, expected that of a tile");
   file_ = std::make_unique<ScratchFile>(path, ScratchFile::Mode::read);
   Header header{};
   char* bytes = reinterpret_cast<char*>(&header);
   read(bytes, sizeof header);
-  box_ = {header.box[0], header.box[1], header.box[2], header.box[3]};
-  alpha_ = header.alpha;
   summary_ = {header.points, header.owned, header.bytes, header.blocks, header.of_blocks};
-  if (bytes_of(box_, alpha_, summary_) != std::string_view(bytes, sizeof header)) damaged();
-}
-
-TileReader::TileReader(const std::string& path, const Region& box, double alpha) : TileReader(path) {
-  if (box_ != box || alpha_ != alpha) damaged();
+  if (bytes_of(box, alpha, summary_) != std::string_view(bytes, sizeof header)) damaged();
 }
 
 TileReader::~TileReader() = default;

@@ -69,16 +69,12 @@ class TileWriter {
 /// Reads a file block by block.
 class TileReader {
  public:
-  /// Opens a file. Throws Damaged if it is missing or no file of a tile, Failure.
-  explicit TileReader(const std::string& path);
-  /// Opens a file. Throws Damaged also if it has another box or alpha.
+  /// Opens a file. Throws Damaged if it is missing, no file of a tile, or has another box or alpha; Failure.
   TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
 
-  const Region& box() const { return box_; }
-  double alpha() const { return alpha_; }
   const TileSummary& summary() const { return summary_; }
   /// Appends a block to `points`. Returns false at the end. Throws Damaged, Failure.
   bool next(IndexedPoints& points);
@@ -89,8 +85,6 @@ class TileReader {
 
   std::string path_;
   std::unique_ptr<ScratchFile> file_;
-  Region box_ = {};
-  double alpha_ = 0;
   TileSummary summary_ = {};
   std::uint64_t blocks_ = 0, points_ = 0;
   std::uint32_t checksum_ = 0;

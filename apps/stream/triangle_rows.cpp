@@ -123,12 +123,10 @@ class BucketSort {
 
 }  // namespace
 
-bool have_short_indices(std::uint64_t points) { return points <= std::numeric_limits<std::uint32_t>::max(); }
-
 std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), rows.end(), std::uint64_t{0}); }
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
-    : scratch_(scratch), short_(have_short_indices(points)) {
+    : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
   // There are at most two triangles per point. For points in random order three times the average have a small least
   // index.
   const std::uint64_t bytes = 2 * points * row_bytes();

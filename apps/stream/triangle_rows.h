@@ -16,9 +16,6 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
-/// Returns whether indices of so many points have 4 bytes, not 8.
-bool have_short_indices(std::uint64_t points);
-
 /// The state of the files, from which they are resumed.
 struct RowsState {
   std::vector<std::uint64_t> rows = {};  ///< number of rows of each file
@@ -54,7 +51,7 @@ class TriangleRows {
   void write(std::size_t bucket);
 
   const Scratch& scratch_;
-  bool short_;
+  bool short_;                // indices have 4 bytes, not 8
   std::uint64_t width_;       // number of least indices in a bucket
   std::size_t most_waiting_;  // bytes of a bucket, a whole number of rows
   std::vector<Bucket> buckets_;

@@ -32,7 +32,7 @@ Outcome ask(const Folder& folder, const std::string& program, const std::string&
 std::set<std::string> all_options(const Folder& folder, const std::string& program) {
   std::set<std::string> all = options_in(ask(folder, program, "--help").out);
   if (program == "rbpa")
-    for (const std::string verb : {"mesh", "alpha", "shape", "stream", "tile", "merge", "info"})
+    for (const std::string verb : {"mesh", "alpha", "shape", "stream", "info"})
       all.merge(options_in(folder.rbpa(verb + " --help").out));
   return all;
 }
@@ -84,7 +84,7 @@ TEST_SUITE("manual") {
   TEST_CASE("bash completes verbs and the options of a verb") {
     const Folder folder;
     folder.file("script", folder.rbpa("--completion bash").out);
-    CHECK(completed(folder, "rbpa", "rbpa m") == "mesh merge ");
+    CHECK(completed(folder, "rbpa", "rbpa m") == "mesh ");
     CHECK(completed(folder, "rbpa", "rbpa --v") == "--version ");
     CHECK(completed(folder, "rbpa", "rbpa mesh points.xy --alpha-i") == "--alpha-inverse ");
     CHECK(completed(folder, "rbpa", "rbpa info --lev").find("--levels") == std::string::npos);

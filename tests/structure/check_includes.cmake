@@ -61,7 +61,7 @@ set(allowed
     rbpa/plane/predicate"
 
   # Programs: for each, first the folders of apps, then those of the libraries.
-  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon picture program report stream tasks triangulation"
+  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon picture program report stream triangulation"
   "examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa"
   "io: rbpa/base"
   "io/bytes: meshops/core io"
@@ -77,7 +77,6 @@ set(allowed
     io/polygon"
   "report: rbpa rbpa/base io io/bytes io/text"
   "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
-  "tasks: rbpa rbpa/base io io/bytes stream"
   "triangulation: meshops/core rbpa rbpa/base io io/bytes io/mesh")
 set(arrows "")
 foreach(line ${allowed})

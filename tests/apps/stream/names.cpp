@@ -38,7 +38,7 @@ void check_refused(const Folder& folder, const std::string& arguments, const std
 
 }  // namespace
 
-TEST_CASE("inputs, targets, scratch, tasks, tiles and partials may have names in Latin-1") {
+TEST_CASE("inputs, targets and scratch may have names in Latin-1") {
   const std::string e = "\xe9";
   const Folder plain, folder;
   plain.file("p.xy", points());
@@ -66,22 +66,11 @@ TEST_CASE("inputs, targets, scratch, tasks, tiles and partials may have names in
       folder.rbpa("stream 'q" + e + "%E9.xy' --alpha 90 --tile-size 60 -q " + targets + scratch + "--resume");
   CHECK(name.code == 2);
   CHECK(name.err.find("--resume: found the input ") != std::string::npos);
-
-  CHECK(folder.rbpa(run_key + "--tasks 'T" + e + "' -o 'u" + e + ".npy' -o 'u" + e + ".wkt'").code == 0);
-  CHECK(folder.run("make", "-s -j2 -f 'T" + e + "/Makefile'").code == 0);
-  check("u" + e + ".npy", "u" + e + ".wkt");
-  CHECK(folder.rbpa(run_key + "--tasks 'V" + e + "' -o 'v" + e + ".npy' -o 'v" + e + ".wkt'").code == 0);
-  CHECK(folder.run("sh", "-e 'V" + e + "/1-tiles.txt'").code == 0);
-  CHECK(folder.rbpa("merge 'V" + e + "'/partials/1-*.partial -o 'w" + e + ".npy' -o 'w" + e + ".wkt' -q").code == 0);
-  check("w" + e + ".npy", "w" + e + ".wkt");
-  CHECK(folder.rbpa("tile 'V" + e + "/tiles/000001.tile' -o 'x" + e + ".partial' -q").code == 0);
 }
 
 TEST_CASE("a pipe or a device is refused at once, before anything is made of files beside it") {
   const Folder folder;
   folder.file("p.xy", points());
-  REQUIRE(folder.rbpa("stream p.xy --alpha 90 --tile-size 60 --tasks T -o t.npy -o p.wkt -q").code == 0);
-  REQUIRE(folder.run("sh", "-e T/1-tiles.txt").code == 0);
   for (const char* name : {"f.npy", "f.xy", "f.las", "f.csv.gz"}) {
     REQUIRE(mkfifo(folder.path(name).c_str(), 0666) == 0);
     for (const std::string before : {"", "p.xy "})
@@ -92,17 +81,4 @@ TEST_CASE("a pipe or a device is refused at once, before anything is made of fil
   }
   check_refused(folder, "stream /dev/null --format xy --alpha 1 -o t.npy",
                 "/dev/null: found a pipe, a socket or a device");
-  for (const std::string name : {"T/tiles/000001.tile", "T/run.json"}) {
-    const std::string content = folder.content(name);
-    fs::remove(folder.path(name));
-    REQUIRE(mkfifo(folder.path(name).c_str(), 0666) == 0);
-    check_refused(folder, "tile T/tiles/000001.tile -o a.partial",
-                  name.substr(2) + ": found a folder, a pipe or a device, expected a file");
-    fs::remove(folder.path(name));
-    folder.file(name, content);
-  }
-  fs::remove(folder.path("T/partials/1-000001.partial"));
-  REQUIRE(mkfifo(folder.path("T/partials/1-000001.partial").c_str(), 0666) == 0);
-  check_refused(folder, "merge T/partials/1-*.partial -o m.wkt",
-                "1-000001.partial: found a folder, a pipe or a device, expected a file");
 }
