@@ -21,7 +21,7 @@ constexpr Colour filled_colour{0x9F, 0xD3, 0xB4};  // lighter than the boundary,
 constexpr Colour rim_colour{0xE6, 0x9F, 0x00};
 constexpr Colour island_colour{0xCC, 0x79, 0xA7};
 
-/// Samples with a depth, of which the nearest to the viewer remains.
+/// Samples with a depth; the nearest to the viewer remains.
 class DepthCanvas {
  public:
   DepthCanvas(int width, int height)

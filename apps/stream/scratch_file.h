@@ -44,8 +44,7 @@ void replace_content(const std::string& path, std::string_view bytes);
 void replace_checked(const std::string& path, std::string_view text);
 std::string checked_content(const std::string& path);
 
-/// Throws BadInput that says what was found in a file of the run, and that the run has to begin again without the
-/// folder.
+/// Throws BadInput "PATH: found FOUND (remove FOLDER and start again)".
 [[noreturn]] void begin_anew(const std::string& path, const std::string& found, const std::string& folder);
 
 /// Convert any bytes to text that is valid in JSON, and back: '%' and bytes beyond ASCII become %XX.

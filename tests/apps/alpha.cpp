@@ -1,4 +1,4 @@
-// What `rbpa alpha` says.
+// `rbpa alpha`: radii, pairs, pictures, representatives and statistics.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@ namespace {
 
 const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 
-/// Right triangles of circumradius 5 and 10 that share no point, and nothing near.
+/// Two right triangles of circumradius 5 and 10, far from each other.
 const char* const two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
 
-/// 17 digits: the value that a command line reads back.
+/// Returns a number in 17 digits, which a command line reads back exactly.
 std::string text_of(const Json& number) { return number.dump(); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `--alpha auto` and `--alpha min`: the radius that the points choose, and how it is said.
+// `--alpha auto` and `--alpha min`: the chosen radius, and how it is reported.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Plateaus: what `rbpa alpha` recommends, and `--alpha plateau[:K]`.
+// Plateaus: the recommendation of `rbpa alpha`, and `--alpha plateau[:K]`.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// GeoJSON around longitude 180 (RFC 7946, 3.1.9): cut there, all longitudes within -180 to 180, valid, and nothing
-// lost.
+// GeoJSON around longitude 180 (RFC 7946, 3.1.9): polygons are cut there, with longitudes from -180 to 180, valid, and
+// without loss.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Degrees around the antimeridian, a quarter apart, but for a hole on it and one west of it; and a point alone on each
-/// side.
+/// Returns points around the antimeridian, a quarter of a degree apart, with a hole on it and one west of it, and an
+/// isolated point on each side.
 std::string ring_shaped(const std::string& header, bool shifted) {
   std::string text = header;
   const auto add = [&](double x, double y) {
@@ -75,7 +75,7 @@ Seen look(const Folder& folder, const std::string& name) {
   return seen;
 }
 
-/// The area of what `rbpa fill` accepts, which are valid polygons alone.
+/// Returns the area of polygons that `rbpa fill` accepts, that is, of valid ones.
 double valid_area(const Folder& folder, const std::string& name) {
   const Outcome filled = folder.rbpa("fill " + name + " --size inf --stats s.json -q");
   CHECK(filled.code == 0);

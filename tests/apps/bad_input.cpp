@@ -1,4 +1,4 @@
-// Every way in which input can be bad: the exit code, the whole message, and no output left.
+// All kinds of bad input: the exit code, the whole message, and no output.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ using namespace apps_test;
 
 namespace {
 
-/// Expects one line on standard error, this exit code, and nothing but the input in the folder.
+/// Checks for this line on standard error, this exit code, and only the input in the folder.
 void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
   const auto before = folder.names().size();
   const Outcome outcome = folder.rbpa(arguments);

@@ -1,4 +1,4 @@
-// An empty complex is an answer: exit code 0, said on standard error.
+// An empty complex is an answer: exit code 0, with a message on standard error.
 #include <doctest/doctest.h>
 
 #include "support/program.h"

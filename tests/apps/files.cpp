@@ -1,4 +1,4 @@
-// Files that change, that are links, that are the same under two names, and what a killed run leaves of them.
+// Files that change, links, one file under two names, and the leftovers of killed runs.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// How far a process has read a file that it has open.
+/// Returns the position of a process in a file that it has open.
 std::size_t position_in(pid_t process, const std::string& path) {
   const fs::path descriptors = "/proc/" + std::to_string(process) + "/fd";
   std::error_code error;
@@ -33,7 +33,7 @@ std::size_t position_in(pid_t process, const std::string& path) {
   return 0;
 }
 
-/// Whether a child has, which nobody has waited for yet.
+/// Returns whether a child has ended, without waiting for it.
 bool has_ended(pid_t process) {
   siginfo_t info{};
   return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == process;
@@ -76,7 +76,7 @@ std::size_t count_abandoned(const Folder& folder) {
   return static_cast<std::size_t>(std::count_if(names.begin(), names.end(), is_abandoned));
 }
 
-/// A run that has written most of m.off and waits for a reader of the pipe `pipe`.
+/// Returns a run that has written most of m.off and waits for a reader of the pipe `pipe`.
 std::function<Child::Command()> waiting_run(const Folder& folder) {
   folder.file("p.xy", corner);
   REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
@@ -131,7 +131,7 @@ TEST_SUITE("input files") {
   }
 
   TEST_CASE("a disk that fails while a file is read ends the run with a message") {
-    // There is no memory at address 0, and the system says so as it does of a bad disk.
+    // Reading memory at address 0 fails with the error of a bad disk.
     const Outcome outcome = Folder().rbpa("info /proc/self/mem --format text");
     CHECK(outcome.code == 1);
     CHECK(outcome.err == "rbpa: /proc/self/mem: cannot read: Input/output error\n");

@@ -1,4 +1,4 @@
-// `rbpa fill`: formats of polygons, what is written, wrong usage, bad input, signals, progress.
+// `rbpa fill`: formats of polygons, outputs, wrong usage, bad input, signals, progress.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -58,7 +58,7 @@ double area_of(const Off& off) {
   return twice / 2;
 }
 
-/// The outcome is that code and that one line, and no file.
+/// Checks for this code, this line, and no output.
 void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
   CAPTURE(arguments);
   const auto before = folder.names();
@@ -184,7 +184,7 @@ TEST_SUITE("fill") {
     CHECK(many.err.starts_with("rbpa: p.wkt: size: found 1e-09, at which about 254034"));  // other digits are rounded
     CHECK(many.err.ends_with(" triangles would be made, expected larger sizes: at most 5e+08 triangles\n"));
     CHECK_FALSE(folder.has("m.off"));
-    // Nothing to fill is an answer.
+    // An empty input is an answer.
     folder.file("nothing.wkt", "POLYGON EMPTY");
     const Outcome nothing = folder.rbpa("fill nothing.wkt --size 1 -o m.off");
     CHECK(nothing.code == 0);

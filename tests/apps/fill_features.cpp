@@ -1,4 +1,4 @@
-// `rbpa fill` of several features: shared edges, what is not valid, numbers of each triangle.
+// `rbpa fill` of several features: shared edges, invalid features, properties of triangles.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::string collection(const std::vector<std::string>& features) {
   return R"({"type": "FeatureCollection", "features": [)" + text + "]}";
 }
 
-/// Three parcels; a vertex comes twice, and one lies in the middle of an edge.
+/// Three parcels, with a repeated vertex and one in the middle of an edge.
 std::vector<std::string> parcels() {
   return {
       feature(R"({"height": 3, "name": "a", "zone": {"n": 9}, "list": [5]})", "[[0,0],[4,0],[4,0],[4,3],[0,3],[0,0]]"),

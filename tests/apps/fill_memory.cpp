@@ -1,4 +1,4 @@
-// `rbpa fill` under a limit of memory: what would not suffice is refused before the first triangle.
+// `rbpa fill` under a limit of memory: a too large filling is refused before the first triangle.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -10,14 +10,14 @@
 
 using namespace apps_test;
 
-// The shadow memory of a sanitizer alone is more than any limit.
+// The shadow memory of a sanitizer exceeds any limit.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 namespace {
 
 constexpr rlim_t limit = rlim_t{400} << 20U;
 
-/// Of a unit square in triangles of a size, in so many bytes of address space.
+/// Fills a unit square in a limited address space.
 Ending fill_limited(const Folder& folder, const std::string& options) {
   folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
   folder.file("sizes", "0.5 0.5 1e-9\n");

@@ -1,4 +1,4 @@
-// What stands first in a table: a header, numbers in other writing, a count, comments with names, atoms of chemistry.
+// The first lines of a table: a header, numbers in other notation, a count, comments with names, atoms.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -248,7 +248,7 @@ TEST_SUITE("first lines") {
               "the atoms are the 1 as line 1 says, of the first frame; what follows them is left out"});
     // A count before x, y, z and an intensity is no number of atoms.
     CHECK(plane("2\n10.5 0 1 5\n1 0 2 5\n", {}, "m.xyz").points == Points{{10.5, 0}, {1, 0}});
-    // Where nothing says that they are atoms, numbers of elements are no coordinates.
+    // Without a sign that these are atoms, numbers of elements are no coordinates.
     const std::string bare = "6 0.5 0 1\n7 1 0 2\n8 0 1.5 3\n";
     CHECK(refusal([&] { plane(bare, {}, "m.xyz"); }).find("--columns 2,3 reads atoms") != std::string::npos);
     CHECK(refusal([&] { space(bare, {}, Format::text, "m.xyz"); }).find("--columns 2,3,4 reads atoms") !=

@@ -1,4 +1,4 @@
-// What is read in one format and written in another means the same.
+// Points and meshes mean the same in every format.
 #include <doctest/doctest.h>
 
 #include <algorithm>

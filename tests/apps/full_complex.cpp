@@ -1,4 +1,4 @@
-// `rbpa mesh --complex full`: what is in its files, against the definition, against persistence, and wrong usage.
+// `rbpa mesh --complex full`: its files against the definition and against persistence, and wrong usage.
 #include <doctest/doctest.h>
 #include <png.h>
 
@@ -23,7 +23,7 @@ namespace {
 using Edge = std::array<std::uint32_t, 2>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A complex as its files have it.
+/// A complex as read from its files.
 struct Full {
   std::set<Triangle> triangles;
   std::set<Edge> edges;
@@ -40,14 +40,14 @@ Wide square(const Grid& a, const Grid& b) { return Wide(a.x - b.x) * (a.x - b.x)
 Wide cross(const Grid& a, const Grid& b, const Grid& c) {
   return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
 }
-/// > 0: inside the circle through a, b, c, which are counter-clockwise.
+/// Returns a number > 0 if p is inside the circle through a, b, c. Requires: these are counter-clockwise.
 Wide in_circle(const Grid& a, const Grid& b, const Grid& c, const Grid& p) {
   const Wide ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, cx = c.x - p.x, cy = c.y - p.y;
   return (ax * ax + ay * ay) * (bx * cy - cx * by) - (bx * bx + by * by) * (ax * cy - cx * ay) +
          (cx * cx + cy * cy) * (ax * by - bx * ay);
 }
 
-/// Integer points below 1000.
+/// Returns random integer points below 1000.
 std::vector<Grid> scattered(std::size_t count, std::uint64_t seed) {
   rbpa_test::Random random(seed);
   std::vector<Grid> points;
@@ -64,7 +64,7 @@ std::string text_of(const std::vector<Grid>& points) {
   return text;
 }
 
-/// All edges, in triangles or not.
+/// Returns all edges, in triangles or not.
 std::set<Edge> all_edges(const Full& full) {
   std::set<Edge> edges = full.edges;
   for (const Triangle& t : full.triangles)
@@ -72,7 +72,7 @@ std::set<Edge> all_edges(const Full& full) {
   return edges;
 }
 
-/// Whether no other point has a positive power. Requires that none of them, which would be on the circle, has 0.
+/// Returns whether no other point has a positive power. Requires: none has power 0, that is, is on the circle.
 template <typename Power>
 bool is_empty(const std::vector<Grid>& points, std::size_t own, const Power& power) {
   std::size_t on_circle = 0;
@@ -84,7 +84,7 @@ bool is_empty(const std::vector<Grid>& points, std::size_t own, const Power& pow
   return true;
 }
 
-/// The alpha complex by its definition: triangles and edges with an empty circle of radius alpha at most.
+/// Returns the alpha complex by its definition: triangles and edges with an empty circle of radius at most alpha.
 Full by_definition(const std::vector<Grid>& points, std::int64_t alpha) {
   Full full;
   const auto n = static_cast<std::uint32_t>(points.size());
@@ -111,7 +111,7 @@ Full by_definition(const std::vector<Grid>& points, std::int64_t alpha) {
   return full;
 }
 
-/// The lines f, l and p of an OBJ file.
+/// Reads the lines f, l and p of an OBJ file.
 Full in_obj(const std::string& text) {
   Full full;
   std::istringstream lines(text);
@@ -130,7 +130,7 @@ Full in_obj(const std::string& text) {
   return full;
 }
 
-/// The values of an .npy file of uint32, whose header has this shape.
+/// Returns the values of an .npy file of uint32. Checks its shape.
 std::vector<std::uint32_t> in_npy(const std::string& bytes, const std::string& shape) {
   CHECK(bytes.find("{'descr': '<u4', 'fortran_order': False, 'shape': " + shape + ", }") == 10);
   const std::size_t begin = bytes.find('\n') + 1;
@@ -162,7 +162,7 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
   return count;
 }
 
-/// Pixels of a picture that have this color.
+/// Returns the number of pixels of this color.
 std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_t, 3>& colour) {
   png_image image;
   std::memset(&image, 0, sizeof image);
@@ -177,7 +177,7 @@ std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_
   return count;
 }
 
-/// The description of the path with this name in a picture.
+/// Returns the path of this name in a picture.
 std::string path_of(const std::string& svg, const std::string& id) {
   const std::size_t at = svg.find("<path id=\"" + id + "\"");
   if (at == std::string::npos) return "none";
@@ -195,7 +195,7 @@ void refuses(const Folder& folder, const std::string& arguments, const std::stri
 
 const std::string data = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 
-/// A triangle with a tail, an edge, a point, and a repetition of it.
+/// A triangle with a tail, an edge, a point, and its duplicate.
 constexpr const char* small = "0 0\n2 0\n0 2\n4 0\n9 9\n9 11\n20 0\n20 0\n";
 
 }  // namespace

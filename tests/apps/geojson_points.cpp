@@ -1,4 +1,4 @@
-// GeoJSON in: every geometry, in whatever order its members stand, and what is none.
+// Points of GeoJSON: every geometry, with members in any order, and invalid files.
 #include <doctest/doctest.h>
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Gzip files that unpack to more than their headers claim, or to more than there is memory for.
+// Gzip files that decompress to more than their headers claim, or to more than fits into memory.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -25,12 +25,12 @@ namespace {
 const std::string zeros(1, '\0');
 constexpr std::size_t slack = std::size_t{1} << 20U;
 
-/// What is said, and the exit code, of `command` in so many bytes of address space.
+/// Returns the message and the exit code of `command` in a limited address space.
 Outcome limited(const Folder& folder, const std::string& command, std::size_t mebibytes) {
   return folder.run("/bin/sh", "-c 'ulimit -v " + std::to_string(mebibytes << 10U) + "; " + command + "'");
 }
 
-/// The shadow memory of a sanitizer alone is more than any limit.
+/// The shadow memory of a sanitizer exceeds any limit.
 bool can_limit() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   MESSAGE("SKIPPED: sanitizers take memory for themselves");
@@ -59,7 +59,7 @@ void check_claims(const std::vector<File>& files, const std::string& program, co
   }
 }
 
-/// Without a claim memory is the limit. `way_out` is what follows the sentence.
+/// Checks a file without a claim, for which memory is the limit. `way_out` is the hint at the end of the message.
 void check_memory(const Folder& folder, const std::string& command, const std::string& name,
                   const std::string& way_out = "") {
   const Outcome outcome = limited(folder, command, limit);

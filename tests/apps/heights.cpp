@@ -1,4 +1,4 @@
-// Third coordinates of what is read in the plane: that they are left out is said where they are heights and differ.
+// Third coordinates of points read in the plane: a warning says that they are left out if they are differing heights.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -19,7 +19,7 @@ std::string remark(const std::string& file, int points = 3) {
          " points was ignored (rbpa surface computes in space)\n";
 }
 
-/// Points of three numbers, of which the last is given.
+/// Returns points of three numbers with the given third ones.
 std::string npy(const std::vector<double>& z, bool columns_first) {
   const std::size_t n = z.size();
   const auto value = [&](std::size_t i, std::size_t k) { return k == 2 ? z[i] : static_cast<double>((i + k) % n); };

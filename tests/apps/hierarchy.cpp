@@ -1,4 +1,4 @@
-// `--method hrbpa` and `--levels`: the same files, what is said of each level, wrong usage.
+// `--method hrbpa` and `--levels`: the same files, the report of levels, wrong usage.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -189,7 +189,7 @@ TEST_SUITE("hierarchy") {
     REQUIRE(rows.size() >= 2);
     const std::vector<std::string>& last = rows.back();
     CHECK(std::vector(last.begin() + 6, last.end() - 1) == std::vector<std::string>{"2", "2", "2", "0", "2", "6"});
-    CHECK(rows[1][2] == "6");  // distinct points, all of which the first level takes
+    CHECK(rows[1][2] == "6");  // distinct points; the first level takes all
     CHECK(rows[1][3] == "6");
   }
 

@@ -1,4 +1,4 @@
-// The figure of an image is the same set of points whatever the file, and what is no image is refused.
+// The figure of an image is the same set of points for every kind of file, and files that are no image are refused.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<Point> points_of_pgm(const std::string& bytes, const PixelRule& rule
   return rbpa::app::read_pgm_points(bytes, "i.pgm", rule);
 }
 
-/// Black dots at random on a white ground whose border is free of them.
+/// Returns random black dots on a white ground with a white border.
 Picture dotted(std::uint32_t width, std::uint32_t height) {
   Picture picture{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 255)};
   std::mt19937_64 random(width * 100 + height);

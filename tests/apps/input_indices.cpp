@@ -1,4 +1,4 @@
-// Indices in files are places in the input, also where --where and --skip-invalid leave out points.
+// Indices in files are positions in the input, also if --where and --skip-invalid leave out points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Points of a grid that is moved a little, of which some do not count, as a file of all and one of those that do.
+/// Writes the points of a perturbed grid, some of which do not count: a file of all, and one of those that count.
 struct Points {
   std::string all, kept;
   std::vector<std::uint32_t> index;  // of those that are kept

@@ -47,7 +47,7 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
   const int pipe = open(folder.path(pipe_name).c_str(), O_WRONLY);
   REQUIRE(pipe >= 0);
   send_input(pipe);
-  // Not closed before the signal is sent: the program is then reading, or has just begun to compute.
+  // The pipe is open until the signal is sent: the program is reading, or has just begun to compute.
   if (input_ends) close(pipe);
   child.send(sig);
   CHECK(child.wait() == Ending{130, 0});
@@ -58,13 +58,13 @@ void stops(int sig, bool input_ends, const std::string& pipe_name,
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
 }
-/// Processor time of all children that have ended.
+/// Returns the processor time of all children that have ended.
 double seconds_of_children() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
-/// Of one that runs; nothing once it has ended.
+/// Returns the processor time of a running process; nothing once it has ended.
 std::optional<double> seconds_of(pid_t id) {
   std::ifstream file("/proc/" + std::to_string(id) + "/stat");
   std::stringstream text;
@@ -80,8 +80,8 @@ std::optional<double> seconds_of(pid_t id) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// How much processor time the command goes on for after a signal that comes once it has had so much; nothing where it
-/// ends before.
+/// Returns the processor time that the command takes after a signal, which is sent when it has had `at` seconds;
+/// nothing if it ends before.
 std::optional<double> seconds_after_signal(const std::vector<std::string>& command, double at) {
   const double before = seconds_of_children();
   Child child(command);
@@ -98,7 +98,7 @@ std::optional<double> seconds_after_signal(const std::vector<std::string>& comma
   return std::max(all - *had, 0.0);
 }
 
-/// Points of a unit sphere along a spiral, as lines.
+/// Returns points of a unit sphere along a spiral, as lines.
 std::string sphere(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -109,7 +109,7 @@ std::string sphere(int count) {
   return text;
 }
 
-/// Triangles on one edge; around one point; in a ring with two huge holes; each by itself.
+/// Returns triangles on one edge, around one point, in a ring with two huge holes, or each by itself.
 std::string mesh(const std::string& kind, int count) {
   std::string text;
   const auto corner = [&](double size, int i, double z) {
@@ -213,7 +213,7 @@ TEST_CASE("a signal while the output waits for its reader ends a run of several 
     Child child({RBPA_PROGRAM, "mesh", folder.path("p.f64xy"), "--alpha", "inf", "-o", folder.path("pipe.off")});
     const int pipe = open(folder.path("pipe.off").c_str(), O_RDONLY);
     REQUIRE(pipe >= 0);
-    // As long as bytes come in, the pipe is not full.
+    // While bytes arrive, the pipe is not full.
     for (int before = -1, now = 0; now != before; usleep(50'000)) {
       before = now;
       REQUIRE(ioctl(pipe, FIONREAD, &now) == 0);

@@ -1,4 +1,4 @@
-// Integers that doubles do not hold are refused in every format, and those that they hold are read.
+// Integers beyond the precision of double are refused in every format, and others are read.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -27,7 +27,7 @@ std::string bytes_of(const std::vector<std::int64_t>& numbers) {
   return bytes;
 }
 
-/// Three points of three coordinates, the first of which is as given.
+/// Returns three points of three coordinates, with the given first coordinate.
 std::vector<std::int64_t> points_from(std::int64_t x) { return {x, 0, 0, 5, 7, 0, 1, 9, 0}; }
 
 std::string text_of(std::int64_t x, const std::string& separator) {
@@ -60,7 +60,7 @@ struct File {
   std::string name, content;
 };
 
-/// Of every format with integers of 8 bytes, and of text.
+/// Returns files of every format with integers of 8 bytes, and of text.
 std::vector<File> files_with(std::int64_t x) {
   const auto numbers = points_from(x);
   std::vector<std::int64_t> columns = {numbers[0], numbers[3], numbers[6], numbers[1], numbers[4],

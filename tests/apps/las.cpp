@@ -1,4 +1,4 @@
-// LAS against the bytes of its specification: every version, every point format, every field; and what is no LAS.
+// LAS byte by byte as its specification says: every version, point format and field; and files that are no LAS.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ std::string refused_condition(const std::string& text) {
   return "none";
 }
 
-/// Formats that a version has.
+/// Returns the point formats of a version.
 std::vector<unsigned> formats_of(unsigned minor) {
   const unsigned last[] = {1, 1, 3, 5, 10};
   std::vector<unsigned> formats;
@@ -66,7 +66,7 @@ void for_each_layout(const Check& check) {
       }
 }
 
-/// Two points that differ in every field.
+/// Returns two points that differ in every field.
 std::vector<LasPoint> two_points(const LasFile& file) {
   const bool flags = file.minor > 0;
   return {{.x = 1, .y = 2, .z = 3},
@@ -94,7 +94,7 @@ std::vector<LasPoint> two_points(const LasFile& file) {
            .infrared = 60000}};
 }
 
-/// GeoTIFF: of each key its number, place, count and value.
+/// Returns a record of GeoTIFF keys: number, place, count and value of each.
 LasRecord keys(const std::vector<std::vector<unsigned>>& entries) {
   std::string data = little(1, 2) + little(1, 2) + little(0, 2) + little(entries.size(), 2);
   for (const auto& entry : entries)
@@ -180,7 +180,7 @@ TEST_SUITE("las") {
       const std::int64_t power = std::llround(std::pow(10, grid.places));
       const auto scaled = [&](double value) { return std::llround(value * static_cast<double>(power)); };
       for (std::size_t i = 0; i < points.size(); ++i) {
-        // As text, which strtod() rounds.
+        // Compared with text, which strtod() rounds.
         const auto nearest = [&](std::int32_t value, double offset) {
           std::int64_t n = value * scaled(grid.scale) + scaled(offset);
           std::string text = n < 0 ? "-" : "";
@@ -356,7 +356,7 @@ TEST_SUITE("las") {
             CHECK(taken.err.find("rbpa: " + points + " points") != std::string::npos);
           }
         }
-    // Nothing counted, nothing there.
+    // A file without points.
     CHECK(read(bytes_of(LasFile{})).points.empty());
   }
 
@@ -454,7 +454,7 @@ TEST_SUITE("las") {
       CHECK(found.points.size() == real.points);
       CHECK((found.crs ? found.crs->text() : "") == real.crs);
     }
-    // The same points as text, made by others.
+    // Points that others wrote as text agree.
     CHECK(file("las_certainty3d.las").points ==
           read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = Format::text}).points);
     CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point

@@ -1,4 +1,4 @@
-// Manual pages and completions say what --help says.
+// Manual pages and completions agree with --help.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<std::string> programs = {"rbpa", "meshtopo"};
 
-/// Every option that the help names at the begin of a line.
+/// Returns every option that begins a line of the help.
 std::set<std::string> options_in(const std::string& help) {
   const std::regex line("\n  (-[a-z]),(--[a-z-]+)|\n  (-[a-z-]+)");
   std::set<std::string> found;
@@ -37,7 +37,7 @@ std::set<std::string> all_options(const Folder& folder, const std::string& progr
   return all;
 }
 
-/// What bash offers after these words, the last of them begun only.
+/// Returns the completions of bash for these words, the last of which is incomplete.
 std::string completed(const Folder& folder, const std::string& program, const std::string& words) {
   folder.file("ask.sh", "source ./script\nCOMP_WORDS=(" + words + ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_" +
                             program + "\nprintf '%s ' \"${COMPREPLY[@]}\"\n");

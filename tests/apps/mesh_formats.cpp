@@ -1,4 +1,4 @@
-// What the mesh readers make of files, and that what is written reads back.
+// Readers of meshes, and that written meshes read back.
 #include <doctest/doctest.h>
 
 #include <array>

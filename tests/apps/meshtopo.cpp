@@ -1,4 +1,4 @@
-// What meshtopo reports, repairs and draws.
+// Reports, repairs and loops of meshtopo.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ json report_of_text(const std::string& content, const std::string& options = "")
   return report_of(folder, "m.off " + options);
 }
 
-/// What stands behind a label in the report for people.
+/// Returns the text after a label in the report for people.
 std::string row(const std::string& label, const std::string& text) {
   const std::size_t at = text.find(label + " ");
   REQUIRE(at != std::string::npos);
@@ -322,7 +322,7 @@ TEST_SUITE("meshtopo") {
     CHECK(folder.content("r.txt") == text);
     CHECK(folder.meshtopo("m.off --json -q -o r.json").out.empty());
     CHECK(folder.content("r.json") == report);
-    // The ending says which report it is, as --json does.
+    // The ending chooses the report, as --json does.
     CHECK(folder.meshtopo("m.off -o e.JSON -q").code == 0);
     CHECK(folder.content("e.JSON") == report);
     CHECK(folder.meshtopo("m.off --json -o r.log").code == 0);

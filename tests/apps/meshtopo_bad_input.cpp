@@ -1,5 +1,4 @@
-// Every way in which a mesh file or a command line of meshtopo can be bad: the exit code, the whole message, and no
-// output left.
+// All kinds of bad meshes and command lines of meshtopo: the exit code, the whole message, and no output.
 #include <doctest/doctest.h>
 
 #include <bit>

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Chains of steps by search over all pairs; whole numbers, so that squares are exact.
+/// Finds chains of steps by a search over all pairs, in whole numbers, so that squares are exact.
 std::vector<std::uint32_t> near_by_brute_force(const Positions& positions, double distance) {
   std::vector<std::uint32_t> least(positions.size());
   std::iota(least.begin(), least.end(), 0U);
@@ -183,7 +183,7 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
         "OFF\n8 8 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n5 5 5\n-1 0 0\n0 -1 0\n9 9 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
         "3 1 2 4\n3 0 5 6\n3 0 1 2\n3 7 7 4\n");
     const json r = changed(folder, "m.off --keep-largest 1 -o k.off --check closed,manifold,oriented,components=1");
-    CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces beside the fin hang together through the others
+    CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces beside the fin are connected through the others
   }
 
   TEST_CASE("the options take the same words as those of rbpa surface") {
@@ -413,7 +413,7 @@ TEST_SUITE("meshtopo: changes together") {
     REQUIRE(p["repair"].size() == 1);
     CHECK(p["repair"][0] == json::parse(R"({"kind": "point_split", "where": {"vertices": [1], "faces": [],
           "vertex_lines": [4], "face_lines": []}})"));
-    // As is a defect that keeps loops from being found.
+    // A defect that prevents loops is named as in the file, too.
     folder.file("t.off",
                 "OFF\n9 4 0\n5 5 5\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 0 1\n0 -1 0\n8 8 8\n3 0 0 1\n3 1 2 3\n3 5 4 "
                 "6\n3 1 2 7\n");

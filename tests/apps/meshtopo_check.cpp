@@ -1,4 +1,4 @@
-// meshtopo --check, and several meshes at once: what is said, what is written, and the exit code.
+// meshtopo --check, and several meshes at once: messages, outputs, and exit codes.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -12,13 +12,13 @@ using nlohmann::json;
 
 namespace {
 
-/// Without its base: four triangles and a boundary of four edges.
+/// A pyramid without its base: four triangles and a boundary of four edges.
 const std::string open_off = "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
-/// One face the other way round, and a triangle at an edge that has two faces already.
+/// A pyramid with one face reversed, and a third triangle at an edge.
 const std::string bad_off =
     "OFF\n6 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n5 5 5\n4 3 2 1 0\n3 1 0 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 4 "
     "5\n";
-/// Five triangles; one side only.
+/// A Möbius band of five triangles.
 const std::string moebius_off =
     "OFF\n5 5 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n";
 
@@ -35,7 +35,7 @@ struct Meshes : Folder {
     file("cut.off", pyramid_off.substr(0, 60));
   }
 
-  /// What is said of a mesh that fails; exit code 4, and with -q nothing else.
+  /// Returns the message for a mesh that fails. Checks for exit code 4, and that -q prints nothing else.
   std::string failures(const std::string& mesh, const std::string& list) const {
     const Outcome outcome = meshtopo(mesh + " -q --check " + list);
     CHECK(outcome.code == (outcome.err.empty() ? 0 : 4));

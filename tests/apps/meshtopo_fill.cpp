@@ -1,4 +1,4 @@
-// meshtopo --fill-holes: what is closed, what stays and why, of meshes of any faces, whatever their order.
+// meshtopo --fill-holes: holes that are closed, and that stay and why, for meshes of any faces in any order.
 #include <doctest/doctest.h>
 
 #include "support/changed_mesh.h"

@@ -1,4 +1,4 @@
-// Numbers in text: where they end as std::from_chars() has it, their values as strtod() has them, and back.
+// Numbers in text: their ends as by std::from_chars(), their values as by strtod(), and back.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ using rbpa::app::ParsedNumber;
 
 namespace {
 
-/// Whether a text is an integer, and another one than a double of at least 2^53.
+/// Returns whether a text is an integer that differs from its double, which is at least 2^53.
 bool is_rounded_integer(std::string_view text, double value) {
   if (!text.empty() && text.front() == '-') text.remove_prefix(1);
   if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return false;
@@ -30,7 +30,7 @@ bool is_rounded_integer(std::string_view text, double value) {
   return text != exact.data();
 }
 
-/// What a number is, said without our reader: std::from_chars() finds its end, strtod() its value.
+/// Parses a number without our reader: std::from_chars() finds its end, strtod() its value.
 ParsedNumber by_the_standard(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
@@ -49,7 +49,7 @@ bool same(const ParsedNumber& a, const ParsedNumber& b) {
   return a.fault != NumberFault::none || std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
 
-/// As it stands at the end of the text and with more text behind it.
+/// Returns whether both readers agree, at the end of the text and with more text after it.
 bool reads_alike(const std::string& text) {
   const char* const first = text.data();
   const char* const last = first + text.size();
@@ -63,7 +63,7 @@ bool reads_alike(const std::string& text) {
   return true;
 }
 
-/// From the first digit that is not 0 to the last that is not, the exponent apart.
+/// Returns the digits from the first to the last that is not 0, without the exponent.
 int significant_digits(std::string_view text) {
   std::string digits;
   for (const char c : text.substr(0, text.find('e')))
@@ -72,7 +72,7 @@ int significant_digits(std::string_view text) {
   return first == std::string::npos ? 0 : static_cast<int>(last - first + 1);
 }
 
-/// `value` to so many digits, the nearest.
+/// Returns `value` rounded to the given number of digits.
 std::string rounded(double value, int digits) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.*e", digits - 1, value);

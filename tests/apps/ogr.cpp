@@ -1,4 +1,4 @@
-// Files of GDAL: what GDAL writes is read, and what is written GDAL reads, to the last bit and with its system.
+// Files of GDAL: we read what GDAL writes, and GDAL reads what we write, to the last bit and with the system.
 #include <doctest/doctest.h>
 #include <ogrsf_frmts.h>
 

@@ -1,4 +1,4 @@
-// A file put together from pieces: what arrives, and what happens when the disk is full.
+// A file written in pieces: its content, and full disks.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a run leaves behind.
+// Outputs of a run: statistics, help, summaries, pictures.
 #include <doctest/doctest.h>
 
 #include <algorithm>

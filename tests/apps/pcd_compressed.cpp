@@ -1,5 +1,4 @@
-// PCD with DATA binary_compressed: the points of the same file without compression; what is damaged is refused, and
-// what only claims to be large is not believed.
+// PCD with DATA binary_compressed: the points of the uncompressed file; damaged files and false claims are refused.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -34,7 +33,7 @@ std::string raw(T value) {
   return bytes;
 }
 
-/// The fields of point i but for the gap.
+/// Returns the fields of point i without the gap.
 std::vector<std::string> fields(std::size_t i) {
   const auto t = static_cast<float>(i);
   return {raw(t / 7), raw(static_cast<double>(i) / 3),
@@ -52,7 +51,7 @@ std::string binary(std::size_t points) {
   return bytes;
 }
 
-/// All of one field, then all of the next.
+/// Returns the values field by field.
 std::string by_fields(std::size_t points) {
   std::vector<std::string> columns(8);
   for (std::size_t i = 0; i < points; ++i)
@@ -202,7 +201,7 @@ TEST_SUITE("compressed pcd") {
       const std::string message = refusal(three(with_sizes("xxxx", 0xffffffffU), points));
       CHECK(message.starts_with("p: found 4294967295 bytes as the decompressed size, expected "));
     }
-    // As many points as the sizes can say, of 4 bytes of data.
+    // The largest number of points that the sizes allow, with 4 bytes of data.
     CHECK(refusal(three(with_sizes("xxxx", 12 * std::size_t{357913941}), "POINTS 357913941")) ==
           "p: behind line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes "
           "decompressed");

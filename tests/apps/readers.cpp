@@ -1,4 +1,4 @@
-// Every reader of files: under names that are no UTF-8, and out of pipes, what it makes of a file is the same.
+// Every reader of files: its result is the same for names that are no UTF-8, and for pipes.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -16,7 +16,7 @@ using namespace apps_test;
 
 namespace {
 
-/// What reads a file: its name comes between the two.
+/// A command that reads a file; the name comes between the two parts.
 struct Reader {
   File file;
   std::string before, behind;
@@ -55,7 +55,7 @@ Outcome run(const Folder& folder, const Reader& reader, const std::string& name,
   return folder.run("/bin/sh", "-c '" + first + reader.before + name + reader.behind + "'");
 }
 
-/// Each in a folder with its file, and what it makes of that.
+/// Runs each reader on its file, and calls check(folder, reader, output).
 template <typename Check>
 void for_each_reader(const Check& check) {
   const Folder folder;

@@ -1,4 +1,4 @@
-// What README.md and the pages of docs show under a command is what the command prints.
+// README.md and the pages of docs show under a command what the command prints.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The page that `rbpa report` writes, as a file: its numbers, its bytes, and that it asks for nothing.
-// What it does in a browser: report/browser.mjs.
+// The page of `rbpa report` as a file: its numbers, its bytes, and that it makes no request. Its behavior in a browser
+// is tested by report/browser.mjs.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 
-/// Right triangles of circumradius 5 and 10 that share no point, and nothing near.
+/// Two right triangles of circumradius 5 and 10, far from each other.
 const char* const two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
 
 std::string page_of(const Folder& folder, const std::string& arguments) {
@@ -32,7 +32,7 @@ std::string page_of(const Folder& folder, const std::string& arguments) {
   return folder.content("page.html");
 }
 
-/// What the element of the data of that name has.
+/// Returns the content of the data element of that name.
 std::string element(const std::string& page, const std::string& name) {
   const std::string begin = "id=\"data-" + name + "\">";
   const std::size_t at = page.find(begin);
@@ -91,14 +91,14 @@ double number_of(const Json& value) {
   return value == "inf" ? std::numeric_limits<double>::infinity() : value.get<double>();
 }
 
-/// Text of a page as it is read.
+/// Returns the text of a page as it is read.
 std::string plain(std::string text) {
   for (const auto& [reference, sign] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
     text = std::regex_replace(text, std::regex(reference), sign);
   return text;
 }
 
-/// The page against what `rbpa alpha` says of the same points.
+/// Compares the page with `rbpa alpha` for the same points.
 void agrees(const std::string& page, const Json& report) {
   const Json facts = Json::parse(element(page, "facts"));
   CHECK(facts["auto"] == report["auto"]);

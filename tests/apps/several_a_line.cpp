@@ -1,4 +1,4 @@
-// Elements of text files that do not stand one a line: read by their words, or refused; never rows of faces as points.
+// Text files with several elements a line: read word by word, or refused; rows of faces are never read as points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr const char* words[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
 constexpr const char* faces[] = {"3 0 2 1", "3 0 1 3", "3 0 3 2", "3 1 2 3"};
 
-/// Some strings, so many of them a line.
+/// Returns strings with a number of them on each line.
 template <std::size_t count>
 std::string rows(const char* const (&texts)[count], std::size_t a_line) {
   std::string result;
@@ -41,7 +41,7 @@ std::string pcd(std::size_t a_line) {
          rows(words, a_line);
 }
 
-/// The volume of the points' hull.
+/// Returns the volume of the hull of the points.
 double volume_of_points(const Folder& folder, const std::string& name) {
   const Outcome outcome = folder.rbpa("solid " + name + " --alpha inf -o o.npy --json -q");
   CAPTURE(outcome.err);

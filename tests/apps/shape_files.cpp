@@ -1,4 +1,4 @@
-// What is made of a shape: numbers of polygons, the points in them and in none, systems of coordinates.
+// Files of a shape: numbers of polygons, the points in them and in none, coordinate systems.
 #include <doctest/doctest.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// `rbpa shape` needs little memory for a point, and says before it begins where there is less than that.
+// `rbpa shape` needs little memory for a point, and warns at the beginning if there is less.
 #include <doctest/doctest.h>
 
 #include <algorithm>

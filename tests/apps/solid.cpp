@@ -1,4 +1,4 @@
-// `rbpa solid`: what is written, what is said, wrong usage, bad input, a signal.
+// `rbpa solid`: files, messages, wrong usage, bad input, a signal.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void refuses(const Folder& folder, const std::string& arguments, int code, const
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// Rows of so many numbers behind a line; of each the four at `at`, less 1.
+/// Reads rows of numbers after a line; takes four of each from `at`, less 1.
 std::vector<Row> rows_behind(const std::string& text, const std::string& line, std::size_t numbers, std::size_t at) {
   std::istringstream in(text.substr(text.find(line) + line.size()));
   std::size_t count = 0;

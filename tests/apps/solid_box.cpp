@@ -1,4 +1,4 @@
-// `rbpa solid --box`: points of a box that repeats.
+// `rbpa solid --box`: points of a periodic box.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -44,7 +44,7 @@ double volume(const std::vector<Position>& at, const std::vector<Triangle>& tria
   return six / 6;
 }
 
-/// Whether each side of a triangle lies at one other, which has it the other way round.
+/// Returns whether each side of a triangle belongs to one other triangle, in the opposite direction.
 bool is_closed(const std::vector<Triangle>& triangles) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Triangle& t : triangles)
@@ -192,7 +192,7 @@ TEST_SUITE("solid voids") {
       REQUIRE(folder.rbpa(options + "--voids v.json --complex solid").code == 0);
       CHECK(json::parse(folder.content("v.json")).empty());
     }
-    // What is tracked along a trajectory does not jump where a tetrahedron comes or goes.
+    // Values tracked along a trajectory do not jump when a tetrahedron appears or disappears.
     std::istringstream in(read_file(RBPA_TEST_DATA "/findings/mol_04_c60/c60.xyz"));
     std::vector<Position> atoms;
     for (Position p{}; in >> p[0] >> p[1] >> p[2];) atoms.push_back(p);

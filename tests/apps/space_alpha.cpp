@@ -53,7 +53,7 @@ TEST_SUITE("space alpha") {
     CHECK(csv.out.starts_with("dimension,birth,death\n0,0,"));
     CHECK(static_cast<std::size_t>(std::count(csv.out.begin(), csv.out.end(), '\n')) == report["pairs"].size() + 1);
     CHECK(!json::parse(folder.rbpa("alpha s.xyz --dimension 3 --json -q").out).contains("pairs"));
-    // As `rbpa solid` chooses.
+    // `rbpa solid` chooses the same radii.
     const Outcome solid = folder.rbpa("solid s.xyz --alpha auto --json -q");
     CHECK(json::parse(solid.out)["alpha"] == report["auto"]);
     REQUIRE(!report["plateaus"].empty());

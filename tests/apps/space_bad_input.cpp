@@ -1,4 +1,4 @@
-// Every way in which a file of points of space can be bad: the whole message.
+// All kinds of bad files of points in space: the whole message.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -42,7 +42,7 @@ std::string ply(const std::string& vertices) {
 std::string off(const std::string& text) { return refusal(text, Format::off); }
 std::string obj(const std::string& text) { return refusal(text, Format::obj); }
 
-/// With one line of the header replaced.
+/// Returns the file with one line of the header replaced.
 std::string pcd(const std::string& data, const std::string& line = "", const std::string& replaced = "") {
   std::string text =
       "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA binary\n";

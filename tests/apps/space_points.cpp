@@ -1,4 +1,4 @@
-// Points of space from files: what each format says, against the same points in another, and byte by byte.
+// Points in space from files: each format against the same points in another, and byte by byte.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ TEST_SUITE("points of space") {
     CHECK(find_format(Use::space, "csv") == Format::text);
     CHECK(find_format(Use::space, "pcd") == Format::pcd);
     CHECK_FALSE(find_format(Use::space, "stl").has_value());
-    std::string_view names = space_formats;  // what is said to be known is known
+    std::string_view names = space_formats;  // every listed format is known
     while (!names.empty()) {
       const std::size_t comma = std::min(names.find(','), names.size());
       CHECK(find_format(Use::space, names.substr(0, comma)).has_value());
@@ -151,7 +151,7 @@ TEST_SUITE("points of space") {
       is(table("x,y,z," + names + "\n0.5,-1,2,1,2,255\n3,4e-3,1e6,128,0,7\n", "x,y,z"), {}, colors);
     }
     is(table("blue z green n y red x\n255 2 2 q -1 1 0.5\n7 1e6 0 q 4e-3 128 3\n"), {}, colors);
-    // Of 16 bits, and from 0 to 1.
+    // Colors of 16 bits, and from 0 to 1.
     is(table("x,y,z,r,g,b\n0.5,-1,2,256,767,65535\n3,4e-3,1e6,32768,255,1792\n"), {}, colors);
     CHECK(table("x,y,z,r,g,b\n0,0,0,1,0.5,0\n").colors == Colors{{255, 128, 0}});
     // Meant otherwise, or not all there.

@@ -1,4 +1,4 @@
-// Tables of points of space whose columns are known without a header: by the ending of the name, or by a comment.
+// Tables of points in space whose columns are known without a header: by the ending, or by a comment.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -55,7 +55,7 @@ TEST_SUITE("tables of space") {
       is(read(count + "0.5,-1,2,-7,1,2,255\n3,4e-3,1e6,0.25,128,0,7\n", Format::pts), {}, colors);
     }
     CHECK(read("0\n", Format::pts).points.empty());
-    // Where a header names columns, these count.
+    // If a header names columns, these count.
     is(read("2\nx y z nx ny nz\n0.5 -1 2 0 0 1\n3 4e-3 1e6 0 1 0\n", Format::pts), {{0, 0, 1}, {0, 1, 0}});
     is(read("2\n9 0.5 -1 2\n9 3 4e-3 1e6\n", Format::pts, {.columns = parse_space_columns("2,3,4")}));
   }
@@ -71,7 +71,7 @@ TEST_SUITE("tables of space") {
     is(read("3\n" + two, Format::pts, skip), {}, {}, {"there are 2 lines of points, and not 3 as line 1 says"});
     is(read("3\n" + one + "1 x 2 1\n3 4e-3 1e6 1\n", Format::pts, skip), {}, {},
        {"1 line is left out: p:3: found 'x', expected a number"});
-    // Of those that --where leaves out as well.
+    // Points that --where leaves out count as well.
     const CloudRequest bright{.where = Condition("intensity > 3", *fields_of(Format::pts))};
     const SpacePoints file = read("2\n0 0 0 3\n1 1 1 4\n", Format::pts, bright);
     CHECK(file.points == Places{{1, 1, 1}});
@@ -145,7 +145,7 @@ TEST_SUITE("tables of space") {
     const CloudRequest bright{.where = Condition("i > 3", *fields_of(Format::text))};
     const SpacePoints selected = read("# x y z i\n0 0 0 3\n1 1 1 4\n", Format::text, bright);
     CHECK(selected.points == Places{{1, 1, 1}});
-    // Not where it has another number of names, is farther off, or names no points: then it is a comment.
+    // A line with another number of names, farther off, or without x, y and z is a comment.
     is(read("# x y z\n0.5 -1 2 0 0 1\n3 4e-3 1e6 0 1 0\n", Format::text), {{0, 0, 1}, {0, 1, 0}}, {},
        {"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)"});
     is(read("# z y x\n\n0.5 -1 2\n3 4e-3 1e6\n", Format::text));

@@ -1,4 +1,4 @@
-// Standard input, whose name says nothing, by its content; the place of what is wrong in GeoJSON.
+// The format of standard input by its content; the place of an error in GeoJSON.
 #include <doctest/doctest.h>
 
 #include <string>

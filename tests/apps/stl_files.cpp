@@ -1,5 +1,4 @@
-// STL: what stands behind its facets, and that what is promised of a mesh holds of the file, which is in single
-// precision.
+// STL: attributes of facets, and that promises about a mesh hold for the file in single precision.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -44,7 +43,7 @@ void holds(const Folder& folder, const std::string& name, const std::string& che
   CHECK(outcome.code == 0);
 }
 
-/// A file of two meshes with an edge in common, cut apart: two cubes.
+/// Writes two cubes with a common edge, cut apart.
 const std::string two_cubes = "case_stl_undoes_repair/two_cubes_edge.stl";
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Standard output that is full, that nobody reads, or that is closed; and what messages show of names.
+// Standard output that is full, closed, or without a reader; and names in messages.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -17,8 +17,8 @@ namespace {
 
 const std::string full_message = "standard output: cannot write: No space left on device\n";
 
-/// Runs `command` with a pipe for its standard output, of which `bytes` are read before it is closed, and standard
-/// error in the file "errors".
+/// Runs `command` with a pipe for its standard output, which is closed after `bytes` are read, and standard error in
+/// the file "errors".
 Ending with_reader_of(std::size_t bytes, const Folder& folder, const Child::Command& command) {
   int ends[2];
   REQUIRE(pipe2(ends, O_CLOEXEC) == 0);
@@ -75,7 +75,7 @@ TEST_SUITE("standard output") {
         CHECK(folder.content("errors").empty());
         CHECK(folder.names() == std::vector<std::string>{"errors", "m.off", "p.xy"});
       }
-    // What is short is in the pipe before its reader can go; so it may end either way, but without a word.
+    // A short output may be in the pipe before its reader goes, so the run may end either way, but silently.
     const Ending info = with_reader_of(0, folder, {RBPA_PROGRAM, "info", path});
     CHECK((info == Ending{141, 0} || info == Ending{0, 0}));
     CHECK(folder.content("errors").empty());

@@ -1,4 +1,4 @@
-// `rbpa surface`: what is written, what is said, wrong usage, bad input, a signal.
+// `rbpa surface`: files, messages, wrong usage, bad input, a signal.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1, each point with its normal; above `top` there is nothing.
+/// Returns a sphere of radius 1 without the part above `top`, each point with its normal.
 std::string sphere(int count, double top = 2, bool normals = true) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ std::string sphere(int count, double top = 2, bool normals = true) {
   return text;
 }
 
-/// The outcome is that code and that one line, and no file.
+/// Checks for this code, this line, and no output.
 void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
   CAPTURE(arguments);
   const auto before = folder.names();
@@ -154,7 +154,7 @@ TEST_SUITE("surface") {
     CHECK(outcome.err.starts_with(
         "rbpa: t.csv: --where selects 1000 of 1500 lines\n"
         "rbpa: t.csv: 500 lines are left out: the first is t.csv:4: found 'NA', expected a number\n"));
-    // The same triangles, by the places of their points in the table.
+    // Triangles agree by the positions of their points in the table.
     std::vector<std::uint32_t> expected = npy_rows(folder.content("s.npy"));
     for (std::uint32_t& corner : expected) corner *= 3;
     CHECK(npy_rows(folder.content("t.npy")) == expected);

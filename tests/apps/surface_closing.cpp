@@ -1,4 +1,4 @@
-// --fill-holes and --watertight of `rbpa surface`: what is closed, what stays open and why, and that meshtopo agrees.
+// --fill-holes and --watertight of `rbpa surface`: curves that are closed, that stay open and why; meshtopo agrees.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1 around the origin without what is above `top` or within 0.3 of the point (1, 0, 0), and far
-/// from it a triangle; each point with its normal.
+/// Returns a sphere of radius 1 around the origin without the parts above `top` and within 0.3 of the point (1, 0, 0),
+/// and far from it a triangle; each point with its normal.
 std::vector<std::string> lines(double top) {
   std::vector<std::string> lines{"3 0 0 0 0 1", "3.1 0 0 0 0 1", "3 0.1 0 0 0 1"};
   const int count = 600;

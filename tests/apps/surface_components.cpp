@@ -1,4 +1,4 @@
-// Components of `rbpa surface`: islands, shells, what is dropped; and files that readers find manifold.
+// Components of `rbpa surface`: islands, shells, dropped components; and files that are manifold for readers.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1 around the origin with a hole above 0.7, and far from it a triangle; each point with its
-/// normal.
+/// Returns a sphere of radius 1 around the origin with a hole above 0.7, and far from it a triangle; each point with
+/// its normal.
 std::string sphere_and_island() {
   std::string text = "3 0 0 0 0 1\n3.1 0 0 0 0 1\n3 0.1 0 0 0 1\n";
   const int count = 600;

@@ -1,4 +1,4 @@
-// Estimated normals of `rbpa surface`: how sure they are, in files, counts, colors and words.
+// Estimated normals of `rbpa surface`: their confidence in files, counts, colors and messages.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Lines of points of a sphere, moved by noise of so many spacings.
+/// Returns lines of points of a sphere, moved by noise of so many spacings.
 std::string sphere(int count, double noise) {
   std::mt19937 random(5);
   std::string lines;
@@ -36,7 +36,7 @@ struct Vertex {
   std::array<std::uint8_t, 3> color;
 };
 
-/// Of a PLY file with coordinates, normals, colors if it has any, and certainties.
+/// Returns the vertices of a PLY file with coordinates, normals, confidences, and colors if it has any.
 std::vector<Vertex> vertices_of(const std::string& ply, bool colors) {
   const std::string end = "end_header\n";
   const char* at = ply.data() + ply.find(end) + end.size();

@@ -1,4 +1,4 @@
-// `rbpa surface --drop-outliers`: points that stand alone are left out, and everything is numbered as in the file.
+// `rbpa surface --drop-outliers`: isolated points are left out, and numbers are those of the file.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -14,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A sheet of 12 × 12 points with a hole, in lines of a file; before some of them is a point that stands alone.
+/// Returns a sheet of 12 × 12 points with a hole, in lines of a file; before some of them is an isolated point.
 struct Cloud {
   std::string clean, with_outliers;
   std::vector<std::uint32_t> number, outliers;  // of each clean point among all; of each other

@@ -1,4 +1,4 @@
-// The picture of `rbpa surface`: what is upright in it, and whose colors it has.
+// The picture of `rbpa surface`: its upright axis and its colors.
 #include <doctest/doctest.h>
 #include <png.h>
 
@@ -19,7 +19,7 @@ using rbpa::app::view_of;
 
 namespace {
 
-/// The middle of a box, points along each axis from it, and points all over.
+/// Returns the middle of a box, points along each axis from it, and points all over it.
 std::vector<Point3> box(double x, double y, double z, double unit = 1) {
   std::vector<Point3> points = {{0, 0, 0}, {unit * x, 0, 0}, {0, unit * y, 0}, {0, 0, unit * z}};
   for (int i = -4; i <= 4; ++i)
@@ -28,7 +28,7 @@ std::vector<Point3> box(double x, double y, double z, double unit = 1) {
   return points;
 }
 
-/// Which axis goes straight up in the picture: 0 to 2, or 3 for none.
+/// Returns the axis that goes straight up in the picture: 0 to 2, or 3 for none.
 std::size_t upright_in(const std::vector<Point3>& points) {
   const SpaceView view = view_of(points, 400);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -53,7 +53,7 @@ Pixels pixels_of(const std::string& bytes) {
   return pixels;
 }
 
-/// The color at the middle.
+/// Returns the color at the middle.
 std::array<int, 3> middle_of(const std::string& bytes) {
   const Pixels pixels = pixels_of(bytes);
   const std::size_t at = 3 * (pixels.image.height / 2 * std::size_t{pixels.image.width} + pixels.image.width / 2);

@@ -1,4 +1,4 @@
-// --refine of `rbpa surface`: fillings with points inside, in every kind of file, with all that points have.
+// --refine of `rbpa surface`: fillings with points inside, in every kind of file, with all values of points.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A sphere of radius 1 without what is above `top`; each point with its normal, and a color that is the same for all.
+/// Returns a sphere of radius 1 without the part above `top`; each point with its normal, and all with the same color.
 std::string bowl(double top, const std::string& behind) {
   std::ostringstream text;
   text.precision(17);

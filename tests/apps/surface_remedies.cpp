@@ -1,4 +1,4 @@
-// --remedies of `rbpa surface`: what is named for a hole closes it when it is done.
+// --remedies of `rbpa surface`: the suggested repair of a hole closes it.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct Line {
   bool is_turned = false;
 };
 
-/// A sphere of radius 1 without what is above `top`, the normal of one point turned around.
+/// Returns a sphere of radius 1 without the part above `top`, with the normal of one point turned around.
 std::vector<Line> sphere_lines(double top, int wrong) {
   std::vector<Line> lines;
   const int count = 600;
@@ -47,7 +47,7 @@ std::vector<json> remedies_of(const json& report) {
   return remedies;
 }
 
-/// The numbers of those that close a hole by a ball, and by turned normals.
+/// The numbers of repairs by a ball, and by turned normals.
 struct Named {
   double radius = 0;
   int point = -1;

@@ -1,4 +1,4 @@
-// --scale-space of `rbpa surface`: noise, and where the points of files are.
+// --scale-space of `rbpa surface`: noise, and the positions of points in files.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-/// Of the distances from the middle.
+/// Returns the standard deviation of the distances from the middle.
 double deviation(const Folder& folder, const std::string& name) {
   const auto mesh = rbpa::app::read_mesh({folder.path(name), rbpa::app::Format::off});
   double sum = 0, squares = 0;

@@ -1,4 +1,4 @@
-// Surfaces as .glb and .vtu: what a reader by the formats' own rules finds in them is the surface.
+// Surfaces as .glb and .vtu: a reader by the rules of the formats finds the surface in them.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ T value_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// A .glb, its chunks taken apart and their sizes checked.
+/// A .glb, split into chunks whose sizes are checked.
 struct Scene {
   json tree;
   std::string numbers;

@@ -1,5 +1,4 @@
-// Systems of coordinates: which one of a text counts for the plane, in which words it is said, and that two are never
-// joined.
+// Coordinate systems: the one of a text that counts for the plane, its name, and that two are never joined.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -26,14 +25,14 @@ const std::string vertical =
     "\"EPSG\",\"9001\"]],AUTHORITY[\"EPSG\",\"5703\"]]";
 const std::string vertical2 = "VERTCRS[\"NAVD88 height\",VDATUM[\"N\"],CS[vertical,1],ID[\"EPSG\",5703]]";
 
-/// A projected system of the first version, with a unit and what else it has.
+/// Returns a projected system of the first version of WKT, with a unit and more elements.
 std::string projcs(const std::string& unit, const std::string& more) {
   return "PROJCS[\"NAD83, \"\"in\"\" zone [10](N)\"," + geogcs + ",PROJECTION[\"Transverse_Mercator\"],UNIT[" + unit +
          "]" + more + "]";
 }
 const std::string code = ",AUTHORITY[\"EPSG\",\"26910\"]", metre = "\"metre\",1,AUTHORITY[\"EPSG\",\"9001\"]";
 
-/// Of the second.
+/// Returns a projected system of the second version of WKT.
 std::string projcrs(const std::string& id) {
   return "PROJCRS[\"NAD83 / UTM zone 10N\",BASEGEOGCRS[\"NAD83\",DATUM[\"D\",ELLIPSOID[\"GRS "
          "1980\",6378137,298.25]],ID["

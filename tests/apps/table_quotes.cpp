@@ -1,5 +1,4 @@
-// Texts in quotes as RFC 4180 has them, and by which sign fields are apart: in any column, at once, by pieces and
-// packed.
+// Texts in quotes by RFC 4180, and separators of fields: in any column, at once, by pieces and compressed.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -33,7 +32,7 @@ std::string refusal(const std::string& text, const PointSource& source = {}, con
   return "none";
 }
 
-/// What `--group-by name` finds.
+/// Returns the groups that `--group-by name` finds.
 std::vector<std::string> keys(const std::string& text) {
   const PointFile file = read(text, {.where = Condition::of_groups({.key = "name"}, "", names_of_columns())});
   std::vector<std::string> found;
@@ -125,7 +124,7 @@ TEST_SUITE("quotes and separators") {
     CHECK(read("x,y,name,\n1,2,a,\n3,4,b\n5,1,,\n").points == Points{{1, 2}, {3, 4}, {5, 1}});
     CHECK(read("x\ty\tname\n1\t2\t\n3\t4\tb\n").points == Points{{1, 2}, {3, 4}});
     CHECK(read("\tx\ty\n0\t1\t2\n1\t3\t4\n").points == Points{{1, 2}, {3, 4}});
-    // What is missing or too much is no separator.
+    // Missing and extra fields do not change the separator.
     CHECK(refusal("x,y,name\n1,2\n") == "t.csv:2: found 2 columns ('1,2'), expected 3 as in line 1");
     CHECK(refusal("x,y,name\n1,2,a,b\n") == "t.csv:2: found 4 columns ('1,2,a,b'), expected 3 as in line 1");
     CHECK(refusal("x,y,name,\n1,2\n") == "t.csv:2: found 2 columns ('1,2'), expected 4 as in line 1");
@@ -153,7 +152,7 @@ TEST_SUITE("quotes and separators") {
     CHECK(refusal("x,y,name\n1,2,\"a\n3,4,\"b\"\n5,6,c\n") == "t.csv:2: " + way);
     CHECK(read("x,y,name\n1,2,\"a\n3,4,b\n5,6,c\n", {.skip_invalid = true}).points == Points{{3, 4}, {5, 6}});
     CHECK(read("x,y,name\n1,2,6\" pipe\n3,4,b\"\n").points == Points{{1, 2}, {3, 4}});  // no text in quotes
-    // No text goes on for more than a mebibyte, in a file as in memory.
+    // No text is longer than a mebibyte, in a file as in memory.
     const std::string far = "x,y,name\n1,2,\"" + std::string(std::size_t{3} << 20U, '\n') + "\"\n3,4,b\n";
     CHECK(refusal(far) == "t.csv:2: " + way);
     const Folder folder;

@@ -380,7 +380,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
     CHECK(read("x,y,n\n", where("n > 1")).points.empty());
 
-    // Of a line that does not count its coordinates are not read; what the condition needs is.
+    // Coordinates of a line that is not selected are not read; the fields of the condition are.
     const std::string holes = "x,y,n\n1,2,5\nNA,2,4\n3,4,NA\n5,6\n";
     CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
     CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));

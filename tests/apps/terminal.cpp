@@ -1,4 +1,4 @@
-// What a person at a terminal sees.
+// Progress on a terminal.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -16,8 +16,8 @@ using namespace apps_test;
 
 namespace {
 
-/// Runs `command` with a terminal as standard error, and as standard output where `output_too`; returns all that
-/// appears there.
+/// Runs `command` with a terminal as standard error, and as standard output if `output_too`. Returns everything shown
+/// there.
 std::string seen_on_terminal(const Child::Command& command, bool output_too = false) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
   REQUIRE(terminal >= 0);
@@ -53,7 +53,7 @@ std::string seen_of_meshtopo(Child::Command arguments, bool output_too = false) 
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Enough points for a sign of life from every part of a run.
+/// Enough points for progress from every part of a run.
 std::string many_points() {
   std::string text;
   for (int y = 0; y < 150; ++y)

@@ -1,4 +1,4 @@
-// One text, whatever mark stands before it and whatever ends its lines: in every format of text, at once and by pieces.
+// Text is the same with any byte-order mark and line ends: in every format, at once and by pieces.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ using namespace rbpa::app;
 
 namespace {
 
-/// A text as a file may have it.
+/// A text with a byte-order mark and line ends.
 struct Writing {
   std::string name, mark;
   std::vector<std::string> ends;  ///< of its lines in turn

@@ -1,4 +1,4 @@
-// Text files that people reported: each is read as it is meant, or refused by its place.
+// Text files that people reported: each is read as meant, or refused with the place.
 #include <doctest/doctest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// Tables in text: a line is read the same whatever stands in the lines around it, and counted.
+// Tables in text: a line is read and counted independently of the lines around it.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -78,7 +78,7 @@ class Tables {
   void add_separator(Table& table) {
     std::string& text = table.text;
     if (table.points.size() == 1) {
-      text += separator_;  // the first line says what separates: no other stands in it
+      text += separator_;  // the first line decides the separator: it contains no other
     } else if (separator_ == ' ') {
       text += below(4) == 0 ? "\t" : below(4) == 0 ? "   " : " ";
     } else {

@@ -1,4 +1,4 @@
-// `--threads`: the same files, no more threads than it says, what --stats says of it, wrong usage.
+// `--threads`: the same files, at most this many threads, its statistics, wrong usage.
 #include <dirent.h>
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -18,7 +18,7 @@ using namespace apps_test;
 
 namespace {
 
-/// So many points as a file, in no order.
+/// Writes a file of random points.
 std::string scattered(const Folder& folder, std::size_t count) {
   std::string bytes(count * 2 * sizeof(double), '\0');
   double* values = reinterpret_cast<double*>(bytes.data());
@@ -29,7 +29,7 @@ std::string scattered(const Folder& folder, std::size_t count) {
 
 constexpr std::size_t many = 20'000;  // enough for several threads to share
 
-/// Every way by which points are triangulated.
+/// All ways to triangulate points.
 const std::vector<std::string> runs = {
     "mesh p.f64xy --alpha 60000 -o m.off -o m.npy -o m.png",
     "mesh p.f64xy --alpha 60000 --method hrbpa --leaf-capacity 100 -o m.off -o m.npy",
@@ -40,7 +40,7 @@ const std::vector<std::string> runs = {
     "alpha p.f64xy --json --persistence -o a.svg",
 };
 
-/// What a run says, and all that it leaves.
+/// The messages and all files of a run.
 std::vector<std::string> left_by(const Folder& folder, const std::string& run) {
   const Outcome outcome = folder.rbpa(run);
   CHECK(outcome.code == 0);
@@ -58,7 +58,7 @@ std::size_t threads_of(pid_t process) {
   return count;
 }
 
-/// The most threads that were seen in `rbpa ARGUMENTS`, which are words with a blank between.
+/// Returns the most threads seen in `rbpa ARGUMENTS`; arguments are words separated by blanks.
 std::size_t most_threads_seen(const Folder& folder, const std::string& arguments) {
   const pid_t child = fork();
   if (child == 0) {

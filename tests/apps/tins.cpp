@@ -1,4 +1,4 @@
-// Heights of triangulations: vertices keep z, in every format that has a place for it.
+// Heights of triangulations: vertices keep z in every format that can contain it.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Place {
 };
 using Places = std::vector<Place>;
 
-/// Four corners and a point in the middle, of heights of their own.
+/// Four corners and a point in the middle, with different heights.
 const Places given = {{0, 0, 1}, {4, 0, 2.5}, {4, 4, -3}, {0, 4, 8}, {1.5, 2, 0.25}};
 
 std::string number(double value) { return Json(value).dump(); }
@@ -75,8 +75,7 @@ std::vector<Input> inputs() {
            "id,geom\n" + lines([](auto x, auto y, auto z) { return "1,POINT Z (" + x + " " + y + " " + z + ")"; })}};
 }
 
-/// The vertices of a mesh file as meshtopo and others have them: those of an OFF file, an OBJ, a binary PLY or VTU of
-/// ours, or of GeoJSON.
+/// Returns the vertices of a mesh file: OFF, OBJ, our binary PLY or VTU, or GeoJSON.
 Places vertices(const Folder& folder, const std::string& name) {
   Places places;
   const std::string content = folder.content(name);

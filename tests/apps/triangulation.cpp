@@ -1,4 +1,4 @@
-// What is asked of arrays is what is asked of the mesh of the same triangles.
+// Functions of arrays agree with those of the mesh of the same triangles.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@ using namespace rbpa_test;
 
 namespace {
 
-/// What a picture shows, of the mesh: edges between two triangles, and curves that go around fans.
+/// Returns the content of a picture from the mesh: edges between two triangles, and curves around fans.
 struct MeshDrawing {
   std::vector<rbpa::app::Edge> inner_edges = {};
   std::vector<std::vector<std::uint32_t>> curves = {};
 };
 
-/// The curve from its least edge on.
+/// Rotates a curve to begin at its least edge.
 std::vector<std::uint32_t> from_least_edge(const std::vector<std::uint32_t>& curve) {
   std::vector<std::uint32_t> least = curve, turned = curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {

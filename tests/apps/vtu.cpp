@@ -1,4 +1,4 @@
-// VTU: what the appended data says is the mesh, to the last bit.
+// VTU: the appended data are the mesh, to the last bit.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -22,7 +22,7 @@ std::string between(const std::string& text, const std::string& before, const st
   return text.substr(first, text.find(behind, first) - first);
 }
 
-/// A file as a reader sees it: by the offsets that its XML says.
+/// A file as a reader sees it, by the offsets in its XML.
 struct Vtu {
   explicit Vtu(const std::string& file) {
     const std::string mark = "<AppendedData encoding=\"raw\">\n_";

@@ -1,4 +1,4 @@
-// Well-known text: every geometry, every way it is written, and what is none.
+// Well-known text: every geometry, every notation, and invalid ones.
 #include <doctest/doctest.h>
 
 #include <bit>

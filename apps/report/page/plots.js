@@ -1,4 +1,5 @@
-// What: draws the counts against alpha, and births against deaths, once; a mark for the current alpha is drawn over them.
+// What: draws the counts against alpha, and births against deaths, once; a mark for the current alpha is drawn over
+//       them.
 "use strict";
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };

@@ -1,4 +1,4 @@
-// What the page does in Chromium: it is loaded, moved, read, clicked, saved from, at several widths, light and dark.
+// Tests the page in Chromium: loads, moves, reads, clicks and saves it, at several widths, light and dark.
 // usage: node browser.mjs RBPA REPOSITORY CHROMIUM FOLDER      leaves screenshots in FOLDER
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

@@ -1,4 +1,4 @@
-// What the functions of the page compute, against what `rbpa` says of the same points. Without a browser.
+// Compares the functions of the page with `rbpa` for the same points, without a browser.
 // usage: node functions.mjs RBPA REPOSITORY
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -97,7 +97,7 @@ for (const [name, complex] of Object.entries(complexes)) {
         assert.equal(mine.features[i].properties.holes, feature.properties.holes);
         for (const measure of ["area", "perimeter"]) {
           const expected = feature.properties[measure], found = mine.features[i].properties[measure];
-          // What is subnormal has fewer digits.
+          // Subnormal numbers have fewer digits.
           if (expected > 1e-290) assert(Math.abs(found - expected) <= 1e-9 * expected, `${measure} ${found}, ${expected}`);
         }
       });
@@ -126,7 +126,7 @@ for (const [name, complex] of Object.entries(complexes)) {
       const numbers = complex.numbersAt(step);
       assert.deepEqual(living, [numbers.components, numbers.holes]);
       for (let t = 0; t < complex.countAt(step); ++t) assert(seen.has(t));
-      // What is in no region hangs together with the outside.
+      // Triangles in no region are connected with the outside.
       for (let t = complex.countAt(step); t < complex.size; t += 31) if (!seen.has(t)) assert.equal(complex.pairAt(t, step), -1);
     }
   });
@@ -299,7 +299,7 @@ test("the bar is as long as one, two or five times a power of ten, and no such l
       lengths.add(bar.length);
       assert(/^[125](\.0+)?e/.test(bar.length.toExponential()) || bar.length < 1e-300, `${name}: ${bar.length}`);
       assert(bar.pixels <= 140.0001 && (bar.pixels > 140 / 2.51 || bar.length < 1e-300), `${name}: ${bar.pixels}`);
-      // What lies between two points, in pixels of the picture and in the coordinates, has the ratio of the bar.
+      // The distance of two points, in pixels of the picture and in the coordinates, has the ratio of the bar.
       const [p, q] = [0, complex.pointCount - 1];
       const apart = points[2 * q] / 4 - points[2 * p] / 4;
       if (name !== "minute") assert(Math.abs((view.x[q] - view.x[p]) / 4 / apart / (bar.pixels / bar.length) - 1) < 1e-6, name);

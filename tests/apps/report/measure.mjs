@@ -1,4 +1,4 @@
-// How long the page takes in Chromium: to open, for a step of the slider, for a new view. Prints milliseconds.
+// Measures the page in Chromium: opening it, a step of the slider, a new view. Prints milliseconds.
 // usage: node measure.mjs RBPA CHROMIUM [POINTS]        200,000 points by default; nothing else should be at work
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";

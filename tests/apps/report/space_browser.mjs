@@ -1,6 +1,6 @@
-// What the page of points in space does in Chromium: it is loaded, turned, read, clicked, at a desk's width and a
-// telephone's, light and dark. usage: node space_browser.mjs RBPA REPOSITORY CHROMIUM FOLDER      leaves screenshots in
-// FOLDER
+// Tests the page of points in space in Chromium: loads, turns, reads and clicks it, at the width of a desk and of a
+// telephone, light and dark.
+// usage: node space_browser.mjs RBPA REPOSITORY CHROMIUM FOLDER      leaves screenshots in FOLDER
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";

@@ -25,7 +25,7 @@ std::size_t below(std::size_t end, Random& random) {
   return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
 }
 
-/// With a digit or a byte, mostly of the header, replaced by another.
+/// Replaces a digit or a byte, mostly of the header.
 std::string changed(std::string content, Random& random) {
   for (std::size_t changes = below(4, random); changes > 0; --changes) {
     char& c = content[below(std::min<std::size_t>(content.size(), 260), random)];
@@ -35,7 +35,7 @@ std::string changed(std::string content, Random& random) {
   return content;
 }
 
-/// Files behind which megabyte follows on megabyte, of which some or all may be claimed.
+/// Runs a command on files followed by megabytes of filler, of which some or all may be claimed.
 class Attack {
  public:
   Attack(std::vector<File> files, Child::Command before, Child::Command behind)

@@ -33,13 +33,13 @@ constexpr bool with_address_sanitizer = false;
 
 const std::string old_content = "what was there before\n";
 
-/// Two kinds of reports have times in them: those are whole when they have both ends.
+/// Two kinds of reports contain times: these are complete if they have both ends.
 bool is_whole(const std::string& name, const std::string& found, const std::string& expected) {
   if (name != "stats.json" && name != "levels.json") return found == expected;
   return found.starts_with("{\n") && found.ends_with("\n}\n");
 }
 
-/// A folder with the inputs, outputs of an earlier run, and the file of what is said.
+/// A folder with the inputs, outputs of an earlier run, and the file of messages.
 class Scene {
  public:
   explicit Scene(const Run& run) : run_(run) {
@@ -54,7 +54,7 @@ class Scene {
   const Run& run() const { return run_; }
   std::string input() const { return folder_.path(run_.input); }
   Child::Command command() const { return command_of(run_, folder_); }
-  /// Redirects what is printed and said to files.
+  /// Redirects output and messages to files.
   void record() const {
     redirect(STDOUT_FILENO, folder_.path("printed"), O_WRONLY | O_TRUNC);
     redirect(STDERR_FILENO, folder_.path("said"), O_WRONLY | O_TRUNC);
@@ -67,8 +67,8 @@ class Scene {
     });
   }
 
-  /// The law. A run that says that it failed has left all as it was, and one that says it is done has made all.
-  /// `heard`: what it says has a place to go to.
+  /// The law: a run that reports a failure has left everything as it was, and one that reports success has made all
+  /// files. `heard`: its messages have a place to go to.
   void check(const Ending& ending, const Reference& reference, bool heard = true) const {
     CAPTURE(ending.code);
     CAPTURE(ending.signal);
@@ -152,7 +152,7 @@ void limit(int resource, std::size_t value) {
   if (setrlimit(static_cast<__rlimit_resource>(resource), &both) != 0) _exit(125);
 }
 
-/// A disk of 64 MiB in memory, on which new folders are made as long as it lives. Only root can have one.
+/// A disk of 64 MiB in memory, for new folders while the object lives. Requires: root.
 class SmallDisk {
  public:
   SmallDisk() : path_(place_.path("disk")) {
@@ -169,7 +169,7 @@ class SmallDisk {
   SmallDisk& operator=(const SmallDisk&) = delete;
 
   bool is_there() const { return is_there_; }
-  /// Fills it but for so many bytes.
+  /// Fills the disk except for so many bytes.
   void leave(std::size_t bytes) const {
     const std::size_t free = fs::space(path_).available;
     std::ofstream(path_ + "/ballast") << std::string(free - std::min(free, bytes), 'x');
@@ -217,7 +217,7 @@ TEST_SUITE("robustness") {
       const Ending ending = child.wait();
       disk.clear();
       CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
-      // What is printed goes to the disk as well, and so does what is said of it.
+      // Output goes to the disk as well, and so do the messages.
       const std::string said = scene.said();
       const bool before =
           scene.run().name == "stream" && said.find(" free on its disk, expected ") != std::string::npos;
@@ -272,8 +272,8 @@ TEST_SUITE("robustness") {
       });
       const Ending ending = child.wait();
       CAPTURE(bytes);
-      // Where not even its libraries fit, the program does not begin: the system kills it, or says so, or the C++
-      // runtime ends it in an initializer of theirs.
+      // If not even its libraries fit, the program does not begin: the system kills it or reports that, or the C++
+      // runtime ends it in an initializer of a library.
       const bool is_ended_by_runtime = ending.signal == SIGABRT &&
                                        scene.said().starts_with("terminate called without an active exception") &&
                                        bytes < (16U << 20U);

@@ -1,4 +1,4 @@
-// What: how often each thing happens to each verb: --moments=N of the test programs.
+// What: --moments=N of the test programs: how often each hazard happens to each verb.
 #pragma once
 
 #include "support/arguments.h"

@@ -1,4 +1,4 @@
-// What: one run of a program, what it reads and writes, and what it leaves when it is hindered.
+// What: one run of a program: its inputs and outputs, and the files that it leaves when it is hindered.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct Run {
   std::vector<std::string> outputs;  ///< the files it writes
 };
 
-/// Two kinds for each verb of both programs: into files, and to standard output.
+/// Returns two runs for each verb of both programs: into files, and to standard output.
 std::vector<Run> runs_into_files();
 std::vector<Run> runs_to_standard_output();
 
@@ -28,7 +28,7 @@ void make_inputs(const apps_test::Folder& folder);
 
 apps_test::Child::Command command_of(const Run& run, const apps_test::Folder& folder);
 
-/// A run that nothing hinders, of the whole input or of its first half, which it may refuse.
+/// An undisturbed run, of the whole input or of its first half, which it may refuse.
 struct Reference {
   double seconds = 0;
   bool is_done = false;

@@ -1,4 +1,4 @@
-// What the verb takes, and what it says.
+// Arguments and messages of `rbpa stream`.
 #include <doctest/doctest.h>
 
 #include <algorithm>

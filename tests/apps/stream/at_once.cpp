@@ -1,4 +1,4 @@
-// Runs that share a folder do not hinder each other, and none leaves anything.
+// Runs that share a folder do not hinder each other, and leave nothing behind.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -35,7 +35,7 @@ Child::Command command(const Folder& folder, const std::string& target, const st
   return words;
 }
 
-/// The number of a process that has ended.
+/// Returns the number of a process that has ended.
 pid_t dead_process() {
   Child child({"/bin/true"});
   child.wait();
@@ -98,7 +98,7 @@ TEST_CASE("a run killed while the scratch is made leaves nothing that the next d
     CHECK(child.wait() == Ending{0, 0});
     CHECK(folder.names() == std::vector<std::string>{"a.f64xy", "t.npy"});
   };
-  // As it is left between two steps.
+  // The folder as it is between two steps.
   fs::create_directory(folder.path("s.rbpa-new"));
   check();
   folder.file("s.rbpa-new/created", (fs::create_directory(folder.path("s.rbpa-new")), ""));

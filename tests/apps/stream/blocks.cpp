@@ -1,4 +1,4 @@
-// Files read block by block: the points that are read at once, and what is refused.
+// Files read block by block: the same points as read at once, and the same refusals.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -40,7 +40,7 @@ void check_same(const PointSource& source) {
   CHECK(about.degrees == whole.degrees);
 }
 
-/// What is said of a file that is refused.
+/// Returns the message for a refused file.
 std::string refusal(const PointSource& source) {
   try {
     by_blocks(source);
@@ -163,7 +163,7 @@ TEST_CASE("an error in a file is named by its line or point, as when it is read 
   CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);
 }
 
-// The shadow memory of a sanitizer alone is more than any limit.
+// The shadow memory of a sanitizer exceeds any limit.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST_CASE("an endless line, and points that begin after the file, take no memory") {
   const Folder folder;

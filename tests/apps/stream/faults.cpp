@@ -1,4 +1,4 @@
-// Whatever happens to a run, the next one goes on with it and makes the same bytes.
+// Whatever happens to a run, the next one resumes it and makes the same bytes.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -65,7 +65,7 @@ struct Made {
   double seconds = 0;
 };
 
-/// By a run that nothing hinders.
+/// The result of an undisturbed run.
 const Made& expected() {
   static const Made made = [] {
     const Folder folder;
@@ -96,7 +96,7 @@ void finish(const Folder& folder) {
 
 void sleep(double seconds) { usleep(static_cast<useconds_t>(1e6 * seconds)); }
 
-/// What the program says, of a run that does not succeed.
+/// Returns the message of a run that fails.
 std::string refusal(const Folder& folder, const std::string& arguments) {
   const Outcome outcome = folder.rbpa("stream " + arguments);
   CHECK(outcome.code != 0);
@@ -139,7 +139,7 @@ TEST_CASE("a signal ends a run at once; its scratch stays only if it was named")
       const Ending ending = child.wait();
       if (ending == Ending{0, 0} && seconds_since(start) < 0.1) continue;  // it was all but done
       CHECK(ending == Ending{130, 0});
-      CHECK(seconds_since(start) < 2);  // a third of a second where nobody else is at work
+      CHECK(seconds_since(start) < 2);  // a third of a second on an idle machine
       std::vector<std::string> names = {"a.f64xy", "b.f64xy"};
       if (named) names.push_back("scratch");
       CHECK(folder.names() == names);

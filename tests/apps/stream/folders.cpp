@@ -1,4 +1,4 @@
-// Folders of points: what is read of them, and what is not, is said.
+// Folders of points: the files that are read, and are not, are listed.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Names may have any bytes; what is no file is refused at once.
+// Names may have any bytes; pipes and devices are refused at once.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -22,7 +22,7 @@ std::string points() {
   return text;
 }
 
-/// `rbpa ARGUMENTS`, which is killed when it hangs.
+/// Runs `rbpa ARGUMENTS`, which is killed if it hangs.
 Outcome limited(const Folder& folder, const std::string& arguments) {
   return folder.run("timeout", std::string("-s KILL 60 ") + RBPA_PROGRAM + " " + arguments);
 }

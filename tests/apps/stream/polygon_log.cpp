@@ -1,4 +1,4 @@
-// Polygons come out in order, however few of them fit into memory.
+// Polygons come out in order, also if few of them fit into memory.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using rbpa::Point;
 
 namespace {
 
-/// Writes all that it is given into numbers.
+/// Collects everything that it is given as numbers.
 class Taking final : public PolygonSink {
  public:
   void begin(const PolygonFacts& facts) override {

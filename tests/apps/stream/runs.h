@@ -1,4 +1,4 @@
-// What: the same points by `rbpa stream` and by the verbs that have them all in memory, in this process.
+// What: runs `rbpa stream`, and the verbs that hold all points in memory, on the same points, in this process.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace stream_test {
 
-/// The bytes of both kinds of targets, and what the run says of all polygons: their number, area and perimeter.
+/// The bytes of both kinds of targets, and the number, area and perimeter of all polygons in the statistics.
 struct Made {
   std::string triangles, polygons, text, totals = {};
   friend bool operator==(const Made&, const Made&) = default;
 };
 
-/// Pairs of float64.
+/// Returns the points as pairs of float64.
 std::string raw(std::span<const rbpa::Point> points);
 
-/// The files t.npy, p.geojson, p.wkt and s.json (of --stats) of the folder, which go.
+/// Reads the files t.npy, p.geojson, p.wkt and s.json (of --stats) of the folder, and removes them.
 Made take(const apps_test::Folder& folder);
 
-/// What `rbpa mesh` and `rbpa shape` make of a file in the folder.
+/// Returns the results of `rbpa mesh` and `rbpa shape` for a file in the folder.
 Made wanted(const apps_test::Folder& folder, const std::string& file, double alpha);
 
 struct How {
@@ -32,7 +32,7 @@ struct How {
   unsigned threads = 2;
 };
 
-/// What `rbpa stream` makes of files in the folder, and leaves no other file there.
+/// Returns the results of `rbpa stream` for files in the folder. Checks that no other file is left.
 Made streamed(const apps_test::Folder& folder, const std::vector<std::string>& files, double alpha, const How& how);
 
 }  // namespace stream_test

@@ -1,4 +1,4 @@
-// Tiles change nothing: the bytes of mesh and shape.
+// `rbpa stream` makes the bytes of mesh and shape, for any tiles.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Whatever is done to files of a scratch, the next run makes the same bytes, or says in one line what is damaged.
+// Whatever is done to files of a scratch, the next run makes the same bytes, or names the damage in one line.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -27,10 +27,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Points in a square with holes, and what is made of them.
+/// Points in a square with holes, and their results.
 class Place {
  public:
-  /// Each of the two files has so many; where a run is to be killed in the middle, enough for that on a fast machine.
+  /// Points in each of the two files; enough on a fast machine to kill a run in the middle.
   explicit Place(std::size_t points = 30'000) {
     rbpa_test::Random random(31);
     const auto side = static_cast<std::uint64_t>(100'000 * std::sqrt(static_cast<double>(points) / 30'000));
@@ -66,7 +66,7 @@ class Place {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  /// That of a run; one that hangs is killed.
+  /// Returns how a run ends; one that hangs is killed.
   Ending ended(const std::vector<std::string>& more) const {
     Child child(command(more), [this] {
       redirect(STDERR_FILENO, folder_.path("said"), O_WRONLY | O_CREAT | O_TRUNC);
@@ -78,7 +78,7 @@ class Place {
   Ending resumed() const { return ended(with_scratch()); }
   std::string said() const { return folder_.content("said"); }
 
-  /// The law: the same bytes, or a line and no output.
+  /// Checks the law: the same bytes, or one line and no output.
   void check(const Ending& ending) const {
     const std::string text = said();
     CAPTURE(text);
@@ -145,7 +145,7 @@ void write(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
-/// Does one thing to some file, more often to those of which there are few.
+/// Damages a file in one way; kinds of which there are few are chosen more often.
 std::string tamper(const std::string& folder, std::mt19937& random) {
   const std::vector<std::string> files = files_in(folder);
   std::vector<std::string> few;

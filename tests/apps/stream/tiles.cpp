@@ -1,4 +1,4 @@
-// The parts: packed blocks, tiles of the plane, counts in cells, files of tiles.
+// The parts of a stream: compressed blocks, tiles of the plane, counts in cells, files of tiles.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using rbpa::Region;
 
 namespace {
 
-/// The size of the block, of which unpacking gives the same bits.
+/// Returns the size of the block. Checks that decompressing gives the same bits.
 std::size_t packed_size_of(const IndexedPoints& points) {
   PackingHint hint;
   std::string bytes;

@@ -1,4 +1,4 @@
-// Triangles come out in lexicographic order, however few of them fit into memory.
+// Triangles come out in lexicographic order, also if few of them fit into memory.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace rbpa::app;
 
 namespace {
 
-/// With indices below `points`; a tenth of all rows begin with the same one.
+/// Returns rows with indices below `points`; a tenth of them begin with the same index.
 void check(std::uint64_t points, std::uint64_t file_bytes) {
   CAPTURE(points);
   CAPTURE(file_bytes);

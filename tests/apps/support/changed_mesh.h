@@ -1,4 +1,4 @@
-// A mesh that is put together, written, changed by meshtopo and compared, without its numbers.
+// A mesh that is built, written, changed by meshtopo, and compared regardless of its numbering.
 #pragma once
 
 #include <algorithm>
@@ -23,21 +23,22 @@ struct Mesh {
   Positions positions;
   Faces faces;
 
-  /// A box from `low` to `high`, of six squares that face outward.
+  /// Adds a box from `low` to `high`, of six squares that face outward.
   void add_box(std::array<double, 3> low, std::array<double, 3> high);
   void add_triangle(std::array<double, 3> a, std::array<double, 3> b, std::array<double, 3> c);
-  /// Other numbers of vertices and faces, and other first corners.
+  /// Renumbers vertices and faces, and changes first corners.
   void shuffle(std::mt19937& random);
   std::string off() const;
 };
 
-/// The faces of an OFF file by the places of their corners, from the least on, as a set: the mesh without its numbers.
+/// Returns the faces of an OFF file as a set, by the positions of their corners from the least on: the mesh regardless
+/// of its numbering.
 std::multiset<Positions> places_of(const Folder& folder, const std::string& name);
 
-/// Six times the volume that an OFF file encloses, where it is exact in doubles.
+/// Returns six times the volume that an OFF file encloses. Requires: it is exact in doubles.
 double six_volumes(const Folder& folder, const std::string& name);
 
-/// What meshtopo reports of a change, as JSON.
+/// Returns the report of meshtopo on a change, as JSON.
 nlohmann::json changed(const Folder& folder, const std::string& arguments);
 
 }  // namespace apps_test

@@ -1,4 +1,4 @@
-// A program that runs beside the test, to be watched, hindered and ended.
+// A program that runs beside the test, which can watch, hinder and end it.
 #pragma once
 
 #include <sys/types.h>
@@ -9,7 +9,7 @@
 
 namespace apps_test {
 
-/// How a process ended.
+/// The end of a process: its exit code, or the signal that ended it.
 struct Ending {
   int code = -1;   ///< exit code; -1: by a signal
   int signal = 0;  ///< 0: by itself
@@ -18,14 +18,14 @@ struct Ending {
   friend bool operator==(const Ending&, const Ending&) = default;
 };
 
-/// Runs `command`, whose first word is the path of the program, with the signals of a login shell. Killed and waited
-/// for at the end, if it still runs.
+/// Runs `command`, whose first word is the path of the program, with the signals of a login shell. The destructor kills
+/// it and waits for it if it still runs.
 class Child {
  public:
   using Command = std::vector<std::string>;
 
-  /// `prepare` runs in the new process before the program: to redirect and to limit. Where it leaves standard error
-  /// alone, that goes to /dev/null.
+  /// `prepare` runs in the new process before the program, to redirect and to limit. Standard error goes to /dev/null
+  /// unless `prepare` redirects it.
   explicit Child(
       const Command& command, const std::function<void()>& prepare = [] {});
   ~Child();
@@ -45,7 +45,7 @@ class Child {
   Ending ending_ = {};
 };
 
-/// For `prepare`: makes `descriptor` the open file `number`; opens a path as it.
+/// For `prepare`: redirect a descriptor to an open file, or to a path.
 void redirect(int number, int descriptor);
 void redirect(int number, const std::string& path, int flags);
 

@@ -13,7 +13,7 @@ std::string pcd(const std::string& kind, std::size_t points, const std::string& 
          "\nHEIGHT 1\nPOINTS " + std::to_string(points) + "\nDATA " + kind + "\n" + data;
 }
 
-/// A list as long as 32 bits can say, of which the first is empty and the second has three values.
+/// A PLY of lists with lengths of 32 bits: the first is empty, the second has three values.
 std::string ply_with_long_lists() {
   return "ply\nformat binary_little_endian 1.0\nelement face 2\nproperty list int int vertex_indices\n"
          "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +

@@ -1,4 +1,4 @@
-// Small whole files of every format that says how much it holds.
+// Small complete files of every format whose header has sizes.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,21 @@
 
 namespace apps_test {
 
-/// The ending of its name says the format.
+/// A file; the ending of its name is the format.
 struct File {
   std::string name, content;
-  std::size_t behind = 0;  ///< of its bytes, what the header does not speak of
+  std::size_t behind = 0;  ///< number of bytes that the header does not describe
 };
 
-/// Of points, of points of space, of meshes.
+/// Return files of points, of points in space, and of meshes.
 std::vector<File> claiming_points();
 std::vector<File> claiming_space();
 std::vector<File> claiming_meshes();
 
-/// So many zeros of type float32.
+/// Returns an .npy file of zeros of type float32.
 std::string npy_of_zeros(const std::string& shape, std::size_t numbers);
 
-/// Points on a diagonal, and records behind them.
+/// Returns a LAS file of points on a diagonal, with records after them.
 std::string las_of(std::size_t points, const std::vector<LasRecord>& extended = {});
 
 }  // namespace apps_test

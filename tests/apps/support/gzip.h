@@ -6,11 +6,11 @@
 
 namespace apps_test {
 
-/// `content` as a gzip file.
+/// Returns `content` as a gzip file.
 std::string packed(const std::string& content);
 
-/// `content` and behind it `filler`, over and over, `size` bytes of it or a little more: what is small and unpacks to
-/// much.
+/// Returns a gzip file of `content` followed by repetitions of `filler`, `size` bytes or a little more: a small file
+/// that decompresses to much.
 std::string bomb(const std::string& content, const std::string& filler, std::size_t size);
 
 }  // namespace apps_test

@@ -14,11 +14,11 @@ int type_of(PngKind kind) {
   return types[static_cast<int>(kind)];
 }
 
-/// Values one after the other, of `depth` bits each, the first in the highest bits.
+/// Packs values of `depth` bits each, the first in the highest bits.
 class Bits {
  public:
   explicit Bits(int depth) : depth_(static_cast<unsigned>(depth)) {}
-  /// A value of 0 to 255, stretched or shrunk to the depth.
+  /// Adds a value from 0 to 255, scaled to the depth.
   void add_grey(unsigned value) { add(depth_ == 16 ? value * 257 : value >> (8 - depth_)); }
   void add(unsigned value) {
     for (unsigned i = depth_; i-- > 0;) {

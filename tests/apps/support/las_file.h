@@ -1,4 +1,4 @@
-// LAS files put together byte by byte, as the specification has them (ASPRS, LAS 1.4 R15, and those before it).
+// LAS files built byte by byte by the specification (ASPRS, LAS 1.4 R15, and those before it).
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace apps_test {
 
-/// Everything that a point record may say.
+/// The fields of a point record.
 struct LasPoint {
   std::int32_t x = 0, y = 0, z = 0;
   unsigned intensity = 0;
@@ -37,7 +37,7 @@ struct LasFile {
 
 std::string bytes_of(const LasFile& file);
 
-/// Little-endian, so many bytes.
+/// Returns a number as so many bytes, little-endian.
 std::string little(std::uint64_t value, unsigned bytes);
 std::string little(double value);
 

@@ -1,4 +1,4 @@
-// What LZF makes of bytes, by its rules and without its library: runs of literals, and copies of what came before.
+// LZF data built by its rules, without its library: runs of literals, and copies of earlier bytes.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace apps_test {
 
-/// Bytes as they are, at most 32 behind each head.
+/// Returns bytes as literals, at most 32 after each head.
 inline std::string lzf_literals(std::string_view bytes) {
   std::string packed;
   for (; !bytes.empty(); bytes.remove_prefix(std::min<std::size_t>(32, bytes.size()))) {
@@ -19,7 +19,7 @@ inline std::string lzf_literals(std::string_view bytes) {
   return packed;
 }
 
-/// A copy of `size` bytes, 3 to 264, that begin `distance` before, 1 to 8192.
+/// Returns a copy of `size` bytes, 3 to 264, that begin `distance` before, 1 to 8192.
 inline std::string lzf_copy(std::size_t size, std::size_t distance) {
   const std::size_t length = size - 2, back = distance - 1;
   std::string packed(1, static_cast<char>(std::min<std::size_t>(length, 7) << 5U | back >> 8U));
@@ -27,7 +27,7 @@ inline std::string lzf_copy(std::size_t size, std::size_t distance) {
   return packed + static_cast<char>(back & 0xffU);
 }
 
-/// The shortest there is of so many equal bytes: the first, and copies of it.
+/// Returns the shortest data for so many equal bytes: the first, and copies of it.
 inline std::string lzf_repeated(char byte, std::size_t count) {
   std::string packed = lzf_literals(std::string(1, byte));
   std::size_t left = count - 1;

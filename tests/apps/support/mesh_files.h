@@ -14,7 +14,7 @@ inline const std::vector<std::array<double, 3>> pyramid_positions = {
     {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
 inline const std::vector<std::vector<std::uint32_t>> pyramid_faces = {
     {3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-/// The same with the square as two triangles.
+/// The pyramid with the square as two triangles.
 inline const std::vector<std::array<std::uint32_t, 3>> pyramid_triangles = {{3, 2, 1}, {3, 1, 0}, {0, 1, 4},
                                                                             {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
 
@@ -27,7 +27,7 @@ inline const std::string pyramid_ply =
     "element face 5\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
     "0.5 0.5 1\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
 
-/// The pyramid with x as float, z and y as double, indices as short, and a list of its own behind the vertices.
+/// Returns the pyramid with x as float, z and y as double, indices as short, and another list after the vertices.
 std::string ply_binary(std::endian order);
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;  // of the points of the pyramid

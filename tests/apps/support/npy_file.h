@@ -1,4 +1,4 @@
-// NumPy's files put together by hand, right or wrong, and read.
+// NumPy's files: built byte by byte, right or wrong, and read.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,8 @@
 
 namespace apps_test {
 
-/// Version 1: `dictionary`, such as "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2)}", and the numbers.
+/// Returns a file of version 1: `dictionary`, such as "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2)}", and
+/// the numbers.
 inline std::string npy_file(const std::string& dictionary, const std::string& data) {
   const std::size_t size = dictionary.size() + 1;
   std::string file("\x93NUMPY\x01\x00", 8);
@@ -19,7 +20,7 @@ inline std::string npy_file(const std::string& dictionary, const std::string& da
   return file + dictionary + "\n" + data;
 }
 
-/// The rows of a file of uint32, or its numbers one by one.
+/// Return the rows of a file of uint32, or its numbers one by one.
 template <typename Row = std::uint32_t>
 std::vector<Row> npy_rows(const std::string& file) {
   CHECK(file.find("'descr': '<u4'") != std::string::npos);

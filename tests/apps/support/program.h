@@ -28,10 +28,10 @@ class Folder {
   bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
   std::vector<std::string> names() const;  ///< of its files, sorted
 
-  /// Runs `rbpa ARGUMENTS`, `meshtopo ARGUMENTS` in this folder through the shell.
+  /// Run `rbpa ARGUMENTS` or `meshtopo ARGUMENTS` in this folder through the shell.
   Outcome rbpa(const std::string& arguments) const { return run(RBPA_PROGRAM, arguments); }
   Outcome meshtopo(const std::string& arguments) const { return run(MESHTOPO_PROGRAM, arguments); }
-  /// The same for any program.
+  /// Runs any program in this folder through the shell.
   Outcome run(const std::string& program, const std::string& arguments) const;
 
  private:
@@ -40,7 +40,7 @@ class Folder {
 
 std::string read_file(const std::string& path);
 
-/// Three points and the triangle of theirs, for runs in which it does not matter.
+/// Three points that form a triangle, for runs in which the points do not matter.
 inline constexpr const char* corner = "0 0\n1 0\n0 1\n";
 
 }  // namespace apps_test

@@ -8,7 +8,7 @@
 
 namespace apps_test {
 
-/// The numbers of the first array from `mark` on; none when there is no such mark.
+/// Returns the numbers of the first array after `mark`; none without such a mark.
 template <typename T>
 std::vector<T> array_behind(const std::string& vtu, const std::string& mark) {
   const std::size_t at = vtu.find(mark);
@@ -22,7 +22,7 @@ std::vector<T> array_behind(const std::string& vtu, const std::string& mark) {
   return values;
 }
 
-/// Those of an array; none when there is none of that name.
+/// Returns the numbers of an array; none if there is no array of that name.
 template <typename T>
 std::vector<T> array_of(const std::string& vtu, const std::string& name) {
   return array_behind<T>(vtu, "Name=\"" + name + "\"");
