@@ -64,7 +64,7 @@ std::string rest(std::size_t all, std::size_t shown) {
 std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t most) {
   const bool orientable = std::all_of(all.begin(), all.end(), [](const auto& piece) { return piece.orientable; });
   const std::size_t width = orientable ? 10 : genus_of_piece(meshops::ComponentReport{.orientable = false}).size();
-  std::string text = "\npieces of surface, connected through edges\n";
+  std::string text = "\ncomponents, connected through edges\n";
   for (const char* title : {"first face", "vertices", "edges", "faces", "euler", "curves", "genus"})
     text += "  " + right(title, width);
   text += "\n";
@@ -116,9 +116,8 @@ std::string changes(const Findings& findings) {
             counted(report.orient->outward, "closed component faces outward", "closed components face outward") + "\n";
     if (report.orient->nested > 0)
       text += "  orient: " + counted(report.orient->nested, "closed component lies", "closed components lie") +
-              " in others, of which " + std::to_string(report.orient->inward) +
-              " in an odd number, as walls of cavities, and face" + (report.orient->inward == 1 ? "s" : "") +
-              " inward\n";
+              " within others, " + std::to_string(report.orient->inward) + " of them within an odd number, as " +
+              (report.orient->inward == 1 ? "the wall of a cavity" : "walls of cavities") + ", facing inward\n";
     for (const std::size_t face : report.orient->not_orientable)
       text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and stays as it was\n";
   }
@@ -131,7 +130,7 @@ std::string changes(const Findings& findings) {
     if (islands > 0) text += "  fill: " + counted(islands, "rim of an island stays", "rims of islands stay") + "\n";
     if (findings.fill->merged > 0)
       text += "  fill: " + counted(findings.fill->merged, "vertex merged", "vertices merged") +
-              " with one at the same place\n";
+              " with one at the same position\n";
   }
   if (findings.tunnels) {
     text += "  tunnels: " + std::to_string(findings.tunnels->closed) + " closed, " +

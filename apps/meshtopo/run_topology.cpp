@@ -38,7 +38,7 @@ void require_surface(const std::string& option, const Findings& findings,
   bad_input(name_of(source),
             std::string(meshops::name(defect->kind)) + " (" +
                 for_people({defect->points, defect->faces}, findings.mesh) + ")",
-            "a surface for " + option + ", or --repair");
+            "a surface, as " + option + " requires (--repair makes one)");
 }
 
 /// The steps of a run, each with its progress line, and the data that they share.

@@ -180,11 +180,11 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
   const auto v_at = vertices.unchecked<2>();
   const auto h_at = halfedges.unchecked<2>();
   const auto f_at = faces.unchecked<2>();
-  meshops::require(h_at.shape(0) % 2 == 0, "mesh: expected two halfedges an edge");
+  meshops::require(h_at.shape(0) % 2 == 0, "mesh: expected two halfedges for each edge");
   m.resize(static_cast<std::size_t>(v_at.shape(0)), static_cast<std::size_t>(h_at.shape(0) / 2),
            static_cast<std::size_t>(f_at.shape(0)));
   const auto in = [](int i, py::ssize_t count) {
-    meshops::require(-1 <= i && i < count, "mesh: a link leads nowhere");
+    meshops::require(-1 <= i && i < count, "mesh: found a link to an element that does not exist");
     return i;
   };
   for (int v = 0; v < v_at.shape(0); ++v) {

@@ -49,7 +49,7 @@ class NearestPlaces {
   /// Returns for each query the nearest facet, the first of equally near ones, and the weights of its corners.
   std::pair<Indices, Doubles> find(const Doubles& queries) const {
     const auto input = points3_of(queries, "queries");
-    if (facets_.empty()) throw py::value_error("facets: expected some");
+    if (facets_.empty()) throw py::value_error("facets: expected at least one");
     std::vector<std::uint32_t> facet(input.size());
     std::vector<Weights> weights(input.size());
     watched(input.size(), py::none(), [&](Watch& watch) {

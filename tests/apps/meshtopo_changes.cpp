@@ -241,8 +241,8 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(
         folder.meshtopo("whole.off --orient -o o.off")
             .out.find("  orient: 0 faces reversed, 2 closed components face outward\n"
-                      "  orient: 1 closed component lies in others, of which 1 in an odd number, as walls of cavities, "
-                      "and faces inward\n") != std::string::npos);
+                      "  orient: 1 closed component lies within others, 1 of them within an odd number, as the wall of "
+                      "a cavity, facing inward\n") != std::string::npos);
   }
 
   TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
@@ -421,8 +421,8 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(refused.code == 3);
     CHECK(
         refused.err ==
-        "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface for "
-        "--generators, or --repair\n");
+        "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface, as "
+        "--generators requires (--repair makes one)\n");
     CHECK_FALSE(folder.has("g.json"));
   }
 

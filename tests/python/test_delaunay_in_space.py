@@ -73,7 +73,7 @@ def test_values_are_linear_and_those_of_the_points_at_the_points():
     assert (delaunay.interpolate(linear, queries, fill_value=-7)[~inside] == -7).all()
     both = delaunay.interpolate(np.column_stack((linear, 1j * linear)), queries[inside])
     assert np.allclose(both[:, 0].real, values[inside]) and np.allclose(both[:, 1].imag, values[inside])
-    with pytest.raises(rbpa.InvalidInput, match="natural neighbours are of the plane"):
+    with pytest.raises(rbpa.InvalidInput, match="natural neighbors exist only in the plane"):
         delaunay.interpolate(linear, queries, method="natural")
 
 

@@ -268,7 +268,7 @@ def test_points_and_normals_that_were_changed_are_noticed():
 @pytest.mark.parametrize(
     "given, sentence",
     [
-        ([[0, 0, 0], [1, 1]], "points: NumPy makes no array of it"),
+        ([[0, 0, 0], [1, 1]], "points: NumPy cannot make an array of it"),
         ([[0, 0], [1, 1]], r"shape \(2, 2\), expected \(n, 3\): this is space; alpha_shape\(\) is for the plane"),
         (BALL.T, r"shape \(3, 600\), expected \(n, 3\): np.transpose\(points\), if a row is a coordinate"),
         (np.zeros((4, 6)), r"shape \(4, 6\), expected \(n, 3\): this is space; points\[:, :3\] leaves"),

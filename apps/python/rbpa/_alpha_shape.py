@@ -95,7 +95,7 @@ def _choose(
     if rank is not None:
         found = _core.plateaus(points, threads, progress)
         if found and rank > len(found):
-            raise InvalidInput(f"alpha: found {shown(alpha)}, expected a plateau that there is: there are {len(found)}")
+            raise InvalidInput(f"alpha: found {shown(alpha)}, expected at most plateau:{len(found)}")
         return Plateau(*found[rank - 1]).alpha if found else None
     return as_radius(alpha)  # type: ignore[arg-type]  # refuses other words
 

@@ -363,7 +363,7 @@ class DelaunayInSpace(Delaunay):
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
         if method == "natural":
-            raise _core.InvalidInput('method: found "natural", expected "linear": natural neighbours are of the plane')
+            raise _core.InvalidInput('method: found "natural", expected "linear": natural neighbors exist only in the plane')
         if self.nsimplex == 0:
             return np.full((len(at), rows.shape[1]), np.nan)
         found = self._locator.find(at)

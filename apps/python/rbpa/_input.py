@@ -27,7 +27,7 @@ _LONG = 80  # greatest length of a value in a message
 def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> Floats:
     """Returns a float64 array of shape (n, columns) in C order: the same object if it is one already."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
-        raise InvalidInput(f"{name}: found masked values, expected points without; leave their rows out")
+        raise InvalidInput(f"{name}: found masked values, expected points without (leave their rows out)")
     array = as_array(points, name, columns)
     if array.ndim == 1 and array.size == 0:
         return np.empty((0, columns))
@@ -59,13 +59,13 @@ def as_array(points: npt.ArrayLike, name: str, columns: int = 2) -> npt.NDArray[
     try:
         return np.asarray(points)
     except ValueError as error:
-        raise InvalidInput(f"{name}: NumPy makes no array of it: {error}") from None
+        raise InvalidInput(f"{name}: NumPy cannot make an array of it: {error}") from None
 
 
 def _coordinates(items: Any, name: str, columns: int) -> npt.NDArray[Any]:
     kinds = sorted({str(getattr(item, "geom_type", type(item).__name__)) for item in items})
     if kinds != ["Point"]:
-        hint = "explode() parts MultiPoints, shapely.get_coordinates() takes the vertices of lines and polygons"
+        hint = "explode() splits MultiPoints, shapely.get_coordinates() takes the vertices of lines and polygons"
         raise InvalidInput(f"{name}: found geometries of type {', '.join(kinds)}, expected Point; {hint}")
     for i, item in enumerate(items):
         if item.is_empty or (columns == 3 and not item.has_z):
@@ -192,9 +192,9 @@ def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
     use."""
     rule = alpha if isinstance(alpha, str) else None
     if components != 1 and rule != "auto":
-        raise InvalidInput(f"components: found alpha={shown(alpha)}, expected alpha='auto', which is what it is about")
+        raise InvalidInput(f"components: found alpha={shown(alpha)}, expected alpha='auto'")
     if cover != 1 and rule != "auto" and rule != "min":
-        raise InvalidInput(f"cover: found alpha={shown(alpha)}, expected alpha='auto' or 'min', which are what it is about")
+        raise InvalidInput(f"cover: found alpha={shown(alpha)}, expected alpha='auto' or 'min'")
     return rule
 
 

@@ -46,7 +46,7 @@ class Result:
         """Raises InvalidInput if a given array has been changed."""
         for name, before in self._before.items():
             if fingerprint(getattr(self, name)) != before:
-                raise InvalidInput("points: they were changed after this was computed; compute it anew, or from a copy")
+                raise InvalidInput("points: they were changed after this was computed (compute it again, or from a copy)")
 
     def __getstate__(self) -> dict[str, Any]:
         kept = vars(self).items()

@@ -67,7 +67,7 @@ def solid(
         raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
     share = as_share(cover, "cover")
     if share < 1 and alpha not in ("auto", "min"):
-        raise InvalidInput(f"cover: found {shown(share)} with alpha {shown(alpha)}, expected alpha 'auto' or 'min', which are what it is about")
+        raise InvalidInput(f"cover: found {shown(share)} with alpha {shown(alpha)}, expected alpha 'auto' or 'min'")
     radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
     made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
     if not isinstance(alpha, str):

@@ -148,7 +148,7 @@ def surface_of(
     wrong = (rows < 0) | (rows >= len(array))
     if wrong.any():
         at = int(np.flatnonzero(wrong.any(axis=1))[0])
-        raise InvalidInput(f"triangles: found {rows[at].tolist()} in row {at}, expected numbers of {len(array)} points")
+        raise InvalidInput(f"triangles: found {rows[at].tolist()} in row {at}, expected numbers of points, from 0 to {len(array) - 1}")
     made = _core.surface_of(array, np.ascontiguousarray(rows, dtype=np.int32))
     return Surface(array, vectors, np.zeros(0), made)
 
@@ -264,7 +264,7 @@ class Surface(Result):
             Components of the surface were dropped or holes filled, or its triangles were given.
         """
         if self._kept_from is not None or self._filled_from is not None or self.given is not None:
-            raise InvalidInput("remedies: found a surface that was changed or given, expected what surface() made")
+            raise InvalidInput("remedies: found a surface that was changed or given, expected an unchanged result of surface()")
         result: list[Optional[SurfaceRemedy]] = [None] * len(self.holes)
         if self.normals is None or not result:
             return result
@@ -359,7 +359,7 @@ class Surface(Result):
         if self.normals is not None or self.given is not None:
             raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:
-            raise InvalidInput("outer_shells: found components of a surface, expected all of it: take its outer shells first")
+            raise InvalidInput("outer_shells: found components of a surface, expected the whole surface (take its outer shells first)")
         self._require_unchanged()
         radius = float(_not_empty(self.radii)[0])
         return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
@@ -427,7 +427,7 @@ class Surface(Result):
         whole = self.keep([not island for island in is_island]) if any(is_island) else self
         of = _core.close_surface(whole.points, whole.triangles, whole.neighbors, as_threads(threads))
         if len(of["triangles"]) == 0:
-            raise NotWatertight("watertight: found no triangle, expected some")
+            raise NotWatertight("watertight: found no triangle, expected a surface")
         if of["curves"] or of["crossing"]:
             raise NotWatertight(
                 f"watertight: found {of['curves']} boundary curves and {of['crossing']} pairs of triangles that cross, "

@@ -97,7 +97,7 @@ def alpha_shape(
     """
     radius = as_radius(alpha, "a finite radius (a number > 0)")
     if not np.isfinite(radius):
-        raise InvalidInput("alpha: found inf, expected a finite radius: without one a circle is as large as all points")
+        raise InvalidInput("alpha: found inf, expected a finite radius: a circle of infinite radius contains all points")
     most, workers = as_count(tile_points, "tile_points", 1), as_threads(as_count(threads, "threads", 1))
     chunks = _chunks(sources, reader)
     folder = pathlib.Path(tempfile.gettempdir() if storage is None else storage, f"rbpa-{uuid.uuid4().hex}")
