@@ -72,7 +72,7 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// Peak memory of a run of a million triangles, for each of them: docs/fill.md, section 4.
+/// Peak memory of a run of a million triangles, for each of them: docs/explanation/plane.md, Triangles of a given size.
 constexpr double bytes_a_triangle = 320;
 
 /// Throws BadInput if so many triangles would take more memory than is available.

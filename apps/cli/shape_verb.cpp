@@ -95,7 +95,8 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", output_name(first->path) + ": " + *why);
 }
 
-/// Returns the measured peak memory of runs with millions of points, in bytes a point beyond the points: docs/shape.md.
+/// Returns the measured peak memory of runs with millions of points, in bytes a point beyond the points:
+/// docs/explanation/plane.md.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
   return request.method.by_paper ? 280 : 100;

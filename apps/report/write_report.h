@@ -1,6 +1,6 @@
 // What: writes a filtration as one HTML page that shows the complex at every radius.
 // Law:  the bytes depend on Report alone. The page makes no request.
-// Source: docs/report.md has the format of the data in the page.
+// Source: docs/reference/file_formats.md has the format of the data in the page.
 #pragma once
 
 #include <optional>

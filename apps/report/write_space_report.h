@@ -1,7 +1,7 @@
 // What: writes the alpha complex of points in space as one HTML page: its boundary at every radius, to turn around; the
 //       persistence diagram; cycles and surfaces of its longest pairs.
 // Law:  the bytes depend on SpaceReport alone. The page makes no request.
-// Source: docs/report.md has the format of the data in the page.
+// Source: docs/reference/file_formats.md has the format of the data in the page.
 #pragma once
 
 #include <cstddef>

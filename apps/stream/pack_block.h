@@ -1,7 +1,7 @@
 // What: compresses points and their indices.
 // Law:  decompressing gives the same bits, also for -0.
 // Cost: one pass. Coordinates with few decimals take as many bits as their distance from the least of the block needs,
-//       others at most 64. docs/stream.md has the format.
+//       others at most 64. docs/reference/file_formats.md has the format.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What: the data of the page, from base64 to typed arrays, and a search in them. docs/report.md has the format.
+// What: the data of the page, from base64 to typed arrays, and a search in them. docs/reference/file_formats.md has the
+//       format.
 "use strict";
 
 function bytesOf(base64) {

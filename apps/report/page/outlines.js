@@ -1,5 +1,6 @@
 // What: the shape at a step as polygons with holes, one for each solid component, as in `rbpa shape` and in its order.
-// How:  docs/shape.md. Points are numbered in lexicographic order, so that to compare them is to compare numbers.
+// How:  docs/explanation/plane.md, Outlines as polygons. Points are numbered in lexicographic order, so that to compare
+//       them is to compare numbers.
 "use strict";
 
 /** Returns the double as a multiple of 2⁻¹⁰⁷⁴. */

@@ -1,5 +1,5 @@
 // What: the data of the page of points in space, from base64 to typed arrays, and the triangles of a step.
-//       docs/report.md has the format.
+//       docs/reference/file_formats.md has the format.
 "use strict";
 
 /** Decodes the data of the page. `text(name)` returns the content of the element of that name. */
