@@ -43,7 +43,7 @@ function flat(points, dimension, name) {
     throw new InvalidInput(`${name}: found ${points}, expected an array of points or of numbers`);
   if (ArrayBuffer.isView(points) || typeof points[0] === "number" || points.length === 0) {
     if (points.length % dimension !== 0)
-      throw new InvalidInput(`${name}: found ${points.length} numbers, expected ${dimension} of each point`);
+      throw new InvalidInput(`${name}: found ${points.length} numbers, expected ${dimension} for each point`);
     return points;
   }
   const numbers = new Float64Array(dimension * points.length);

@@ -21,7 +21,7 @@ class RbpaInSpace {
     const input = [flat(points, 3, "points"), normals === null ? null : flat(normals, 3, "normals")];
     const count = input[0].length / 3;
     if (normals !== null && input[1].length !== input[0].length)
-      throw new InvalidInput(`normals: found ${input[1].length / 3}, expected one of each point, ${count}`);
+      throw new InvalidInput(`normals: found ${input[1].length / 3}, expected one for each point, ${count}`);
     return this.#module.call("rbpa_surface", input, count, [radius], (made) => ({
       triangles: made.indices(0),
       neighbors: made.integers(1),

@@ -77,20 +77,24 @@ void bind_elements(py::class_<Mesh>& mesh) {
   const Count vertex_bound = [](const Mesh& m) { return m.seen().n_vertices(); };
   const Count edge_bound = [](const Mesh& m) { return m.seen().n_edges(); };
   const Count face_bound = [](const Mesh& m) { return m.seen().n_faces(); };
-  mesh.def_property_readonly("n_vertices", counted(vertices), "Vertices that are not deleted, isolated ones included.")
-      .def_property_readonly("n_edges", counted(edges), "Edges that are not deleted.")
-      .def_property_readonly("n_faces", counted(faces), "Faces that are not deleted.")
-      .def_property_readonly("vertex_bound", vertex_bound,
-                             "Above all numbers of vertices, deleted ones included: as long are arrays by vertex.")
-      .def_property_readonly("edge_bound", edge_bound,
-                             "Above all numbers of edges, deleted ones included: as long are arrays by edge.")
-      .def_property_readonly("face_bound", face_bound,
-                             "Above all numbers of faces, deleted ones included: as long are arrays by face.")
-      .def("vertices", listed(vertices), "The vertices that are not deleted, ascending: an int32 array.")
+  mesh.def_property_readonly("n_vertices", counted(vertices),
+                             "The number of vertices that are not deleted, isolated ones included.")
+      .def_property_readonly("n_edges", counted(edges), "The number of edges that are not deleted.")
+      .def_property_readonly("n_faces", counted(faces), "The number of faces that are not deleted.")
+      .def_property_readonly(
+          "vertex_bound", vertex_bound,
+          "One more than the largest vertex number, deleted ones included: the length of arrays by vertex.")
+      .def_property_readonly(
+          "edge_bound", edge_bound,
+          "One more than the largest edge number, deleted ones included: the length of arrays by edge.")
+      .def_property_readonly(
+          "face_bound", face_bound,
+          "One more than the largest face number, deleted ones included: the length of arrays by face.")
+      .def("vertices", listed(vertices), "Returns the vertices that are not deleted, ascending: an int32 array.")
       .def("halfedges", listed(halfedges),
-           "The halfedges that are not deleted, ascending: an int32 array. Those of edge e are 2 e and 2 e + 1.")
-      .def("edges", listed(edges), "The edges that are not deleted, ascending: an int32 array.")
-      .def("faces", listed(faces), "The faces that are not deleted, ascending: an int32 array.");
+           "Returns the halfedges that are not deleted, ascending: an int32 array. Edge e has 2 e and 2 e + 1.")
+      .def("edges", listed(edges), "Returns the edges that are not deleted, ascending: an int32 array.")
+      .def("faces", listed(faces), "Returns the faces that are not deleted, ascending: an int32 array.");
 }
 
 void bind_navigation(py::class_<Mesh>& mesh) {
@@ -101,38 +105,41 @@ void bind_navigation(py::class_<Mesh>& mesh) {
         arg("halfedge"), what);
   };
   of(
-      "from_vertex", [](const auto& m, Halfedge h) { return m.from_vertex_handle(h); }, "The vertex where it starts.");
+      "from_vertex", [](const auto& m, Halfedge h) { return m.from_vertex_handle(h); },
+      "Returns the vertex where the halfedge starts.");
   of(
-      "to_vertex", [](const auto& m, Halfedge h) { return m.to_vertex_handle(h); }, "The vertex where it ends.");
+      "to_vertex", [](const auto& m, Halfedge h) { return m.to_vertex_handle(h); },
+      "Returns the vertex where the halfedge ends.");
   of(
       "next", [](const auto& m, Halfedge h) { return m.next_halfedge_handle(h); },
-      "The one after it around its face, or along the boundary.");
+      "Returns the next halfedge around its face, or along the boundary.");
   of(
       "prev", [](const auto& m, Halfedge h) { return m.prev_halfedge_handle(h); },
-      "The one before it around its face, or along the boundary.");
+      "Returns the previous halfedge around its face, or along the boundary.");
   of(
       "opposite", [](const auto& m, Halfedge h) { return m.opposite_halfedge_handle(h); },
-      "The other one of its edge.");
+      "Returns the other halfedge of its edge.");
   of(
-      "edge", [](const auto& m, Halfedge h) { return m.edge_handle(h); }, "Its edge.");
+      "edge", [](const auto& m, Halfedge h) { return m.edge_handle(h); }, "Returns the edge of the halfedge.");
   of(
       "face", [](const auto& m, Halfedge h) { return maybe(m.face_handle(h)); },
-      "The face on its left, or None on the boundary.");
+      "Returns the face on its left, or None on the boundary.");
   of(
-      "is_boundary", [](const auto& m, Halfedge h) { return m.is_boundary(h); }, "Whether it has no face on its left.");
+      "is_boundary", [](const auto& m, Halfedge h) { return m.is_boundary(h); },
+      "Whether the halfedge has no face on its left.");
   mesh.def(
           "halfedge_of_vertex",
           [](const Mesh& m, Vertex v) { return maybe(m.seen().halfedge_handle(live(m.seen(), v, "vertex"))); },
-          arg("vertex"), "A halfedge that starts there, on the boundary if it can be; None where there is none.")
+          arg("vertex"), "Returns a halfedge that starts there, on the boundary if possible; None if there is none.")
       .def(
           "halfedge_of_face", [](const Mesh& m, Face f) { return m.seen().halfedge_handle(live(m.seen(), f, "face")); },
-          arg("face"), "The first side of the face.")
+          arg("face"), "Returns the first side of the face.")
       .def(
           "find_halfedge",
           [](const Mesh& m, Vertex a, Vertex b) {
             return maybe(Halfedge(m.seen().find_halfedge(live(m.seen(), a, "vertex"), live(m.seen(), b, "vertex"))));
           },
-          arg("start"), arg("end"), "A halfedge from one vertex to the other, or None.")
+          arg("start"), arg("end"), "Returns a halfedge from one vertex to the other, or None.")
       .def(
           "polygons",
           [](const Mesh& m) {
@@ -140,8 +147,8 @@ void bind_navigation(py::class_<Mesh>& mesh) {
             std::vector<std::int64_t> begin(soup.begin.begin(), soup.begin.end());
             return std::make_tuple(line<std::int32_t>(std::move(soup.corners)), line<std::int64_t>(std::move(begin)));
           },
-          "(corners, begin): the corners of all faces that are not deleted, one face after the other, and where each "
-          "begins.")
+          "Returns (corners, begin): the corners of all faces that are not deleted, one face after the other, and the "
+          "begin of each face.")
       .def(
           "face_vertices",
           [](const Mesh& m, Face f) {
@@ -152,7 +159,7 @@ void bind_navigation(py::class_<Mesh>& mesh) {
             while ((h = m.seen().next_halfedge_handle(h)) != first);
             return line<std::int32_t>(numbers(corners));
           },
-          arg("face"), "The corners of the face from its first side on, as it runs: an int32 array.");
+          arg("face"), "Returns the corners of the face in its direction, from its first side on: an int32 array.");
 }
 
 /// Returns all links of the mesh, for pickling.
@@ -243,7 +250,7 @@ void bind_topology(py::class_<Mesh>& mesh) {
               curves.push_back(line<std::int32_t>(numbers(std::vector<Halfedge>(curve.begin(), curve.end()))));
             return curves;
           },
-          "The boundary curves: an int32 array of halfedges each, with the mesh on their right.")
+          "Returns the boundary curves, each an int32 array of halfedges with the mesh on their right.")
       .def(
           "validate",
           [](const Mesh& m) {
@@ -251,18 +258,19 @@ void bind_topology(py::class_<Mesh>& mesh) {
             for (const meshops::Defect& defect : meshops::validate(m.seen())) said.push_back(describe(defect));
             return said;
           },
-          "Every way in which the mesh is not an oriented 2-manifold with boundary, in words; [] as long as only "
+          "Returns all defects that keep the mesh from being an oriented 2-manifold with boundary, as texts; [] if "
+          "only "
           "operators\n"
           "have changed it.")
       .def("report", &report, arg("point_of_vertex") = py::none(),
-           "A Report. `point_of_vertex` is the point of each vertex; those of a pinch share one.")
+           "Returns a Report. `point_of_vertex` is the point of each vertex; the vertices of a pinch share one.")
       .def("homology", &homology, arg("lengths") = py::none(),
-           "(generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 arrays, and "
-           "the\n"
-           "edges along which the mesh is cut into discs. With `lengths`, edge_bound numbers, they are short by these.")
+           "Returns (generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 "
+           "arrays, and the\n"
+           "edges that cut the mesh into discs. With `lengths`, edge_bound numbers, they are short.")
       .def(
           "separate_fans", [](Mesh& m) { return line<std::int32_t>(numbers(meshops::separate_fans(m.changed()))); },
-          "Gives each fan at a vertex a vertex of its own. Returns of each new vertex the one that it is a copy of.")
+          "Gives each fan at a vertex a vertex of its own. Returns for each new vertex the vertex that it copies.")
       .def(
           "compact",
           [](Mesh& m) {
@@ -270,12 +278,13 @@ void bind_topology(py::class_<Mesh>& mesh) {
             m.kernel().garbage_collection();
             m.built_on.clear();
           },
-          "Takes deleted elements out. All handles and effects from before are void.")
+          "Removes deleted elements. All earlier handles and effects become invalid.")
       .def_property_readonly(
           "point_of_vertex", [](const Mesh& m) { return line<std::int32_t>(std::vector<std::uint32_t>(m.built_on)); },
-          "Of each vertex that the mesh was built with, the point of the faces given: where faces met in a point only, "
-          "each\n"
-          "fan has a vertex of its own.")
+          "The point, in the given faces, of each vertex that the mesh was built with. A point in which several fans "
+          "met "
+          "has a\n"
+          "vertex for each.")
       .def("__repr__", [](const Mesh& m) {
         const meshops::TopologyCounts n = meshops::count_topology(m.seen());
         return "<rbpa.meshops.Mesh: " + std::to_string(n.vertices) + " vertices, " + std::to_string(n.edges) +

@@ -53,7 +53,7 @@ using Reason = std::optional<std::string>;
 
 void bind_delta(py::module_& module) {
   using meshops::Delta;
-  py::class_<Delta>(module, "Delta", "By how much the counts of a mesh changed.")
+  py::class_<Delta>(module, "Delta", "The change of the counts of a mesh.")
       .def_readonly("vertices", &Delta::vertices)
       .def_readonly("edges", &Delta::edges)
       .def_readonly("faces", &Delta::faces)
@@ -79,7 +79,7 @@ py::class_<Effect, Base...> bind_effect(py::module_& module, const char* name, c
   py::class_<Effect, Base...> effect(module, name, what);
   effect.attr("__module__") = "rbpa.meshops";
   effect.def_property_readonly(
-      "delta", [](const Effect& e) { return e.delta(); }, "By how much the counts changed.");
+      "delta", [](const Effect& e) { return e.delta(); }, "The change of the counts.");
   effect.def("__repr__", [name](const Effect& e) {
     return "<rbpa.meshops." + std::string(name) + ": " + py::repr(py::cast(e.delta())).template cast<std::string>() +
            ">";
@@ -93,12 +93,12 @@ std::string case_of(const Effect& effect) {
 }
 
 void bind_handle_effects(py::module_& module) {
-  bind_effect<meshops::GlueEffect>(module, "GlueEffect", "What glue() did; unglue() takes it back.")
+  bind_effect<meshops::GlueEffect>(module, "GlueEffect", "The effect of glue(), undone by unglue().")
       .def_property_readonly("what", &case_of<meshops::GlueEffect>,
                              "'join', 'split curve', 'handle', 'zip' or 'close'.")
       .def_readonly("survivor", &meshops::GlueEffect::survivor, "The first halfedge, now inner.")
       .def_readonly("removed", &meshops::GlueEffect::removed, "The second halfedge, whose edge is deleted.");
-  bind_effect<meshops::UnglueEffect>(module, "UnglueEffect", "What unglue() did; glue(first, second) takes it back.")
+  bind_effect<meshops::UnglueEffect>(module, "UnglueEffect", "The effect of unglue(), undone by glue(first, second).")
       .def_property_readonly("what", &case_of<meshops::UnglueEffect>, "The case of glue() that was undone.")
       .def_readonly("first", &meshops::UnglueEffect::first)
       .def_readonly("second", &meshops::UnglueEffect::second)
@@ -109,12 +109,12 @@ void bind_handle_effects(py::module_& module) {
           "new_end", [](const meshops::UnglueEffect& e) { return maybe(e.new_end); },
           "A second vertex where `first` ends, or None.");
   bind_effect<meshops::CloseCurveEffect>(module, "CloseCurveEffect",
-                                         "What close_curve() did; open_curve(face) undoes it.")
+                                         "The effect of close_curve(), undone by open_curve(face).")
       .def_readonly("face", &meshops::CloseCurveEffect::face);
   bind_effect<meshops::OpenCurveEffect>(module, "OpenCurveEffect",
-                                        "What open_curve() did; close_curve(curve) undoes it.")
+                                        "The effect of open_curve(), undone by close_curve(curve).")
       .def_readonly("curve", &meshops::OpenCurveEffect::curve);
-  bind_effect<meshops::ZipCurvesEffect>(module, "ZipCurvesEffect", "What zip_curves() did.")
+  bind_effect<meshops::ZipCurvesEffect>(module, "ZipCurvesEffect", "The effect of zip_curves().")
       .def_property_readonly("begins_with",
                              [](const meshops::ZipCurvesEffect& e) { return std::string(name(e.begins_with)); })
       .def_readonly("edges", &meshops::ZipCurvesEffect::edges);
@@ -122,7 +122,7 @@ void bind_handle_effects(py::module_& module) {
 
 template <typename Effect>
 py::class_<Effect> bind_split(py::module_& module, const char* name) {
-  return bind_effect<Effect>(module, name, "What a split did; collapse(halfedge) takes it back.")
+  return bind_effect<Effect>(module, name, "The effect of a split, undone by collapse(halfedge).")
       .def_property_readonly(
           "vertex", [](const Effect& e) { return e.added.vertex; }, "The new vertex.")
       .def_property_readonly(
@@ -133,7 +133,7 @@ py::class_<Effect> bind_split(py::module_& module, const char* name) {
           "The new faces.")
       .def_property_readonly(
           "halfedge", [](const Effect& e) { return e.halfedge; },
-          "From the new vertex to the one that it was split from.");
+          "The halfedge from the new vertex to the one that it was split from.");
 }
 
 void bind_stellar_effects(py::module_& module) {
@@ -141,31 +141,32 @@ void bind_stellar_effects(py::module_& module) {
   bind_split<meshops::SplitFaceEffect>(module, "SplitFaceEffect").def_readonly("face", &meshops::SplitFaceEffect::face);
   bind_split<meshops::SplitVertexEffect>(module, "SplitVertexEffect");
   using meshops::WeldEffect;
-  const char* taken_back = "What took a vertex out did; undo() takes it back.";
+  const char* taken_back = "The effect of removing a vertex, undone by undo().";
   bind_effect<WeldEffect>(module, "WeldEffect", taken_back)
       .def_property_readonly(
-          "vertex", [](const WeldEffect& e) { return e.removed.vertex; }, "The vertex that is deleted.")
+          "vertex", [](const WeldEffect& e) { return e.removed.vertex; }, "The deleted vertex.")
       .def_readonly("survivor", &WeldEffect::survivor, "The vertex that took over its faces.")
-      .def_readonly("left", &WeldEffect::left, "Between left and right lies what was taken over.")
+      .def_readonly("left", &WeldEffect::left, "The edges between left and right were taken over.")
       .def_readonly("right", &WeldEffect::right);
   bind_effect<meshops::WeldEdgeEffect, WeldEffect>(module, "WeldEdgeEffect", taken_back)
-      .def_readonly("line", &meshops::WeldEdgeEffect::line, "Of the edge that was two, towards the survivor.");
+      .def_readonly("line", &meshops::WeldEdgeEffect::line,
+                    "The halfedge toward the survivor, of the edge that was two.");
   bind_effect<meshops::WeldFaceEffect, WeldEffect>(module, "WeldFaceEffect", taken_back)
       .def_readonly("face", &meshops::WeldFaceEffect::face, "The face that was three.");
-  bind_effect<meshops::FlipEffect>(module, "FlipEffect", "What flip() did; undo() takes it back.")
+  bind_effect<meshops::FlipEffect>(module, "FlipEffect", "The effect of flip(), undone by undo().")
       .def_readonly("edge", &meshops::FlipEffect::edge);
   bind_effect<meshops::InsertDiagonalEffect>(module, "InsertDiagonalEffect",
-                                             "What insert_diagonal() did; remove_diagonal(diagonal) takes it back.")
+                                             "The effect of insert_diagonal(), undone by remove_diagonal(diagonal).")
       .def_readonly("diagonal", &meshops::InsertDiagonalEffect::diagonal)
       .def_readonly("face", &meshops::InsertDiagonalEffect::face);
   bind_effect<meshops::RemoveDiagonalEffect>(module, "RemoveDiagonalEffect",
-                                             "What remove_diagonal() did; insert_diagonal(start, end) takes it back.")
+                                             "The effect of remove_diagonal(), undone by insert_diagonal(start, end).")
       .def_readonly("edge", &meshops::RemoveDiagonalEffect::edge)
       .def_readonly("face", &meshops::RemoveDiagonalEffect::face)
       .def_readonly("survivor", &meshops::RemoveDiagonalEffect::survivor)
       .def_readonly("start", &meshops::RemoveDiagonalEffect::from)
       .def_readonly("end", &meshops::RemoveDiagonalEffect::to);
-  bind_effect<meshops::TriangulateFaceEffect>(module, "TriangulateFaceEffect", "What triangulate_face() did.")
+  bind_effect<meshops::TriangulateFaceEffect>(module, "TriangulateFaceEffect", "The effect of triangulate_face().")
       .def_readonly("diagonals", &meshops::TriangulateFaceEffect::diagonals)
       .def_readonly("faces", &meshops::TriangulateFaceEffect::faces);
 }
@@ -179,7 +180,7 @@ void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Bl
       name.c_str(), +[](Mesh& m, Given... given) { return Operator{}(m.changed(), given...); }, arguments..., what);
   mesh.def((name + "_blocker").c_str(),
            +[](const Mesh& m, Given... given) -> Reason { return Blocker{}(m.seen(), given...); }, arguments...,
-           ("Why " + name + "() would refuse, or None.").c_str());
+           ("Returns why " + name + "() would refuse, or None.").c_str());
 }
 
 // Operators and blockers are overloaded, so that they are passed as lambdas.
@@ -193,27 +194,28 @@ void bind_handle_operators(py::class_<Mesh>& mesh) {
       "create_triangle", [](Mesh& m) { return meshops::create_triangle(m.changed()); },
       "Adds a triangle of three new vertices. Returns its first inner halfedge.");
   bind_operator<Face>(mesh, RBPA_OPERATOR(destroy_triangle),
-                      "Takes out a triangle that is a component of its own. Returns the Delta.", face);
+                      "Removes a triangle that is a component of its own. Returns the Delta.", face);
   bind_operator<Face>(
       mesh, RBPA_OPERATOR(remove_triangle),
-      "Takes a triangle out of any mesh; where the rest would touch itself in a corner, each fan gets a vertex.\n"
+      "Removes a triangle from any mesh; if the rest would touch itself in a corner, each fan gets a vertex.\n"
       "Returns the Delta.",
       face);
   bind_operator<Halfedge, Halfedge>(
       mesh, RBPA_OPERATOR(glue),
       "Glues two boundary halfedges head to tail: joins components, splits a curve, makes a handle, zips, closes.",
       first, second);
-  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(unglue), "Parts an inner edge: the inverse of glue().", halfedge);
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(unglue),
+                          "Separates the two faces at an inner edge: the inverse of glue().", halfedge);
   mesh.def(
       "unglue", [](Mesh& m, const meshops::GlueEffect& effect) { return meshops::unglue(m.changed(), effect); },
-      arg("effect"), "Takes a glue() back: every record is as it was.");
+      arg("effect"), "Undoes a glue() exactly: every record is as it was.");
   bind_operator<Halfedge>(mesh, RBPA_OPERATOR(close_curve),
                           "Fills the boundary curve through a halfedge with one face.", halfedge);
   bind_operator<Face>(mesh, RBPA_OPERATOR(open_curve),
-                      "Takes a face out, and leaves a boundary curve: the inverse of close_curve().", face);
-  bind_operator<Halfedge, Halfedge>(
-      mesh, RBPA_OPERATOR(zip_curves),
-      "Sews two boundary curves of equal length together, edge by edge, from these halfedges on.", first, second);
+                      "Removes a face, and leaves a boundary curve: the inverse of close_curve().", face);
+  bind_operator<Halfedge, Halfedge>(mesh, RBPA_OPERATOR(zip_curves),
+                                    "Glues two boundary curves of equal length, edge by edge, from these halfedges on.",
+                                    first, second);
 }
 
 void bind_stellar_operators(py::class_<Mesh>& mesh) {
@@ -223,39 +225,41 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
   const py::arg_v keep = arg("keep") = "simplicial";
   bind_operator<Halfedge, Keep>(
       mesh, RBPA_OPERATOR(split_edge),
-      "Puts a vertex on the edge of a halfedge, joined to the apex of each triangle beside it.", halfedge, by_name,
-      keep);
-  bind_operator<Face>(mesh, RBPA_OPERATOR(split_face), "Puts a vertex into a triangle, joined to its corners.", face);
+      "Inserts a vertex on the edge of a halfedge, and joins it to the apex of each triangle beside it.", halfedge,
+      by_name, keep);
+  bind_operator<Face>(mesh, RBPA_OPERATOR(split_face), "Inserts a vertex into a triangle, and joins it to its corners.",
+                      face);
   bind_operator<Side, Side, Keep>(
       mesh, RBPA_OPERATOR(split_vertex),
       "Splits the vertex that both halfedges leave: a new one takes over the edges between them, counter-clockwise. "
-      "One may\n"
-      "be None: from or to the boundary.",
+      "One of\n"
+      "them may be None, for the boundary.",
       arg("left"), arg("right"), by_name, keep);
   bind_operator<Halfedge, Keep>(
       mesh, RBPA_OPERATOR(weld_edge),
-      "Takes the vertex where a halfedge starts out of its edge: the inverse of split_edge().", halfedge, by_name,
+      "Removes the vertex where a halfedge starts from its edge: the inverse of split_edge().", halfedge, by_name,
       keep);
   bind_operator<Vertex, Keep>(mesh, RBPA_OPERATOR(weld_face),
-                              "Takes an inner vertex of degree three out: the inverse of split_face().", vertex,
-                              by_name, keep);
+                              "Removes an inner vertex of degree three: the inverse of split_face().", vertex, by_name,
+                              keep);
   bind_operator<Halfedge, Keep>(mesh, RBPA_OPERATOR(collapse),
-                                "The vertex where a halfedge starts vanishes into the one where it ends.", halfedge,
+                                "Merges the vertex where a halfedge starts into the one where it ends.", halfedge,
                                 by_name, keep);
   bind_operator<Vertex, Keep>(mesh, RBPA_OPERATOR(remove_vertex),
-                              "Collapses the first halfedge of a vertex that can be.", vertex, by_name, keep);
+                              "Collapses the first halfedge of a vertex that can be collapsed.", vertex, by_name, keep);
   bind_operator<Edge, Keep>(mesh, RBPA_OPERATOR(flip), "Turns an edge counter-clockwise inside its two triangles.",
                             arg("edge"), by_name, keep);
   mesh.def(
       "undo", [](Mesh& m, const meshops::FlipEffect& effect) { meshops::undo(m.changed(), effect); }, arg("effect"),
-      "Takes a flip back.");
+      "Undoes a flip.");
   mesh.def(
       "undo", [](Mesh& m, const meshops::WeldEffect& effect) { meshops::undo(m.changed(), effect); }, arg("effect"),
-      "Takes back what took a vertex out: every record is as it was.");
+      "Undoes the removal of a vertex exactly: every record is as it was.");
   bind_operator<Halfedge, Halfedge, Keep>(mesh, RBPA_OPERATOR(insert_diagonal),
                                           "Cuts a face in two, between the corners where these sides of it start.",
                                           arg("start"), arg("end"), by_name, keep);
-  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(remove_diagonal), "Makes one face of the two beside an edge.", halfedge);
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(remove_diagonal), "Merges the two faces beside an edge into one.",
+                          halfedge);
   mesh.def(
       "triangulate_face",
       [](Mesh& m, Face given, const py::function& weight, Keep kept) {
@@ -265,14 +269,14 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
         return meshops::triangulate_face(mesh_to_change, given, of, kept);
       },
       face, arg("weight"), by_name, keep,
-      "Fills a face with the triangles of least total weight, weight(a, b, c) being a number for three of its "
+      "Fills a face with the triangles of least total weight; weight(a, b, c) is a number for three of its "
       "corners.");
   mesh.def(
       "triangulate_face_blocker",
       [](const Mesh& m, Face given, Keep kept) -> Reason {
         return meshops::triangulate_face_blocker(m.seen(), given, kept);
       },
-      face, by_name, keep, "Why triangulate_face() would refuse, or None.");
+      face, by_name, keep, "Returns why triangulate_face() would refuse, or None.");
 }
 
 #undef RBPA_OPERATOR

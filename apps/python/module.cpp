@@ -19,9 +19,9 @@ void bind_errors(py::module_& module) {
   py::register_exception<rbpa::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
   py::register_exception<meshops::ContractViolation>(module, "ContractViolation", PyExc_ValueError);
   py::register_exception<rbpa::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
-  describe("InvalidInput", "The data or parameters given are not what the function takes; nothing was computed.");
-  describe("ContractViolation", "A requirement of the function was not met; nothing was changed.");
-  describe("Cancelled", "The progress callback asked to stop.");
+  describe("InvalidInput", "Raised for invalid data or parameters, before anything is computed.");
+  describe("ContractViolation", "Raised if a requirement of the function is not met, before anything is changed.");
+  describe("Cancelled", "Raised if the progress function asked to stop.");
 }
 
 }  // namespace

@@ -182,7 +182,8 @@ class NearestPlaces {
 
 void bind_nearest(py::module_& module) {
   using py::arg;
-  py::class_<NearestPlaces>(module, "NearestPlaces", "Finds where triangles in space are nearest to points.")
+  py::class_<NearestPlaces>(module, "NearestPlaces",
+                            "Finds the positions on triangles in space that are nearest to points.")
       .def(py::init<Doubles, Indices>(), arg("points").noconvert(), arg("facets").noconvert())
       .def("find", &NearestPlaces::find, arg("queries").noconvert());
 }

@@ -70,7 +70,7 @@ void bind_reports(py::module_& module) {
   using meshops::ComponentReport;
   using meshops::TopologyReport;
   const auto betti = [](const meshops::BettiNumbers& b) { return std::make_tuple(b[0], b[1], b[2]); };
-  py::class_<ComponentReport>(module, "ComponentReport", "A piece of surface whose faces hang together through edges.")
+  py::class_<ComponentReport>(module, "ComponentReport", "A component of faces connected through edges.")
       .def_readonly("vertices", &ComponentReport::vertices)
       .def_readonly("edges", &ComponentReport::edges)
       .def_readonly("faces", &ComponentReport::faces)
@@ -83,8 +83,8 @@ void bind_reports(py::module_& module) {
       .attr("__module__") = "rbpa.meshops";
   py::class_<TopologyReport>(
       module, "Report",
-      "The topology of a mesh or of any faces, in total and per component. `genus` is None where a\n"
-      "piece is not orientable, or cut at a non-manifold edge; `betti` are the numbers of\n"
+      "The topology of a mesh or of any faces, in total and per component. `genus` is None if a\n"
+      "component is not orientable, or cut at a non-manifold edge; `betti` are the numbers of\n"
       "components, loops and cavities, over Z/2.")
       .def_readonly("vertices", &TopologyReport::vertices)
       .def_readonly("edges", &TopologyReport::edges)
@@ -111,8 +111,9 @@ void bind_reports(py::module_& module) {
 
 void bind_soups(py::module_& module) {
   using py::arg;
-  bind_item<meshops::SoupDefect>(module, "Defect", "What keeps faces from being an oriented 2-manifold with boundary.");
-  bind_item<meshops::RepairStep>(module, "RepairStep", "What was done to faces to make a manifold of them.");
+  bind_item<meshops::SoupDefect>(module, "Defect",
+                                 "A defect that keeps faces from being an oriented 2-manifold with boundary.");
+  bind_item<meshops::RepairStep>(module, "RepairStep", "A change of faces to make a manifold of them.");
   bind_reports(module);
   module.def("repair", &repaired, arg("corners"), arg("begin"), arg("points"));
   module.def("find_defects", &defects, arg("corners"), arg("begin"), arg("points"));

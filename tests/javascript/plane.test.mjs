@@ -148,7 +148,7 @@ test("invalid input is refused with what was found and what was expected", () =>
   const refused = (call, message) => assert.throws(call, (e) => e instanceof InvalidInput && message.test(e.message));
   refused(() => rbpa.triangulate([[0, NaN]]), /point 0 is \(0, NaN\), expected finite coordinates/);
   refused(() => rbpa.triangulate([0, 1, Infinity, 0.5]), /point 1 is \(Infinity, 0.5\)/);
-  refused(() => rbpa.triangulate([0, 1, 2]), /points: found 3 numbers, expected 2 of each point/);
+  refused(() => rbpa.triangulate([0, 1, 2]), /points: found 3 numbers, expected 2 for each point/);
   refused(() => rbpa.triangulate(null), /points: found null/);
   refused(() => rbpa.triangulate([[0, 0], "x"]), /found "x" at 1/);
   refused(() => rbpa.triangulate([[0, 0], null]), /found null at 1/);

@@ -38,8 +38,8 @@ test("opposite normals give the surface seen from inside", () => {
 test("invalid input is refused", () => {
   const refused = (call, message) => assert.throws(call, (e) => e instanceof InvalidInput && message.test(e.message));
   for (const radius of [0, -1, NaN, Infinity, "1", undefined]) refused(() => rbpa.surface([], radius), /^radius: found/);
-  refused(() => rbpa.surface([[0, 0, 0]], 1, [[0, 0, 1], [0, 0, 1]]), /normals: found 2, expected one of each point, 1/);
+  refused(() => rbpa.surface([[0, 0, 0]], 1, [[0, 0, 1], [0, 0, 1]]), /normals: found 2, expected one for each point, 1/);
   refused(() => rbpa.surface([[0, 0, 0]], 1, [[0, 0, 0]]), /normal 0/);
-  refused(() => rbpa.surface([0, 0], 1), /points: found 2 numbers, expected 3 of each point/);
+  refused(() => rbpa.surface([0, 0], 1), /points: found 2 numbers, expected 3 for each point/);
   assert.equal(rbpa.surface([], 1).triangles.length, 0);
 });
