@@ -121,7 +121,7 @@ std::optional<Crs> crs_of_name(std::string_view name) { return plane(system_of_n
 std::string remark_on_crs(std::string_view name) {
   const std::optional<Crs> crs = system_of_name(name);
   if (crs && is_vertical(*crs))
-    return crs->text() + " is a system of heights, and the one of the plane is not known" + std::string(how_to_name);
+    return crs->text() + " is a system of heights, and the horizontal system is not known" + std::string(how_to_name);
   return "the system of coordinates is " + in_quotes(name) + ", which is not understood" + std::string(how_to_name);
 }
 
@@ -132,7 +132,7 @@ void require_same_crs(const std::optional<Crs>& crs, const std::string& name, co
   if (both_are_wgs84 || text(crs) == text(first)) return;
   const std::string code = crs && first ? "EPSG:CODE" : text(crs ? crs : first);
   bad_input(name, "points in " + text(crs),
-            text(first) + ", as in " + first_name + " (--crs " + code + " says it of all)");
+            text(first) + ", as in " + first_name + " (--crs " + code + " applies to all)");
 }
 
 // Well-known text.

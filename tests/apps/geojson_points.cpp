@@ -189,9 +189,9 @@ TEST_SUITE("GeoJSON in") {
     CHECK(refusal(geometry("Point", "[\"1\",2]")) == at_1 + "'1', expected a list of coordinates");
     CHECK(refusal(geometry("Point", "{}")) == at_1 + "an object, expected a list of coordinates");
     CHECK(refusal(geometry("Point", "[[1,2]]")) ==
-          at_1 + "coordinates of another depth, expected 1 brackets, as a Point has");
+          at_1 + "coordinates of another depth, expected depth 1, as in a Point");
     CHECK(refusal(geometry("Polygon", "[[1,2]]")) ==
-          at_1 + "coordinates of another depth, expected 3 brackets, as a Polygon has");
+          at_1 + "coordinates of another depth, expected depth 3, as in a Polygon");
     // Brackets without end take no room.
     CHECK(refusal(R"({"a":)" + std::string(1000000, '[')) == at_1 + "the end of the file, expected JSON");
   }

@@ -66,7 +66,7 @@ void check_memory(const Folder& folder, const std::string& command, const std::s
   CHECK(outcome.code == 3);
   CHECK(outcome.err.find(name + ": found more than ") != std::string::npos);
   CHECK(outcome.err.find(" MB decompressed, expected at most a fifth of the ") != std::string::npos);
-  CHECK(outcome.err.ends_with(" MB of memory there are, as reading takes several times as much" + way_out + "\n"));
+  CHECK(outcome.err.ends_with(" MB of available memory, as reading takes several times as much" + way_out + "\n"));
 }
 
 const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)";

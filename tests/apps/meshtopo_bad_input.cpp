@@ -65,7 +65,7 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", "OFF\n3\n" + three_points,
                  "m.off:2: found '3', expected the numbers of vertices, faces and edges");
     refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "m.off:4: found 'zero', expected a number");
-    refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "m.off:4: found '1 0', expected another number");
+    refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "m.off:4: found '1 0', expected one more number");
     refuses_mesh("m.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
                  "m.off:4: found 'nan', expected a finite number");
     refuses_mesh("m.off", head + "3 0 1 3\n", "m.off:6: found '3', expected a vertex number from 0 to 2");
@@ -74,10 +74,9 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", head + "three 0 1 2\n", "m.off:6: found 'three', expected the number of corners of a face");
     refuses_mesh("m.off", head + "3 0 1 2\n\n3 2 1 0\n",
                  "m.off:8: found '3 2 1 0', expected nothing behind the 1 face line as line 2 says");
-    refuses_mesh(
-        "m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
-        "m.off:5: found '255 255 255' and 0 lines behind a face line, expected 1 line, one for each of those that the "
-        "header announces, or no words but theirs");
+    refuses_mesh("m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
+                 "m.off:5: found '255 255 255' and 0 lines behind a face line, expected 1 line, one for each element "
+                 "in the header, or no other words than theirs");
     refuses_mesh("m.off", "OFF\n3 0 0\n0 0 0\n0 0 0 # long enough\n",
                  "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
   }
@@ -135,7 +134,7 @@ TEST_SUITE("meshtopo: bad input") {
   TEST_CASE("errors in OBJ are refused by line") {
     const std::string head = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     refuses_mesh("m.obj", "# nothing\n", "m.obj: found no line 'v x y z', expected the vertices of a mesh");
-    refuses_mesh("m.obj", "v 0 0\n", "m.obj:1: found 'v 0 0', expected another number");
+    refuses_mesh("m.obj", "v 0 0\n", "m.obj:1: found 'v 0 0', expected one more number");
     refuses_mesh("m.obj", head + "f 1 2 4\n", "m.obj:4: found '4', expected a vertex number from 1 to 3");
     refuses_mesh("m.obj", head + "f 1 2 0\n", "m.obj:4: found '0', expected a vertex number from 1, or from -1 to -3");
     refuses_mesh("m.obj", head + "f 1 2 -4\n",

@@ -171,7 +171,7 @@ TEST_SUITE("shape files") {
                 "{\"type\":\"MultiPoint\",\"coordinates\":[[155000,463000],[155001,463000],[155000,463001]]}");
     const Outcome metres = folder.rbpa("shape p.geojson --alpha inf -o s.geojson");
     CHECK(metres.err ==
-          "rbpa: p.geojson: longitudes and latitudes are expected, and found up to 155001 and 463001: are "
+          "rbpa: p.geojson: expected longitudes and latitudes, found numbers up to 155001 and 463001: are "
           "they degrees?\nrbpa: s.geojson: coordinates go up to 155001 and 463001" +
               but + "rbpa: 3 points, 1 polygon with 0 holes, area 0.5 -> s.geojson\n");
   }

@@ -264,7 +264,7 @@ TEST_SUITE("shape groups") {
     outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q");
     CHECK(outcome.code == 3);
     CHECK(outcome.err ==
-          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs EPSG:4326 says it of "
+          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs EPSG:4326 applies to "
           "all)\n");
   }
 

@@ -101,9 +101,9 @@ TEST_SUITE("bad points of space") {
     CHECK(table("x,y,z\n1,0\n") == "p:2: found 2 columns ('1,0'), expected 3 as in line 1");
     CHECK(npy("(2, 2)", numbers({0., 0., 0., 0.})) == "p: found shape '(2, 2)', expected (n, 3) or (n, 6)");
     CHECK(npy("(1, 4)", numbers({0., 0., 0., 0.})) == "p: found shape '(1, 4)', expected (n, 3) or (n, 6)");
-    CHECK(off("OFF\n2 0 0\n0 0 0\n1 0\n") == "p:4: found '1 0', expected another number");
-    CHECK(off("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n") == "p:4: found '1 0 0', expected another number");
-    CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected another number");
+    CHECK(off("OFF\n2 0 0\n0 0 0\n1 0\n") == "p:4: found '1 0', expected one more number");
+    CHECK(off("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n") == "p:4: found '1 0 0', expected one more number");
+    CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected one more number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11111111 1\n") ==
           "p:15: found '11111111', expected a channel of a color, from 0 to 255");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 256 1\n") ==
@@ -191,7 +191,7 @@ TEST_SUITE("bad points of space") {
           "p: found 10 bytes of data, expected 2 points as line 8 says");
     CHECK(pcd("0 0 0\n# and more than enough\n", "DATA binary", "DATA ascii") ==
           "p: found 1 point, expected 2 points as line 8 says");
-    CHECK(pcd("0 0 0\n1 100\n", "DATA binary", "DATA ascii") == "p:11: found '1 100', expected another number");
+    CHECK(pcd("0 0 0\n1 100\n", "DATA binary", "DATA ascii") == "p:11: found '1 100', expected one more number");
     std::string names, sizes, types, counts;  // 16 thousand million numbers in each of no points
     for (int i = 0; i < 250000; ++i) {
       names += " a";

@@ -170,7 +170,7 @@ TEST_SUITE("systems of coordinates") {
     for (const std::string vertical_code : {"5703", "3855", "5773", "6360", "9279"}) {
       CAPTURE(vertical_code);
       const std::string remark =
-          "EPSG:" + vertical_code + " is a system of heights, and the one of the plane is not known";
+          "EPSG:" + vertical_code + " is a system of heights, and the horizontal system is not known";
       const auto is_none = [&](const std::string& arguments) {
         CHECK(crs_of(folder, arguments) == "none");
         const std::string err = folder.rbpa("info " + arguments).err;
@@ -254,7 +254,7 @@ TEST_SUITE("systems of coordinates") {
           verb.replace(at, 2, "tiles/a.las tiles/b.las");
         const Outcome outcome = folder.rbpa(verb + " -q");
         CHECK(outcome.code == (said.empty() ? 0 : 3));
-        if (!said.empty()) CHECK(outcome.err == "rbpa: tiles/b.las: found points in " + said + " says it of all)\n");
+        if (!said.empty()) CHECK(outcome.err == "rbpa: tiles/b.las: found points in " + said + " applies to all)\n");
         if (!said.empty()) CHECK_FALSE(folder.has("o.wkt"));
         CHECK(folder.rbpa(verb + " -q --crs EPSG:26910").code == 0);
         for (const std::string name : {"o.wkt", "o.geojson", "o.ply"}) std::filesystem::remove(folder.path(name));

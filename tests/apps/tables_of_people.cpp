@@ -323,7 +323,7 @@ TEST_SUITE("tables of people") {
     CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
     folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
     CHECK(folder.rbpa("info exchanged.csv").err ==
-          "rbpa: exchanged.csv: longitudes and latitudes are expected, and found up to 52 and 113: are they "
+          "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they "
           "exchanged?\n");
     folder.file("metres.csv", "lon,lat\n500000,5800000\n");
     CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);

@@ -47,7 +47,7 @@ class UnpackLimit {
     if (size > most_)
       bad_input(name_, "more than " + bytes_text(most_) + " decompressed",
                 "at most a fifth of the " + bytes_text(bytes_for_each * most_) +
-                    " of memory there are, as reading takes several times as much" + way_out_);
+                    " of available memory, as reading takes several times as much" + way_out_);
     if (size <= next_) return;
     const double claimed = claimed_by(unpacked);
     if (size > claimed + slack)

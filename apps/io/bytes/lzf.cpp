@@ -28,7 +28,7 @@ std::vector<char> unpack_lzf(std::string_view packed, std::size_t size, const st
   const std::optional<double> there = available_memory();
   if (there && bytes_in_memory * static_cast<double>(size) > *there)
     bad_input(place, bytes_text(static_cast<double>(size)) + " decompressed",
-              "at most a third of the " + bytes_text(*there) + " of memory there are");
+              "at most a third of the " + bytes_text(*there) + " of available memory");
   std::vector<char> unpacked(size);
   if (size == 0) return unpacked;
   const unsigned count =

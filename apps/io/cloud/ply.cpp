@@ -261,10 +261,9 @@ void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
     is_by_words_ = !is_by_lines_ && are_words_of_rest(element, index);
     if (is_by_words_) return;
     if (!is_by_lines_)
-      bad_input(
-          at_line(name_, lines_.number()),
-          in_quotes(rest_) + " and " + counted(lines, "line") + " behind a " + element.noun,
-          counted(elements, "line") + ", one for each of those that the header announces, or no words but theirs");
+      bad_input(at_line(name_, lines_.number()),
+                in_quotes(rest_) + " and " + counted(lines, "line") + " behind a " + element.noun,
+                counted(elements, "line") + ", one for each element in the header, or no other words than theirs");
   }
   rest_ = {};
 }

@@ -198,7 +198,7 @@ void remark_on_degrees(PointFile& file) {
   const Box box = box_of(file.points);
   if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360) {
     const bool exchanged = box.least.x >= -90 && box.greatest.x <= 90 && box.least.y >= -360 && box.greatest.y <= 360;
-    file.remarks.push_back(std::string("longitudes and latitudes are expected, and found up to ") +
+    file.remarks.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
                            std::string(ShortestText(std::max(std::abs(box.least.x), std::abs(box.greatest.x)))) +
                            " and " +
                            std::string(ShortestText(std::max(std::abs(box.least.y), std::abs(box.greatest.y)))) +

@@ -326,7 +326,7 @@ class Events {
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
     const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
     if (!frame.geometry->finish(*kind, file_, polygons_))
-      refuse("coordinates of another depth", std::to_string(kind->depth) + " brackets, as a " + frame.type + " has");
+      refuse("coordinates of another depth", "depth " + std::to_string(kind->depth) + ", as in a " + frame.type);
     if (polygons_ != nullptr) polygons_->end_geometry(before, no_feature);
   }
 

@@ -27,7 +27,7 @@ double take_coordinate(std::string_view& rest, const Lines& lines, const std::st
   const ParsedNumber coordinate = parse_number(rest.data(), rest.data() + rest.size());
   if (coordinate.fault == NumberFault::none && take_up_to(coordinate.end, rest)) return coordinate.value;
   const std::string_view word = take_word(rest);
-  if (word.empty()) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "another number");
+  if (word.empty()) bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "one more number");
   const ParsedNumber number = parse_written_number(word);
   if (number.fault != NumberFault::none)
     bad_input(at_line(name, lines.number()), in_quotes(word), expected_instead(number.fault));
