@@ -1,5 +1,4 @@
-// What: adds points to a cloud; their normals, colors and confidences are means over the three points around each of
-//       them.
+// What: adds points to a cloud; normals, colors and confidences are means over the three points around each.
 #pragma once
 
 #include "cli/left_out_points.h"

@@ -1,5 +1,4 @@
-// What: the part that the verbs alpha and report share: reading points, and finding their critical and recommended
-//       radii.
+// What: reads points and finds their critical and recommended radii, for the verbs alpha and report.
 #pragma once
 
 #include <optional>

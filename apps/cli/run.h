@@ -36,8 +36,7 @@ struct RunOptions {
 /// The largest --threads that is accepted. It exceeds the processors of a machine, so that one command line serves any.
 constexpr unsigned max_threads = 1024;
 
-/// Parses the options. Requires of --threads a whole number from 1 to max_threads. Throws WrongUsage that names the
-/// value.
+/// Parses the options; --threads is a whole number from 1 to max_threads. Throws WrongUsage that names the value.
 RunOptions parse_run(const RunArguments& arguments);
 
 class Run {

@@ -1,5 +1,4 @@
-// What: runs `rbpa alpha --dimension 3`: the radii of points in space, and births and deaths of components, tunnels and
-//       voids.
+// What: runs `rbpa alpha --dimension 3`: radii of points in space; births and deaths of components, tunnels, voids.
 #pragma once
 
 #include "cli/verbs.h"

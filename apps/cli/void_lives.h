@@ -1,5 +1,4 @@
-// What: the radii at which voids of a solid close and are filled; and pockets, which close only above the radius of the
-//       solid.
+// What: the radii at which voids close and are filled; and pockets, which close only above the radius of the solid.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// What: counts the points in each square of a grid. The side of the squares is a power of two that grows with the
-//       input.
+// What: counts points in the squares of a grid, whose side is a power of two that grows with the input.
 // Law:  the counts add up to the number of points, for any finite coordinates. Counts choose tiles and do not affect
 //       the result.
 // Cost: one access of a hash table per point, fewer if successive points are in one square; memory for `most` cells.

@@ -1,6 +1,5 @@
 // What: computes a complex of more points than fit into memory, from files to files, through files of tiles.
-// Law:  the result has the bytes of `rbpa mesh` and `rbpa shape`, for any tiles; targets appear completely or not at
-//       all.
+// Law:  the bytes are those of `rbpa mesh` and `rbpa shape`, for any tiles; targets appear complete or not at all.
 // Source: docs/how_to/more_points_than_memory.md.
 #pragma once
 

@@ -1,5 +1,4 @@
-// What: the file of a tile in the scratch: the points that the tile owns, and the points around it that matter for
-//       them.
+// What: the file of a tile in the scratch: the points that the tile owns, and those around it that matter for them.
 // Law:  reading returns what was written, or throws Damaged.
 // Cost: memory of a few blocks. docs/reference/file_formats.md has the format.
 #pragma once

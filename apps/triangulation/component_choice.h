@@ -1,5 +1,4 @@
-// What: the components of a surface to keep: --keep-largest and --drop-small of both programs, --shell of `rbpa
-//       surface`.
+// What: the components of a surface to keep: --keep-largest and --drop-small (both programs), --shell (rbpa surface).
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // What: counts the topology of a surface of points in space from its arrays, and orders its shells.
-// Law:  the result is a function of the triangles and how they are glued; every fan of triangles at a point is a
-//       vertex.
+// Law:  the result depends on the triangles and how they are glued; each fan of triangles at a point is a vertex.
 // Cost: linear, and a sort of the triangles by shells.
 #pragma once
 
