@@ -26,12 +26,10 @@ nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names)
 
 /// Writes the voids, the largest first.
 /// CSV:  number,volume_between_points,volume_outside_balls (only for the full complex),area,islands,points and the box,
-/// a
-///       line for each void; with lives also closes,filled,depth.
+///       a line for each void; with lives also closes,filled,depth.
 /// JSON: a list of the same values, with the input indices of the points and of the triangles around the void, and in
 ///       `atoms` the names that the input gives the points.
-/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is a
-/// vertex
+/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is one
 ///       for each side. Triangles face outward from the void, as if it were a body.
 /// Requires: voids of a solid with this boundary; a life for each void, if any; a format of void_formats.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
@@ -46,8 +44,7 @@ nlohmann::ordered_json json_of_volumes(double between_points, std::optional<doub
 
 /// Writes the pockets, the largest first.
 /// CSV:  number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c, and serial_a and so on if points
-/// have
-///       names.
+///       have names.
 /// JSON: the same, with `mouth_atoms`. Requires: csv or json.
 void write_pockets(OutputFile& file, Format format, const PointNames& names, std::span<const Pocket> pockets);
 
