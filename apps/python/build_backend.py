@@ -72,7 +72,7 @@ def configure(folder: pathlib.Path) -> None:
     found = missing()
     if found:
         raise SystemExit("rbpa: cannot be built: there is no " + ", no ".join(found))
-    say("looking for what it is built with")
+    say("checking the build requirements")
     run("see above for what is missing", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release", "-DRBPA_BUILD_PYTHON=ON",
         "-DRBPA_COMPILE_TOGETHER=ON", "-DRBPA_BUILD_APPS=OFF", "-DRBPA_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}")  # fmt: skip
 
@@ -122,9 +122,9 @@ def build_wheel(wheel_directory: str, config_settings=None, metadata_directory=N
         if bundle.can_bundle():
             parts = bundle.bundle(module, libraries)
             system = bundle.platform_tag()
-            say(f"{len(parts)} libraries are brought along: the wheel stands alone")
+            say(f"{len(parts)} shared libraries are included: the wheel is self-contained")
         else:
-            say("there is no patchelf (Debian: patchelf): the wheel needs the libraries of this machine")
+            say("patchelf is missing (Debian: patchelf): the wheel needs the libraries of this machine")
         tag = f"{python}-{python}-{system}"
         name = f"rbpa-{version()}-{tag}.whl"
         with zipfile.ZipFile(pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:

@@ -62,7 +62,7 @@ def test_duplicates_are_pairs_of_equal_points():
 
 
 @pytest.mark.parametrize("name", ["uniform", "ring", "cholera", "clusters"])
-def test_auto_and_min_are_the_least_radii_that_do_it(name):
+def test_auto_and_min_are_the_least_radii_that_cover(name):
     points = SETS[name]
     least = rbpa.alpha_shape(points, "min")
     assert not len(least.isolated)
@@ -75,7 +75,7 @@ def test_auto_and_min_are_the_least_radii_that_do_it(name):
     assert least.alpha <= pieces.alpha <= auto.alpha and len(pieces.polygons) <= 3
 
 
-def test_a_share_of_the_points_is_what_is_covered():
+def test_a_share_of_the_points_is_covered():
     rng = np.random.default_rng(4)
     points = np.concatenate((ring(500), rng.random((5, 2)) * 50 + 20))
     everything, most = rbpa.alpha_shape(points, "auto"), rbpa.alpha_shape(points, cover=0.99)
@@ -120,13 +120,13 @@ def test_the_default_is_the_best_plateau_and_a_hull_holds_every_point(name):
         ([[x, y] for x in range(7) for y in range(7)], 72),
     ],
 )
-def test_of_few_points_and_grids_the_default_has_an_answer(points, triangles):
+def test_the_default_has_an_answer_for_few_points_and_grids(points, triangles):
     shape = rbpa.alpha_shape(points)
     assert len(shape.simplices) >= triangles > 0 or len(shape.simplices) == triangles == 0
     assert (shape.alpha is None) == (triangles == 0)
 
 
-def test_a_share_or_pieces_without_an_alpha_are_of_auto():
+def test_cover_or_components_without_alpha_select_auto():
     points = np.concatenate((ring(500), ring(300, 3) + [8, 0]))
     assert rbpa.alpha_shape(points, cover=0.9).alpha == rbpa.alpha_shape(points, "auto", cover=0.9).alpha
     assert rbpa.alpha_shapes(points, np.zeros(800), components=2).alphas[0] == rbpa.alpha_shape(points, "auto", components=2).alpha
@@ -178,7 +178,7 @@ def test_nothing_is_copied():
         assert array.dtype == np.int32 and not array.flags.owndata and type(array.base).__name__ == "PyCapsule"
 
 
-def test_arrays_outlive_what_they_came_from():
+def test_arrays_outlive_their_result():
     simplices = rbpa.alpha_shape(uniform(50_000), 0.1).simplices
     again = rbpa.alpha_shape(uniform(50_000), 0.1).simplices
     for _ in range(5):
@@ -213,7 +213,7 @@ def test_a_pickle_is_the_same_shape():
 
 
 @pytest.mark.parametrize("count", range(297, 305))
-def test_any_bit_that_is_changed_is_noticed(count):
+def test_every_changed_bit_is_detected(count):
     points = ring(count)
     shape = rbpa.alpha_shape(points, 0.4)
     for i in (0, 1, count // 2, count - 2, count - 1):
@@ -226,7 +226,7 @@ def test_any_bit_that_is_changed_is_noticed(count):
     assert len(shape.filtered())
 
 
-def test_points_that_are_changed_afterwards_are_noticed():
+def test_changed_points_are_detected():
     points = ring(300)
     shape = rbpa.alpha_shape(points, 0.4)
     points[7] += 0.5

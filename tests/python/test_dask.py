@@ -48,7 +48,7 @@ def check(points, found, alpha):
 
 
 @pytest.mark.parametrize("sources", [sets.uniform(9), [[0, 0], [1, 0]], [sets.uniform(9)], 3, None, [None]])
-def test_what_is_no_source_is_refused_in_one_sentence(sources):
+def test_invalid_sources_are_refused_in_one_sentence(sources):
     with pytest.raises(rbpa.InvalidInput, match="sources: found .*, expected paths of files, a dask.array or a dask.dataframe"):
         rbpa.dask.alpha_shape(sources, 1.0)
     with pytest.raises(rbpa.InvalidInput, match=r"alpha: found 'auto', expected a finite radius \(a number > 0\)$"):
@@ -83,7 +83,7 @@ def test_the_least_of_inputs(tmp_path):
     assert rbpa.dask.alpha_shape([], 1.0).points == 0
 
 
-def test_sources_of_every_kind(tmp_path):
+def test_sources_of_every_kind_are_read(tmp_path):
     points = sets.uniform(900)
     sources = {
         "a pattern": (files_of(points, tmp_path, 3), str(tmp_path / "part-*.npy"))[1],
@@ -131,7 +131,7 @@ def test_nothing_is_left_behind(tmp_path):
     assert sorted(map(str, folder.iterdir())) == found.triangle_files
 
 
-def test_what_is_no_source_is_refused(tmp_path):
+def test_invalid_sources_are_refused(tmp_path):
     files = files_of(sets.uniform(50), tmp_path, 1)
     refused = rbpa.InvalidInput
     with pytest.raises(refused, match="expected a finite radius"):
@@ -151,7 +151,7 @@ def test_what_is_no_source_is_refused(tmp_path):
         rbpa.dask.alpha_shape(files, 1.0, tile_points=0)
 
 
-def test_files_that_change_are_noticed(tmp_path):
+def test_changed_files_are_detected(tmp_path):
     points, calls = sets.uniform(100), []
 
     def reader(path):

@@ -79,7 +79,7 @@ def test_a_point_is_in_the_first_triangle_that_it_is_a_corner_of(name):
     assert np.array_equal(of.find_simplex(points), first[stands_for])
 
 
-def test_what_is_not_finite_is_nowhere():
+def test_queries_that_are_not_finite_are_in_no_triangle():
     assert rbpa.Delaunay(grid(3)).find_simplex([[np.nan, 1], [np.inf, 1], [1, -np.inf], [3, 3]]).tolist() == [-1] * 4
 
 
@@ -110,7 +110,7 @@ def test_a_pickle_finds_the_same():
     assert np.array_equal(again.simplices, of.simplices) and np.array_equal(again.find_simplex(queries), found)
 
 
-def test_points_that_are_changed_afterwards_are_noticed():
+def test_changed_points_are_detected():
     points = uniform(500)
     of = rbpa.Delaunay(points)
     points[3, 1] = 7

@@ -19,7 +19,7 @@ def rows(simplices):
 
 
 @pytest.mark.parametrize("count", [4, 5, 30, 500])
-def test_it_has_what_scipys_has(count):
+def test_attributes_agree_with_scipy(count):
     points = uniform(count, count)
     ours, of_scipy = rbpa.Delaunay(points), scipy_spatial.Delaunay(points)
     assert isinstance(ours, rbpa.Delaunay) and isinstance(ours, rbpa.DelaunayInSpace)

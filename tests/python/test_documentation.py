@@ -58,7 +58,7 @@ def test_examples_in_docstrings_are_right():
 
 
 @pytest.mark.parametrize("name", PUBLIC)
-def test_help_says_what_everything_is(name):
+def test_everything_public_has_a_docstring(name):
     thing = getattr(rbpa, name)
     assert thing.__doc__ and thing.__module__ == "rbpa"
     if isinstance(thing, type):

@@ -74,7 +74,7 @@ def test_the_full_complex_has_gudhis_persistence(points):
     assert f.persistence(0, complex="full")[:, 0].max() == 0
 
 
-def test_what_is_no_dimension_or_complex_is_refused():
+def test_unknown_dimensions_and_complexes_are_refused():
     f = rbpa.filtration(uniform(10))
     with pytest.raises(rbpa.InvalidInput, match="dimension: found 2, expected 0 for components or 1 for holes"):
         f.persistence(2)
@@ -124,7 +124,7 @@ def test_representatives_are_holes_of_the_shape_at_their_birth():
         f.representatives(complex="half")
 
 
-def test_levels_have_what_is_there_at_some_of_them():
+def test_levels_have_the_pairs_that_exist_at_some_level():
     points = uniform(400, 5)
     f = rbpa.filtration(points)
     radii = [0.03, 0.04, 0.06]

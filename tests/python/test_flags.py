@@ -9,7 +9,7 @@ POINTS = uniform(60)
 SPACE = np.random.default_rng(1).normal(size=(60, 3))
 
 
-def test_what_is_yours_alone_can_be_written():
+def test_arrays_with_memory_of_their_own_are_writable():
     mesh = rbpa.meshops.Mesh([[0, 1, 2]])
     yours = [rbpa.estimate_normals(SPACE), rbpa.filtration(POINTS).persistence(0), mesh.vertices(), mesh.point_of_vertex]
     yours.append(rbpa.Delaunay(POINTS).find_simplex(POINTS))
@@ -17,7 +17,7 @@ def test_what_is_yours_alone_can_be_written():
 
 
 @pytest.mark.parametrize("made", [rbpa.alpha_shape(POINTS), rbpa.Delaunay(POINTS), rbpa.surface(SPACE), rbpa.filtration(POINTS)])
-def test_what_an_object_uses_is_read_only(made):
+def test_arrays_that_an_object_uses_are_read_only(made):
     shared = {name: value for name, value in vars(made).items() if isinstance(value, np.ndarray) and name != "points"}
     assert shared and not any(array.flags.writeable for array in shared.values())
 

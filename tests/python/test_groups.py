@@ -27,7 +27,7 @@ def alone(shapes, name, points, labels, made):
 
 
 @pytest.mark.parametrize("rule", [1.0, math.inf, "auto", "min", "plateau"])
-def test_a_group_is_a_call_by_itself(rule):
+def test_a_group_equals_a_separate_call(rule):
     shapes = rbpa.alpha_shapes(POINTS, LABELS, rule)
     assert list(shapes) == sorted(set(LABELS.tolist())) and len(shapes) == 60
     for g, name in enumerate(shapes):
@@ -92,7 +92,7 @@ def test_columns_of_tables():
         rbpa.concave_hulls(table[["x", "y"]], "herd")
 
 
-def test_what_is_wrong_with_one_group_leaves_the_others():
+def test_a_faulty_group_does_not_affect_the_others():
     points = np.array([[0, 0], [1, 0], [0, 1], [4, 4], [5, 5], [6, 6], [0, 0], [math.nan, 0], [1, 1], [9, 9]])
     shapes = rbpa.alpha_shapes(points, list("aaabbbcccd"))
     assert shapes.problems == {
@@ -189,7 +189,7 @@ def kinds_of_names():
     yield "masked", np.ma.masked_array([2] * 3 + [1] * 3 + [0] * 3, mask=[0] * 6 + [1] * 3), [1, 2]
 
 
-def test_names_of_groups_come_back_as_what_they_were():
+def test_names_of_groups_keep_their_types():
     seen = 0
     for kind, groups, names in kinds_of_names():
         shapes = rbpa.concave_hulls(CORNERS, groups)

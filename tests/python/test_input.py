@@ -96,7 +96,7 @@ def test_other_numbers_are_converted_exactly():
         ([[0, 0], [2, 1], [1, -math.inf]], r"point 2 is \(1, -inf\), expected finite coordinates"),
     ],
 )
-def test_what_is_no_points_is_refused(given, sentence):
+def test_invalid_points_are_refused(given, sentence):
     of_the_plane = "this is the plane" in sentence  # Delaunay accepts such points, and makes tetrahedra
     for use in (rbpa.alpha_shape, rbpa.filtration if of_the_plane else rbpa.Delaunay):
         with pytest.raises(rbpa.InvalidInput, match=sentence):
@@ -126,7 +126,7 @@ def test_what_is_no_points_is_refused(given, sentence):
         ({"threads": 0}, "threads: found 0"),
     ],
 )
-def test_what_is_no_option_is_refused(options, sentence):
+def test_invalid_options_are_refused(options, sentence):
     with pytest.raises(rbpa.InvalidInput, match=sentence):
         rbpa.alpha_shape(POINTS, **options)
 
@@ -195,7 +195,7 @@ def test_a_number_is_a_number_in_areas_radii_and_radii_of_surfaces():
             f.betti(wrong)
 
 
-def test_a_handle_is_a_whole_number_and_no_truth_value():
+def test_a_handle_is_an_integer_and_not_a_bool():
     mesh = rbpa.meshops.Mesh([[0, 1, 2]])
     assert mesh.next(np.int64(1)) == mesh.next(np.array(1)) == mesh.next(1)
     for wrong in (True, np.True_, 1.0, "1", None, fractions.Fraction(1)):

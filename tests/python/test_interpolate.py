@@ -135,7 +135,7 @@ def test_shapes_kinds_and_fill_values():
 
 
 @pytest.mark.parametrize("name", SETS)
-def test_natural_neighbours_keep_linear_functions_and_stay_between_the_values(name):
+def test_natural_neighbors_keep_linear_functions_and_stay_between_the_values(name):
     points = SETS[name]
     triangulation = rbpa.Delaunay(points)
     at = queries_for(points)
@@ -155,7 +155,7 @@ def test_natural_neighbours_keep_linear_functions_and_stay_between_the_values(na
     assert np.array_equal(filled == -7.0, np.isnan(found))
 
 
-def test_a_method_that_is_none_is_refused():
+def test_an_unknown_method_is_refused():
     triangulation = rbpa.Delaunay(uniform(10))
     with pytest.raises(rbpa.InvalidInput, match='method: found \'cubic\', expected "linear" or "natural"'):
         triangulation.interpolate(np.zeros(10), [0.5, 0.5], method="cubic")

@@ -77,7 +77,7 @@ def test_faces_come_back_as_they_went_in():
         ([[0, 1, 2], [1, 0, 3], [0, 1, 4]], "non-manifold edge"),
     ],
 )
-def test_what_is_no_manifold_is_refused(faces, sentence):
+def test_faces_that_are_no_manifold_are_refused(faces, sentence):
     with pytest.raises(ValueError, match=sentence):
         Mesh(faces)
     with pytest.raises(rbpa.ContractViolation, match="corner out of range"):
@@ -101,7 +101,7 @@ def test_walks_are_those_of_a_halfedge_mesh():
     assert mesh.find_halfedge(0, 0) is None and Mesh((), 1).halfedge_of_vertex(0) is None
 
 
-def test_every_operator_and_what_takes_it_back():
+def test_every_operator_can_be_undone():
     mesh = Mesh(off_faces("m3_spot.off")[:400])
     inner = next(e for e in mesh.edges() if not mesh.is_boundary(2 * e) and not mesh.is_boundary(2 * e + 1)
                  and mesh.flip_blocker(e) is None)  # fmt: skip
@@ -294,7 +294,7 @@ def test_a_pickle_is_the_same_mesh_deleted_elements_too():
     assert live(again) == live(mesh) != before
 
 
-def test_pickles_that_were_spoilt_are_refused():
+def test_damaged_pickles_are_refused():
     state = Mesh(TETRAHEDRON).__getstate__()
     random = np.random.default_rng(3)
     refused = 0

@@ -46,7 +46,7 @@ def test_vertices_are_images_of_points():
     assert not solid.simplices.flags.writeable
 
 
-def test_a_channel_goes_on_in_one_direction():
+def test_a_channel_percolates_in_one_direction():
     points = numpy.random.default_rng(4).random((6000, 3)) * 10
     points = points[numpy.hypot(points[:, 1] - 5, points[:, 2] - 5) > 2.5]
     solid = rbpa.periodic_solid(points, 10, 1.2)
@@ -85,7 +85,7 @@ def test_a_ball_does_not_pass_triangles_without_a_tetrahedron():
 
 
 @pytest.mark.parametrize("box", [0, (1, 2), "wide", (1, 2, -3), math.inf, None])
-def test_a_box_that_is_none_is_refused(box):
+def test_an_invalid_box_is_refused(box):
     with pytest.raises(rbpa.InvalidInput, match="box"):
         rbpa.periodic_solid([[0, 0, 0]], box, 0.1)
 

@@ -123,7 +123,7 @@ ATOMS = (
 )  # fmt: skip
 
 
-def test_what_names_atoms_are_arrays_of_texts(tmp_path):
+def test_names_of_atoms_are_arrays_of_texts(tmp_path):
     path = tmp_path / "m.pdb"
     path.write_text(ATOMS)
     texts = {"chain": "AABB", "resname": ["LYS", "LYS", "NA", "HOH"], "name": ["N", "CA", "NA", "O"], "element": ["N", "C", "NA", "O"],
@@ -186,7 +186,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_is_no_file_of_points_is_refused_with_a_sentence(tmp_path, name):
+def test_invalid_files_are_refused_with_a_sentence(tmp_path, name):
     write, arguments, said = REFUSED[name]
     write(tmp_path / "scan.las")
     with pytest.raises(rbpa.InvalidInput, match=said):
@@ -200,7 +200,7 @@ def test_a_file_that_is_cut_off_is_read_as_far_as_it_goes_if_asked(tmp_path):
     assert len(read.points) == 4 == len(read.fields["intensity"]) and read.remarks
 
 
-def test_what_is_not_there_is_an_error_of_the_system(tmp_path):
+def test_a_missing_file_is_an_error_of_the_system(tmp_path):
     with pytest.raises(FileNotFoundError, match="nothing.las"):
         rbpa.read_points(tmp_path / "nothing.las")
     with pytest.raises(rbpa.InvalidInput, match="found the ending 'laz'.*pdal translate"):

@@ -102,7 +102,7 @@ def test_other_threads_run_on_during_every_long_run(name):
     assert after - before > 5  # if the lock were kept it would be one or none
 
 
-def test_progress_is_told_in_the_calling_thread():
+def test_progress_is_reported_in_the_calling_thread():
     told = []
     rbpa.alpha_shape(MANY, progress=lambda triangles, points: told.append((triangles, points, threading.get_ident())))
     assert len(told) > 1
@@ -190,13 +190,13 @@ def test_the_end_of_python_does_not_wait_for_anything():
 
 
 @pytest.mark.parametrize("answer", [False, np.False_, 0])
-def test_what_is_false_ends_the_run(answer):
+def test_a_false_result_ends_the_run(answer):
     with pytest.raises(rbpa.Cancelled):
         rbpa.Delaunay(np.concatenate([MANY] * 3), progress=lambda *_: answer)
 
 
 @pytest.mark.parametrize("answer", [None, True, np.True_, 1])
-def test_none_and_what_is_true_let_it_go_on(answer):
+def test_none_and_a_true_result_continue_the_run(answer):
     assert rbpa.Delaunay(MANY, progress=lambda *_: answer).nsimplex > 0
 
 

@@ -56,7 +56,7 @@ def test_a_hollow_cube_has_a_void():
     assert "void" in repr(void).lower() and "tetrahedra" in repr(solid)
 
 
-def test_what_touches_is_one_component_and_two_solid_ones():
+def test_touching_bodies_are_one_component_and_two_solid_ones():
     points = [[0, 0, -1], [0, 0, 1], [2, 1, 0], [2, -1, 0], [-2, 1, 0], [-2, -1, 0], [0, 0, 1]]
     solid = rbpa.solid(points, 1.5)
     assert len(solid.simplices) == 2 and solid.solid_components == 2 and solid.betti == (1, 0, 0)
@@ -95,7 +95,7 @@ def test_min_covers_every_point_and_auto_connects_them():
         assert flat.alpha == math.inf and len(flat.simplices) == 0 and len(flat.isolated) == 3
 
 
-def test_the_union_of_balls_is_what_a_fine_grid_of_points_says():
+def test_the_union_of_balls_agrees_with_a_fine_grid_of_points():
     points = numpy.random.default_rng(14).random((40, 3))
     union = rbpa.union_of_balls(points, 0.2)
     axis = numpy.arange(-0.2, 1.2, 0.01) + 0.005
@@ -113,7 +113,7 @@ def test_the_union_of_balls_is_what_a_fine_grid_of_points_says():
         rbpa.union_of_balls(numpy.random.default_rng(0).random((50_000, 3)), 0.1, progress=lambda done, count: False)
 
 
-def test_what_dangles_belongs_to_no_tetrahedron():
+def test_dangling_simplices_belong_to_no_tetrahedron():
     points = numpy.random.default_rng(15).random((300, 3))
     solid = rbpa.solid(points, 0.09)
     triangles, edges, alone = solid.dangling
@@ -159,7 +159,7 @@ def test_the_full_complex_is_that_of_gudhi(seed):
         assert len(solid.full.voids) == solid.full.betti[2]
 
 
-def test_triangles_part_voids_that_the_solid_leaves_connected():
+def test_triangles_separate_voids_that_the_solid_leaves_connected():
     points = numpy.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=float)
     solid = rbpa.solid(points, 1.7)  # triangles come at 1.633, the tetrahedron at 1.732
     betti, voids, triangles = solid.full

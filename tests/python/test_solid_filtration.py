@@ -170,7 +170,7 @@ def test_the_tree_of_voids_has_those_of_every_radius():
         filtration.void_tree("half")
 
 
-def test_plateaus_have_two_bodies_apart():
+def test_plateaus_have_two_separate_bodies():
     random = numpy.random.default_rng(17)
     points = numpy.vstack([random.random((500, 3)), random.random((500, 3)) + [4, 0, 0]])
     best = rbpa.solid_filtration(points).plateaus()[0]

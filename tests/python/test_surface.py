@@ -77,7 +77,7 @@ def test_triangles_with_normals_are_the_exposed_ones_that_agree_with_them():
     assert 0 < len(made.triangles) < len(every)
 
 
-def test_neighbours_are_across_from_corners_and_boundaries_are_sides_without():
+def test_neighbors_are_opposite_to_corners_and_boundaries_are_sides_without():
     made = rbpa.surface(CAP, CAP, 0.3)
     sides = []
     for t, (corners, neighbors) in enumerate(zip(made.triangles.tolist(), made.neighbors.tolist())):
@@ -204,7 +204,7 @@ def test_components_are_measured_and_chosen():
         made.keep([True])
 
 
-def test_outer_shells_are_what_the_ball_touches_from_outside():
+def test_outer_shells_are_touched_by_the_ball_from_outside():
     shells = rbpa.surface(BALL, "none", 0.4)
     outer = shells.outer_shells()
     assert len(shells.components) == 2 and shells.volume == pytest.approx(0, abs=1e-6)
@@ -216,7 +216,7 @@ def test_outer_shells_are_what_the_ball_touches_from_outside():
         outer.outer_shells()
 
 
-def test_the_largest_radius_that_auto_may_choose():
+def test_max_radius_limits_auto():
     (radius,) = rbpa.surface(BALL).radii
     assert rbpa.surface(BALL, max_radius=2 * radius).radii == [radius]
     assert rbpa.surface(BALL, max_radius=radius / 2).radii == [radius / 2]
@@ -225,7 +225,7 @@ def test_the_largest_radius_that_auto_may_choose():
             rbpa.surface(BALL, radius=how, max_radius=wrong)
 
 
-def test_the_certainty_of_normals_comes_with_them():
+def test_the_confidence_in_normals_is_returned_with_them():
     normals, certainty = rbpa.estimate_normals(BALL, certainty=True)
     assert np.array_equal(normals, rbpa.estimate_normals(BALL))
     assert certainty.shape == (len(BALL),) and (certainty > 0.5).all() and (certainty <= 1).all()
@@ -254,7 +254,7 @@ def test_surfaces_can_be_pickled():
     assert np.array_equal(again.unused, unused) and repr(again) == repr(made)
 
 
-def test_points_and_normals_that_were_changed_are_noticed():
+def test_changed_points_and_normals_are_detected():
     for changed in (0, 1):
         arrays = CAP.copy(), CAP.copy()
         made = rbpa.surface(*arrays, 0.3)
@@ -278,7 +278,7 @@ def test_points_and_normals_that_were_changed_are_noticed():
         ([[0, 0, 1], [0, math.inf, 1]], r"point 1 is \(0, inf, 1\), expected finite coordinates"),
     ],
 )
-def test_what_is_no_points_is_refused(given, sentence):
+def test_invalid_points_are_refused(given, sentence):
     for use in (rbpa.surface, rbpa.estimate_normals):
         with pytest.raises(rbpa.InvalidInput, match=sentence):
             use(given)
@@ -307,12 +307,12 @@ def test_what_is_no_points_is_refused(given, sentence):
         ({"radius": 1, "threads": 0}, "threads: found 0"),
     ],
 )
-def test_what_is_no_option_is_refused(options, sentence):
+def test_invalid_options_are_refused(options, sentence):
     with pytest.raises(rbpa.InvalidInput, match=sentence):
         rbpa.surface(BALL, **options)
 
 
-def test_what_is_no_number_of_neighbours_is_refused():
+def test_an_invalid_number_of_neighbors_is_refused():
     for wrong in (1, 2.5, "16", None):
         with pytest.raises(rbpa.InvalidInput, match="neighbors: found .*, expected a whole number, 2 or more"):
             rbpa.estimate_normals(BALL, wrong)

@@ -67,7 +67,7 @@ def test_watertight_surfaces_are_closed_without_islands():
     assert rows == {tuple(sorted(map(tuple, again.points[t].tolist()))) for t in again.triangles}
 
 
-def test_what_encloses_nothing_is_refused_with_what_is_left():
+def test_surfaces_that_cannot_be_closed_are_refused_with_their_defects():
     flat = [[x, y, 0] for x in range(4) for y in range(4)]
     with pytest.raises(rbpa.NotWatertight, match="found 1 boundary curves and 0 pairs"):
         rbpa.surface(flat, [[0, 0, 1]] * 16, 1).watertight()
@@ -102,7 +102,7 @@ def test_a_file_that_cannot_be_written_says_why(tmp_path):
     assert sorted(os.listdir(tmp_path)) == ["closed.npy"]
 
 
-def test_meshio_reads_what_is_written_and_what_is_handed_over(tmp_path):
+def test_meshio_reads_files_and_takes_surfaces(tmp_path):
     meshio = pytest.importorskip("meshio")
     closed = opened().watertight()
     closed.save(tmp_path / "closed.vtu")
@@ -161,7 +161,7 @@ def test_noisy_points_are_moved_onto_the_surface():
         rbpa.scale_space(points, "some")
 
 
-def test_single_precision_keeps_what_is_written_or_refuses(tmp_path):
+def test_single_precision_keeps_the_mesh_or_refuses(tmp_path):
     points, normals = sphere_with_gaps()
     there = rbpa.surface(points + [500000, 4649000, 0], normals, 0.2)
     for name in ("shifted.stl", "shifted.glb"):

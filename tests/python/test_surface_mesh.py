@@ -103,7 +103,7 @@ def test_a_mesh_is_new_with_each_call_and_empty_where_the_surface_is():
     assert empty.mesh().n_faces == 0 and empty.report().betti == (0, 0, 0)
 
 
-def test_neighbours_that_do_not_know_each_other_are_refused():
+def test_neighbors_that_are_not_mutual_are_refused():
     made = rbpa.surface([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.1]], radius=2)
     for neighbors in (made.neighbors[::-1].copy(), made.neighbors[:1], np.full_like(made.neighbors, 7)):
         with pytest.raises(rbpa.ContractViolation, match="neighbor"):

@@ -50,7 +50,7 @@ def test_components_are_kept_and_unused_points_are_listed():
     assert part.volume == 1 and part.unused.tolist() == [16]
 
 
-def test_what_needs_the_ball_is_refused_and_so_is_what_is_no_surface(tmp_path):
+def test_methods_that_need_the_ball_and_invalid_surfaces_are_refused(tmp_path):
     made = rbpa.surface_of(CORNERS, OPEN)
     for call in (made.remedies, made.outer_shells):
         with pytest.raises(rbpa.InvalidInput, match="given"):

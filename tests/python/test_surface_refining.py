@@ -42,7 +42,7 @@ def test_without_fillings_nothing_changes():
     assert bare.normals is None and len(bare.points) == len(points)
 
 
-def test_what_stays_open_keeps_its_causes():
+def test_open_holes_keep_their_causes():
     points = np.vstack((bowl(), np.array([[3, 0, 0], [3.05, 0, 0], [3, 0.05, 0]])))
     normals = np.vstack((bowl(), np.tile([0.0, 0, 1], (3, 1))))
     made = rbpa.surface(points, normals, 0.08)

@@ -14,7 +14,7 @@ def sphere(count, highest=1.0):
     return np.column_stack((r * np.cos(turn), r * np.sin(turn), z))[z < highest]
 
 
-def test_a_remedy_closes_its_hole():
+def test_a_suggested_repair_closes_its_hole():
     points = sphere(600, 0.93)
     normals = points.copy()
     normals[300] *= -1
@@ -35,7 +35,7 @@ def test_a_remedy_closes_its_hole():
     assert len(closed.boundary) == 0 and closed.remedies() == []
 
 
-def test_rims_have_none_and_changed_surfaces_are_refused():
+def test_rims_have_no_repair_and_changed_surfaces_are_refused():
     sheet = np.array([[x, y, 0.0] for x in range(8) for y in range(8) if not (3 <= x <= 4 and 3 <= y <= 4)])
     made = rbpa.surface(sheet, np.tile([0.0, 0, 1], (len(sheet), 1)), 0.8)
     for hole, remedy in zip(made.holes, made.remedies()):
