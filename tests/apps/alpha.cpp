@@ -235,7 +235,7 @@ TEST_SUITE("alpha") {
       CAPTURE(std::string(points));
       folder.file("p.xy", points);
       REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
-      // In units of pixels per power of ten: the first two ticks tell the scale, the others must agree.
+      // Pixels per power of ten: the first two ticks give the scale, and the others must agree.
       std::vector<std::pair<double, double>> ticks;
       std::istringstream lines(folder.content("p.svg"));
       for (std::string line; std::getline(lines, line);) {

@@ -79,7 +79,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(folder.rbpa("alpha p.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
     CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt -q").err.empty());
     CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find("stands out") == std::string::npos);
-    // A rank that is not there is all that is to be said.
+    // A rank that does not exist gives this message only.
     CHECK(folder.rbpa("shape p.xy --alpha plateau:9 -o s.wkt").err.find("stands out") == std::string::npos);
   }
 
@@ -141,7 +141,7 @@ TEST_SUITE("alpha plateau") {
     CHECK(automatic.ends_with("  MATLAB 'one-region', CGAL find_optimal_alpha(1)"));
     CHECK(lines.end()[-2].starts_with("Recommended: --alpha plateau, which is "));
     CHECK(lines.back().ends_with("2 parts and 0 holes hardly change."));
-    // Theirs cover every point, and are in one piece.
+    // The choices of MATLAB and CGAL cover every point in one piece: they are not named with other options.
     for (const std::string other : {"--cover 0.9", "--components 2"}) {
       const std::string text = folder.rbpa("alpha p.xy -q " + other).out;
       CHECK(text.find("one-region") == std::string::npos);

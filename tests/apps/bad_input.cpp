@@ -157,7 +157,7 @@ TEST_SUITE("wrong usage") {
             "found 'mehs', expected mesh, alpha, shape, fill, surface, solid, stream, info or report (see "
             "rbpa "
             "--help)");
-    for (const std::string before : {"", "--alpha 1 "})  // with and without what is required
+    for (const std::string before : {"", "--alpha 1 "})  // with and without required options
       refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
               "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
     for (const std::string verb : {"shape p.xy q.xy --alpha 1 -o s.wkt", "mesh p.xy q.xy --alpha 1 -o s.ply"})

@@ -49,7 +49,7 @@ std::string message_after(const std::function<void(const std::string&)>& change,
       redirect(STDERR_FILENO, errors, O_WRONLY | O_TRUNC);
       redirect(STDOUT_FILENO, "/dev/null", O_WRONLY);
     });
-    // It runs a little at a time, so that it has not read all before this process, of a busy machine, runs again.
+    // The child runs for short moments, so that it has not read all before this process, on a busy machine, runs again.
     while (!has_ended(child.id()) && position_in(child.id(), path) == 0) {
       kill(child.id(), SIGCONT);
       usleep(100);

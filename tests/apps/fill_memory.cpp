@@ -37,7 +37,7 @@ TEST_CASE(
     "a filling for which memory does not suffice is refused before it starts, with the estimate and the memory "
     "available") {
   const Folder folder;
-  // About 2.3 million triangles; and sizes that a single point asks for.
+  // About 2.3 million triangles; and small sizes because of a single point.
   for (const std::string& options :
        {std::string("--size 0.001"), "--size 1 --size-at " + folder.path("sizes") + " --grade 0.001"}) {
     CAPTURE(options);

@@ -60,7 +60,7 @@ TEST_SUITE("first lines") {
 
   TEST_CASE("a first line with text that is nearly a number is read, or refused as in any other line") {
     struct Line {
-      std::string text, found;  ///< what is refused; empty where it is read
+      std::string text, found;  ///< the refused text; empty if the line is read
       Point point = {};
     };
     const Line first[] = {{"1.0D0 2.0D0", "", {1, 2}},

@@ -325,7 +325,7 @@ TEST_SUITE("full complex") {
     REQUIRE(folder.rbpa("mesh line.xy --alpha 1 --complex full -o l.svg -q").code == 0);
     CHECK(folder.content("l.svg").find("<path id=\"dangling\" fill=\"none\" stroke=\"#10335c\" stroke-width=\"2.2\"") !=
           std::string::npos);
-    // An edge too short to be seen is a dot, like a curve.
+    // An edge too short to be visible is a dot, like a curve.
     folder.file("q.xy", "0 0\n1e-9 0\n1 1\n");
     REQUIRE(folder.rbpa("mesh q.xy --alpha 1e-9 --complex full -o q.svg -q").code == 0);
     CHECK(count_of(path_of(folder.content("q.svg"), "dangling"), "h0") == 1);

@@ -192,7 +192,7 @@ TEST_SUITE("GeoJSON in") {
           at_1 + "coordinates of another depth, expected depth 1, as in a Point");
     CHECK(refusal(geometry("Polygon", "[[1,2]]")) ==
           at_1 + "coordinates of another depth, expected depth 3, as in a Polygon");
-    // Brackets without end take no room.
+    // Endless brackets take no memory.
     CHECK(refusal(R"({"a":)" + std::string(1000000, '[')) == at_1 + "the end of the file, expected JSON");
   }
 

@@ -100,7 +100,7 @@ TEST_SUITE("gzip bombs") {
       check_memory(folder, rbpa + " info - --format " + name.substr(2) + " < " + name + ".gz", "standard input",
                    stream);
     }
-    // Each four bytes of it are a point.
+    // Each four bytes are a point.
     folder.file("many.xy.gz", bomb("", "0 0\n", more_than_that));
     check_memory(folder, rbpa + " info many.xy.gz", "many.xy.gz", stream);
     for (const auto& [name, content, behind] : std::vector<File>{{"p.xyz", "0 0 0\n"}, {"p.obj", pyramid_obj}}) {
@@ -244,7 +244,7 @@ TEST_SUITE("gzip bombs") {
       CHECK(plain.code == 0);
       CHECK(outcome.code == 0);
       CHECK(outcome.out == plain.out);
-      // Cut, it ends as it does where it is not packed.
+      // A cut file ends as the uncompressed one does.
       const std::string half = content.substr(0, content.size() - content.size() / 3);
       folder.file(name, half);
       folder.file(name + ".gz", packed(half));

@@ -87,7 +87,7 @@ TEST_SUITE("heights") {
         says("p.ply", ply({5, 5, 5}, either, list), false);
       }
     }
-    // Footprints of lidar are what is wanted.
+    // Footprints of lidar need no heights, so there is no warning.
     says("p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 2}, {.y = 1}}}), false);
   }
 

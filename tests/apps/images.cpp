@@ -100,12 +100,12 @@ TEST_SUITE("images") {
   TEST_CASE("the figure is what the border is not") {
     const Picture picture = dotted(12, 9);
     CHECK(points_of_pgm(pgm(inverse(picture), false)) == centres(picture, 0));
-    // One pixel of the figure at the border does not turn it over.
+    // One pixel of the figure at the border does not invert it.
     Picture touching = picture;
     touching.grey[4] = 0;
     CHECK(points_of_pgm(pgm(touching, false)) == centres(touching, 0));
     CHECK(points_of_pgm("P2 2 2 1 0 0 0 0").empty());
-    // Each pixel of the border counts once: of as many, dark is the figure.
+    // Each pixel of the border counts once; if both are as many, the figure is dark.
     CHECK(points_of_pgm("P2 3 3 1  0 1 0  1 1 1  0 1 0").size() == 4);
     CHECK(points_of_pgm("P2 1 5 1  0 1 1 0 0").size() == 2);
     CHECK(points_of_pgm("P2 2 1 1 0 1") == std::vector<Point>{{0.5, 0.5}});

@@ -22,7 +22,7 @@ namespace {
 /// Writes the points of a perturbed grid, some of which do not count: a file of all, and one of those that count.
 struct Points {
   std::string all, kept;
-  std::vector<std::uint32_t> index;  // of those that are kept
+  std::vector<std::uint32_t> index;  // of the kept points
 };
 
 enum class Kind { where, invalid, ply };

@@ -219,7 +219,7 @@ TEST_CASE("a signal while the output waits for its reader ends a run of several 
       REQUIRE(ioctl(pipe, FIONREAD, &now) == 0);
       if (now == 0) before = -1;
     }
-    // Once more, should the program have been about to wait.
+    // Sent again, in case the program was about to wait.
     while (!child.has_ended()) {
       child.send(sig);
       usleep(50'000);

@@ -226,7 +226,7 @@ TEST_SUITE("las") {
     CHECK(crs({.records = {keys({{3072, 34737, 1, 26915}})}}) == "none");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26915}, {3076, 0, 1, 9001}})}}) == "EPSG:26915");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 26995}, {3076, 0, 1, 9003}})}}) == "none");  // feet
-    // Systems that are in feet themselves, of either kind.
+    // Systems in feet, of either kind.
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2903}, {3076, 0, 1, 9003}})}}) == "EPSG:2903");
     CHECK(crs({.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2222}, {3076, 0, 1, 9002}})}}) == "EPSG:2222");
     CHECK(crs({.records = {{"other", 34735, keys({{3072, 0, 1, 26915}}).data}}}) == "none");
@@ -289,7 +289,7 @@ TEST_SUITE("las") {
       std::string bytes = bytes_of(las);
       return bytes.replace(247, 8, little(count, 8)).replace(107, 4, little(count, 4));
     };
-    // Records behind the points are none of them.
+    // Records after the points are no points.
     CHECK(read(file(20)).points.size() == 20);
     CHECK(refusal(file(7)) ==
           "p.las: found 20 whole records of 30 bytes, expected 7 as the header says (--skip-invalid reads as many as "

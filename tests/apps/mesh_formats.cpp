@@ -79,7 +79,7 @@ TEST_SUITE("mesh formats") {
              "v 0.5 0.5 1\ng sides\ns 1\nusemtl red\nf 4/1/1 3/1/1 2/1/1 1/1/1\nf 1/1 2/1 5/1\nf 2//1 3//1 5//1\n"
              "f -3 -2 -1 # side\nf 4 \\\n  1 \\\n  5\nl 1 2\np 3\nvp 0.5\n",
              Format::obj));
-    // A negative number counts from where it stands, a positive one may look ahead.
+    // A negative number counts back from its line, a positive one may refer to later vertices.
     const MeshFile mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nf 1 2 4\nv 0 0 1\nf -4 -3 -1\n", Format::obj);
     CHECK(faces_of(mesh) == Faces{{0, 1, 2}, {0, 1, 3}, {0, 1, 3}});
   }

@@ -79,7 +79,7 @@ TEST_SUITE("mesh groups") {
     const json stats = json::parse(folder.content("s.json"));
     CHECK(stats["groups"] == 12);
     CHECK(stats["triangles"] == triangles.size());
-    // Vertices that nothing uses are left out of meshes, not of arrays; the rest is the same.
+    // Unused vertices are left out of meshes, not of arrays; the rest is the same.
     REQUIRE(folder.rbpa(run + "-o c.vtu -o c.npy --compact -q --threads 1").code == 0);
     CHECK(folder.content("c.npy") == folder.content("m.npy"));
     CHECK(array_of<std::uint32_t>(folder.content("c.vtu"), "group") == group);

@@ -124,7 +124,7 @@ TEST_SUITE("meshtopo") {
     CHECK(open["volume"] == nullptr);
     CHECK(open["area"] == 2);
     CHECK(open["box"] == nlohmann::json::parse("[[0, 0, 0], [7, 8, 9]]"));
-    // Far away the volume is as exact as the coordinates.
+    // Far from the origin the volume is as exact as the coordinates.
     folder.file(
         "far.obj",
         "v 500000 4649000 0\nv 500001 4649000 0\nv 500000 4649001 0\nv 500000 4649000 1\nf 1 3 2\nf 1 2 4\nf 1 4 "
@@ -207,7 +207,7 @@ TEST_SUITE("meshtopo") {
                                   "8 6 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n5 0 0\n6 0 1\n7 1 0\n"
                                   "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n3 5 6 7\n");
     CHECK(genus("pieces.off") == "not orientable");
-    // In the table of pieces: of the one, and not of the other.
+    // In the table of pieces one has a genus, and the other has none.
     const std::string table = folder.meshtopo("pieces.off").out;
     CHECK(table.find("not orientable\n") != table.rfind("not orientable\n"));
     CHECK(table.find(" 1               0\n") != std::string::npos);

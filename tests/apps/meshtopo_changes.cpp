@@ -51,7 +51,7 @@ TEST_SUITE("meshtopo --weld") {
         CAPTURE(distance);
         const auto expected = near_by_brute_force(positions, distance);
         CHECK(rbpa::app::near_vertices(positions, distance) == expected);
-        // A power of two changes nothing, however large or small: nothing overflows, and nothing is lost.
+        // Scaling by a power of two, however large or small, changes nothing.
         for (const int exponent : {-1040, 960}) {
           Positions scaled = positions;
           for (auto& p : scaled)
@@ -248,8 +248,8 @@ TEST_SUITE("meshtopo --orient") {
   TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
     std::mt19937 random(57);
     for (int trial = 0; trial < 40; ++trial) {
-      // Boxes in boxes, or beside them: of each the place in its parent is known, and corners and sides may touch those
-      // of it.
+      // Boxes in boxes, or beside them: the position of each in its parent is known, and its corners and sides may
+      // touch those of the parent.
       struct Box {
         std::array<double, 3> low, high;
         std::size_t depth;
@@ -339,7 +339,7 @@ TEST_SUITE("meshtopo --orient") {
               .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
                         "  orient: the component of face 3 is not orientable, and stays as it was\n") !=
           std::string::npos);
-    // The number of the first face is that of the file, also when faces before it are gone.
+    // The number of the first face is that of the file, also if faces before it are dropped.
     CHECK(changed(folder, "m.off --weld 0 --orient -o o.off")["changes"]["orient"]["not_orientable"] ==
           json::array({3}));
   }
@@ -357,7 +357,7 @@ TEST_SUITE("meshtopo --orient") {
         CHECK(volume_sign(p, out) == 1);
         CHECK(volume_sign(p, in) == -1);
       }
-    // Far from the origin, a bit above a plane, in it, and a bit below.
+    // Far from the origin: one bit above a plane, in it, and one bit below.
     for (const int bits : {-1, 0, 1}) {
       double z = 1e8 + 3;
       if (bits != 0) z = std::nextafter(z, bits * 1e9);
@@ -407,7 +407,7 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(r["repair"].empty());
     CHECK(json::parse(folder.content("l.json")).empty());
     CHECK(six_volumes(folder, "r.off") == 1);
-    // The pinch that a weld makes is split by the repair, and named as the file names it.
+    // The repair splits the pinch that a weld makes, and names it as in the file.
     folder.file("p.off", "OFF\n7 3 0\n5 5 5\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n-1 0 0\n0 -1 0\n3 0 0 1\n3 1 2 3\n3 4 5 6\n");
     const json p = changed(folder, "p.off --weld 0 --repair r.off");
     REQUIRE(p["repair"].size() == 1);

@@ -116,7 +116,7 @@ TEST_SUITE("meshtopo --fill-holes") {
     const json r = changed(folder, "m.off -o w.off --fill-holes all");
     CHECK(r["changes"]["fill"]["left"]["crosses"] == 1);
     CHECK(folder.content("w.off") == folder.content("m.off"));
-    // Beside it there is room.
+    // Without the obstacle the hole is filled.
     Mesh beside = open_box({1});
     beside.add_box({1.25, 0.25, 2}, {1.75, 0.75, 4});
     folder.file("m.off", beside.off());
@@ -125,7 +125,7 @@ TEST_SUITE("meshtopo --fill-holes") {
 
   TEST_CASE("vertices at which fans of faces meet are not split, and those at one place along a hole become one") {
     const Folder folder;
-    // Two tetrahedra with an open face each, which have a vertex in common.
+    // Two tetrahedra with an open face each, and a common vertex.
     folder.file("p.off",
                 "OFF\n7 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 0 4 5\n"
                 "3 0 6 4\n3 0 5 6\n");
@@ -134,7 +134,7 @@ TEST_SUITE("meshtopo --fill-holes") {
     CHECK(p["result"]["vertices"] == 7);
     CHECK(p["result"]["boundary_curves"] == 0);
     CHECK(p["result"]["pinches"] == 1);
-    // A slit: the vertex in its middle is there twice.
+    // A slit, with two vertices in its middle.
     folder.file(
         "c.off",
         "OFF\n9 8 0\n9 9 9\n0 0 0\n2 0 0\n1 0 0\n1 0 -0\n1 1 0\n1 -1 0\n-1 0 0\n3 0 0\n3 1 3 5\n3 3 2 5\n3 2 4 6\n"

@@ -91,7 +91,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
   }
 
   TEST_CASE("a thin handle is cut, one that is thicker stays") {
-    // A ring of cubes, with 4 around it and 8 through it, on a block of which a slice is 12 around.
+    // A ring of cubes, 4 around its bar and 8 through its hole, on a block whose slices are 12 around.
     std::set<Cell> cells;
     for (int x = 0; x < 5; ++x)
       for (int y = 0; y < 3; ++y)
@@ -136,7 +136,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
                 "4 3 0 4 7\n");
     CHECK(changed(folder, "s.off --close-tunnels-below 99 -o w.off")["result"]["boundary_curves"] == 2);
     CHECK(folder.content("w.off") == folder.content("s.off"));
-    // With the hole filled there is none left.
+    // With the hole filled no loop is left.
     CHECK(changed(folder, "s.off --fill-holes all --close-tunnels-below 99 -o w.off")["changes"]["tunnels"]["left"] ==
           0);
   }

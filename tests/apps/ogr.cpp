@@ -77,7 +77,7 @@ TEST_SUITE("ogr") {
     std::mt19937_64 random(3);
     std::vector<Point> points;
     while (points.size() < 500) {
-      // GDAL keeps boxes: exponents beyond those of a float are another story.
+      // Exponents beyond those of a float are not tested here, as GDAL keeps bounding boxes.
       const double x = (static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5) * 1e6,
                    y = static_cast<double>(random()) / 7;
       points.push_back({x, y});

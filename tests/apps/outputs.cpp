@@ -19,7 +19,7 @@ TEST_SUITE("outputs") {
   TEST_CASE("peak_bytes are those of the program, whatever started it") {
     const Folder folder;
     folder.file("p.xy", corner);
-    // The parent has touched 400 MB, and hands its place to the program.
+    // The parent has used 400 MB, and is replaced by the program.
     const Outcome outcome =
         folder.run("/usr/bin/python3", "-c 'import os; b = bytearray(b\"x\" * 400000000); os.execv(\"" RBPA_PROGRAM
                                        "\", [\"rbpa\", \"info\", \"p.xy\", \"--stats\", \"s.json\"])'");

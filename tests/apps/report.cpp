@@ -224,7 +224,7 @@ TEST_SUITE("report") {
                                                           {"EPSG:4326", "degree"},
                                                           {"OGC:CRS84", "degree"}})
       CHECK(unit("p.xy --crs " + code) == expected);
-    // Feet of the Gold Coast, links, degrees of a system that is rare, codes that are not given out, others' codes.
+    // Feet of the Gold Coast, links, degrees of a rare system, codes that are not assigned, codes of others.
     for (const char* code : {"EPSG:2136", "EPSG:3139", "EPSG:4120", "EPSG:1500", "ESRI:102003"})
       CHECK(unit("p.xy --crs " + std::string(code)).is_null());
   }
@@ -236,7 +236,7 @@ TEST_SUITE("report") {
     CHECK(page.starts_with("<!DOCTYPE html>\n"));
     CHECK(page.ends_with("</html>\n"));
     CHECK(page.find("content=\"default-src 'none';") != std::string::npos);
-    // A name space is no address.
+    // A name space is no request.
     const std::string without = std::regex_replace(page, std::regex("http://www\\.w3\\.org/2000/svg"), "");
     for (const char* reference :
          {"http:", "https:", "src=", "@import", "url(", "fetch(", "XMLHttpRequest", "<link", "import("})

@@ -122,7 +122,7 @@ TEST_SUITE("shape files") {
     CHECK(again.out == folder.content("a.geojson"));
     CHECK(again.err == "rbpa: standard output: written in EPSG:28992" + to_degrees);  // in spite of -q
     CHECK(folder.rbpa("shape p.wkt --alpha 1 -o s.wkt -o s.csv -q").err.empty());
-    // And where it says another.
+    // A file may name another system.
     CHECK(folder.rbpa("shape p.wkt --crs EPSG:4258 --alpha 1 -o a.geojson -q").err ==
           "rbpa: a.geojson: written in EPSG:4258" + to_degrees);
     CHECK(folder.rbpa("shape p.wkt --crs EPSG:4326 --alpha 1 -o a.geojson -q").err.empty());
@@ -136,7 +136,7 @@ TEST_SUITE("shape files") {
     CHECK(folder.content("s.wkt").starts_with("MULTIPOLYGON (((0 0"));
     CHECK(folder.content("s.ewkt") == "SRID=28992;" + folder.content("s.wkt"));
     CHECK(folder.content("i.ewkt") == "SRID=28992;MULTIPOINT ((9 9))\n");
-    // It is read again, with its system, which is carried on.
+    // The file is read again with its system, which is carried on.
     CHECK(folder.rbpa("info s.ewkt --vertices").out.find("crs         EPSG:28992\n") != std::string::npos);
     CHECK(folder.rbpa("shape s.ewkt --vertices --alpha 1 -o - --output-format ewkt -q").out ==
           folder.content("s.ewkt"));

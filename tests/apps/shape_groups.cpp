@@ -199,7 +199,7 @@ TEST_SUITE("shape groups") {
     const json with_radii = properties(folder.content("r.geojson"));
     CHECK(with_radii[0]["problem"] == "column 'r' has no radius above 0 for point 3");
     CHECK(with_radii[1]["alpha"] == 1);
-    // Geometries outside of Features are in no group, before and behind one.
+    // Geometries outside of Features are in no group, before and after a Feature.
     folder.file("m.geojson", "{\"type\":\"Point\",\"coordinates\":[9,9]}\n" +
                                  feature(R"({"k":1})", "[[0,0],[1,0],[0,1]]") +
                                  "\n{\"type\":\"Point\",\"coordinates\":[9,9]}\n");

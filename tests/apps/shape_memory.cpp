@@ -36,7 +36,7 @@ TEST_SUITE("shape") {
       CAPTURE(target);
       const std::string command =
           std::string(RBPA_PROGRAM) + " shape p.f64xy --alpha 1 --threads 1 -q --stats s.json -o ";
-      // A shell between: a process begins with the peak of the one that it is forked from.
+      // A shell is between, as a process begins with the peak memory of the one that it is forked from.
       REQUIRE(folder.run("sh", "-c '" + command + target + "; true'").code == 0);
       const auto stats = nlohmann::json::parse(folder.content("s.json"));
       constexpr double program = 10e6;
@@ -59,7 +59,7 @@ TEST_SUITE("shape") {
     for (std::size_t mebibytes = 256; mebibytes > 16 && !is_said; mebibytes = mebibytes * 3 / 4) {
       const Outcome outcome = limited(mebibytes, "");
       is_said = outcome.err.starts_with("rbpa: " + said);
-      // Without the line the memory does suffice.
+      // Without the warning the memory suffices.
       if (!is_said) REQUIRE(outcome.code == 0);
       if (!is_said) continue;
       CHECK(outcome.err.find(" MB available (rbpa stream makes the same in the memory of its --memory)\n") !=

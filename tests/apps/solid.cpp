@@ -69,7 +69,7 @@ TEST_SUITE("solid") {
     CHECK(stats["alpha"] == 0.9);
     CHECK(stats["solid_components"] == 1);
     CHECK(stats["betti"] == json({1, 0, 1}));
-    // The eight cubes around the middle are without a corner, and so without what was made of it.
+    // The eight cubes around the middle lack a corner, and the tetrahedra at it.
     const double volume = stats["volume"];
     CHECK(volume > 56);
     CHECK(volume < 64);
@@ -92,7 +92,7 @@ TEST_SUITE("solid") {
 
   TEST_CASE("the boundary is closed and without defects, also if the solid touches itself") {
     const Folder folder;
-    // Two tetrahedra that have an edge in common, given twice, and one that has a point in common with the second.
+    // Two tetrahedra with a common edge, given twice, and one that has a point in common with the second.
     folder.file("c.xyz",
                 "0 0 -1\n0 0 1\n2 1 0\n2 -1 0\n-2 1 0\n-2 -1 0\n0 0 -1\n0 0 1\n"
                 "3 3 1\n3 3 -1\n4 2 0\n");

@@ -149,7 +149,7 @@ TEST_SUITE("solid voids") {
     CHECK(is_closed(obj.groups[0]));
     CHECK(volume(obj.vertices, obj.groups[0]) == doctest::Approx(8.0 / 3));
     CHECK(json::parse(folder.content("s.json"))["full"]["betti"] == json{2, 0, 1});
-    // The solid has none; with a rule for alpha the triangulation is the same.
+    // The solid has no void; with a rule for alpha the triangulation is the same.
     CHECK(json::parse(folder.rbpa("solid c.xyz --alpha 1.7 --json -q").out)["void_list"].empty());
     CHECK(folder.rbpa("solid c.xyz --alpha auto --complex full -q --json").code == 0);
 

@@ -83,7 +83,7 @@ TEST_SUITE("space alpha") {
       }
       CHECK(one["edges"].size() >= (one["dimension"] == 1 ? 3u : one["death"].is_null() ? 0u : 1u));
     }
-    // The ball's inside.
+    // The inside of the ball.
     CHECK(std::any_of(all.begin(), all.end(), [](const json& one) {
       return one["dimension"] == 2 && one["volume"].get<double>() > 3.9 && one["volume"].get<double>() < 4.19;
     }));
@@ -97,7 +97,7 @@ TEST_SUITE("space alpha") {
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.vtu --min-persistence 0.1 -q").code == 0);
     CHECK(folder.content("r.vtu").find("Name=\"death\"") != std::string::npos);
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives none.json --min-persistence 5 -q").code == 0);
-    CHECK(json::parse(folder.content("none.json")).size() == 1);  // what never ends
+    CHECK(json::parse(folder.content("none.json")).size() == 1);  // the component that never ends
   }
 
   TEST_CASE("points in a plane, on a line and a single one have the answer of the plane") {

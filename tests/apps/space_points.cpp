@@ -154,7 +154,7 @@ TEST_SUITE("points of space") {
     // Colors of 16 bits, and from 0 to 1.
     is(table("x,y,z,r,g,b\n0.5,-1,2,256,767,65535\n3,4e-3,1e6,32768,255,1792\n"), {}, colors);
     CHECK(table("x,y,z,r,g,b\n0,0,0,1,0.5,0\n").colors == Colors{{255, 128, 0}});
-    // Meant otherwise, or not all there.
+    // Colors in another form, or incomplete.
     CHECK(table("x,y,z,r,g,b\n1,1,1,1,2,3\n", "x,y,z,r,g,b").normals == Places{{1, 2, 3}});
     CHECK(table("x,y,z,r,g\n1,1,1,1,2\n").colors.empty());
     const SpacePoints partly = table("x,y,z,r,g,b\n1,1,1,1,2,3\n1,2,3,NA,3,4\n");
@@ -184,7 +184,7 @@ TEST_SUITE("points of space") {
       CHECK(file.normals.size() == 2);
       CHECK(file.remarks == std::vector<std::string>{as_normals});
     }
-    // A normal without a direction is refused wherever it is seen that it is one, or left out.
+    // A normal without a direction is refused wherever normals are recognized, or left out.
     const std::string zero = "1 2 3 0 0 0\n1 2 4 0.5 2 0\n";
     CHECK_THROWS_WITH_AS(table(zero), doctest::Contains("p:1: found a normal of length 0"), BadInput);
     CloudRequest choice{.skip_invalid = true};
@@ -292,7 +292,7 @@ TEST_SUITE("points of space") {
     const std::string v = "v 0.5 -1 2\nv 3 4e-3 \\\n1e6\n", n = "vn 0 0 2\nvn -1 .25 0\n";
     is(read(v, Format::obj));
     is(read(v + n, Format::obj), normals);
-    is(read(v + n + "f 1 2 1\n", Format::obj), normals);  // which names none
+    is(read(v + n + "f 1 2 1\n", Format::obj), normals);  // the face names no normal
     is(read(v + "vn -1 .25 0\nvn 0 0 2\nf 1//2 2//1 1//2\n", Format::obj), normals);
     is(read("f 1/7/2 2//1\n" + v + "vn -1 .25 0\nvn 0 0 2\nf -2//-1 2/1 1\n", Format::obj), normals);
     is(read(v + "vn 9 9 9\n" + n + "f 1//-2 2//-1 1//-2\n", Format::obj), normals);
@@ -394,7 +394,7 @@ TEST_SUITE("points of space") {
     is(bare);
     CHECK(bare.remarks ==
           std::vector<std::string>{"5 lines are left out: the first is p:2: found 'NA', expected a number"});
-    // A point without its normal is none.
+    // A point without its normal is left out.
     const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
     is(file, normals);
     CHECK(file.remarks ==

@@ -157,7 +157,7 @@ TEST_SUITE("tables of space") {
   }
 
   TEST_CASE("headers of other programs are read") {
-    // CloudCompare: behind two slashes, and fractions of colors by their own names.
+    // CloudCompare: a header after two slashes, and names of its own for fractions of colors.
     is(read("//X Y Z R G B Nx Ny Nz\n0.5 -1 2 1 2 255 0 0 1\n3 4e-3 1e6 128 0 7 0 1 0\n", Format::text),
        {{0, 0, 1}, {0, 1, 0}}, colors,
        {"the comment 'X Y Z R G B Nx Ny Nz' names the columns (--columns chooses others)"});

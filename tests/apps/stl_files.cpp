@@ -173,7 +173,7 @@ TEST_SUITE("single precision") {
       CHECK(folder.meshtopo(cubes + " --repair o." + ending + " --check closed,manifold,components=2 -q").err.empty());
       holds(folder, "o." + ending, "closed,manifold,components=2");
     }
-    // Two tetrahedra with a vertex in common.
+    // Two tetrahedra with a common vertex.
     folder.file(
         "p.off",
         "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n"

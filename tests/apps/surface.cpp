@@ -173,7 +173,7 @@ TEST_SUITE("surface") {
             "--skip-invalid: found a format without lines of points, expected las or text");
     refuses(folder, "p.off --radius 1 --where \"z > 1\" -o m.off", 2,
             "--where: found a format without fields beside the points, expected cif, las, pcd, pdb, ply or text");
-    // In the words of the other verbs.
+    // Messages are those of the other verbs.
     CHECK(folder.rbpa("surface p.las --radius 1 --where \"height > 1\" -o m.off").err ==
           folder.rbpa("info p.las --where \"height > 1\"").err);
     refuses(folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
@@ -221,7 +221,7 @@ TEST_SUITE("surface") {
       CHECK(rows("--viewpoint 0.1,0,-0.2") == inward);
       CHECK(rows("--viewpoint 0.1,0,-0.2 --flip") == outward);
     }
-    // Fewer neighbors, and a file's own normals left aside.
+    // Fewer neighbors, and the normals of the file ignored.
     const Outcome fewer = folder.rbpa("surface own.xyz --radius 0.3 --neighbors 8 -o m.npy");
     CHECK(fewer.err.find("normals estimated") != std::string::npos);
   }

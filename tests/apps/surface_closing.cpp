@@ -144,7 +144,7 @@ TEST_SUITE("surface") {
 
   TEST_CASE("triangles around holes that cannot be filled are removed if that closes the surface") {
     const Folder folder;
-    // Points as the file has them, so that they can be shuffled.
+    // Lines of the file, so that they can be shuffled.
     std::istringstream mesh(read_file(RBPA_TEST_DATA "/m3_spot.off"));
     std::string word;
     std::size_t count = 0, faces = 0, edges = 0;
@@ -177,7 +177,7 @@ TEST_SUITE("surface") {
       CAPTURE(key);
       CHECK(shuffled[key] == report[key]);
     }
-    // Never so many that little is left of the surface: here two thirds would have to go.
+    // Most of the surface is never removed: here it would be two thirds.
     const Outcome plate = folder.rbpa("surface " RBPA_TEST_DATA
                                       "/m3_plate_holes.off --radius auto --keep-largest 1 --watertight -o p.off");
     CHECK(plate.code == 1);
@@ -198,7 +198,7 @@ TEST_SUITE("surface") {
     const Outcome none = folder.rbpa("surface t.xyz --radius 0.1 --watertight -o m.ply");
     CHECK(none.code == 1);
     CHECK(none.err.ends_with("\nrbpa: not watertight: there is no triangle; nothing is written\n"));
-    // Both sides of a sheet are closed, and lie on each other.
+    // Both sides of a sheet are closed, and coincide.
     const Outcome sides = folder.rbpa("surface t.xyz --radius 1 --normals none --watertight -o m.ply");
     CHECK(sides.code == 1);
     CHECK(sides.err.find("1 pair of triangles cross, the first of points (0 1 2) and (0 2 1) at 0, 0, 0; nothing") !=

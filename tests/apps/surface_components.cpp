@@ -169,7 +169,7 @@ TEST_SUITE("surface") {
     CHECK(point == std::vector<std::uint32_t>{0, 0, 1, 1, 2, 3, 4, 5});
     CHECK(folder.rbpa(run + "-o plain.npy").code == 0);
     CHECK(folder.content("m.npy") == folder.content("plain.npy"));
-    // A surface that needs no splitting has the file of --compact, but for that property.
+    // A surface that needs no splitting has the file of --compact, except for that property.
     folder.file("s.xyz", sphere_and_island());
     CHECK(folder.rbpa("surface s.xyz --radius 0.3 --compact -o c.off -q").code == 0);
     CHECK(folder.rbpa("surface s.xyz --radius 0.3 --manifold -o c2.off -q").code == 0);

@@ -134,7 +134,7 @@ TEST_SUITE("surface normals") {
     REQUIRE(folder.rbpa(run + " -q").code == 0);
     const std::string ply = folder.content("m.ply");
     const std::string end = "end_header\n";
-    std::vector<double> normals;  // the last coordinate of each, behind five numbers, before the certainty
+    std::vector<double> normals;  // the last coordinate of each, after five numbers, before the confidence
     for (std::size_t at = ply.find(end) + end.size(); normals.size() < 201; at += 7 * sizeof(double))
       std::memcpy(&normals.emplace_back(), ply.data() + at + 5 * sizeof(double), sizeof(double));
     REQUIRE(normals.size() == 201);

@@ -80,7 +80,7 @@ TEST_SUITE("surface outliers") {
 
   TEST_CASE("indices of holes and of unused points are those of the file") {
     const Folder folder;
-    // The first point stands alone, and so would the last, but it is only far enough from the ball.
+    // The first point is an outlier; the last is not, as it is only farther than the ball reaches.
     std::string text = "500 500 500\n";
     for (int i = 0; i < 36; ++i) text += std::to_string(i % 6) + " " + std::to_string(i / 6) + " 0\n";
     text += "2.5 8 0\n";
@@ -95,7 +95,7 @@ TEST_SUITE("surface outliers") {
     const std::string holes = folder.content("h.obj");
     CHECK(holes.starts_with("v 500 500 500\nv 0 0 0\n"));
     const std::string loop = holes.substr(holes.find("\nl") + 2);
-    CHECK(loop.find(" 1 ") == std::string::npos);  // that is the outlier
+    CHECK(loop.find(" 1 ") == std::string::npos);  // 1 is the number of the outlier
     CHECK(loop.find(" 2") != std::string::npos);
   }
 

@@ -46,7 +46,7 @@ struct Text {
 };
 const std::vector<Text> texts = {
     {projcs(metre, code), "EPSG:26910"},
-    {projcs(metre, ""), "none"},  // the code of what is in it is none of it
+    {projcs(metre, ""), "none"},  // the code of a part is not that of the whole
     {"COMPD_CS[\"both\"," + projcs(metre, code) + "," + vertical + "]", "EPSG:26910"},
     {"COMPD_CS[\"both\"," + vertical + "," + projcs(metre, code) + "]", "EPSG:26910"},
     {"COMPD_CS[\"both\"," + projcs(metre, code) + "," + vertical + ",AUTHORITY[\"EPSG\",\"7415\"]]", "EPSG:26910"},
@@ -223,7 +223,7 @@ TEST_SUITE("systems of coordinates") {
     CHECK(remark(with_unit(9036)) == expected("another unit, number 9036 of EPSG"));
     CHECK(remark(record(projcs("\"US survey foot\",0.304800609601219", code))) == expected("US survey feet"));
     CHECK(remark(record(projcs("\"foot\",0.3048", code))) == expected("feet"));
-    // Feet of their own.
+    // Other kinds of feet.
     for (const auto& [own, unit, number] : std::vector<std::tuple<std::string, std::string, unsigned>>{
              {"2229", "\"US survey foot\",0.3048006096", 9003}, {"2222", "\"foot\",0.3048", 9002}}) {
       folder.file("p.las", las({record(projcs(unit, ",AUTHORITY[\"EPSG\",\"" + own + "\"]"))}));

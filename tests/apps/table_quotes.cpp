@@ -177,7 +177,7 @@ TEST_SUITE("quotes and separators") {
     const std::string filler = "name,1,2\n";
     const std::size_t piece = std::size_t{1} << 20U;
     for (std::size_t shift = 0; shift <= record.size() + 2; ++shift) {
-      // The piece ends `shift` bytes behind the beginning of the record.
+      // The piece ends `shift` bytes after the beginning of the record.
       std::string text = "name,x,y\n";
       while (text.size() + 2 * filler.size() < piece - shift) text += filler;
       text += std::string(piece - shift - text.size() - 4, 'n') + ",1,2";
@@ -226,7 +226,7 @@ TEST_SUITE("quotes and separators") {
     CHECK(folder.content("g.geojson").find("\"group\":\"6\\\" pipe\"") != std::string::npos);
     CHECK(folder.rbpa("info g.csv --where \"g == '6\\\" pipe'\"").out.starts_with("points      3\n"));
     CHECK(folder.rbpa("info - < g.csv").out == folder.rbpa("info g.csv").out);
-    // A header with them is known by its text.
+    // A header in quotes is recognized by its text.
     CHECK(keys("lon,lat,\"name\"\n1,2,\"a\"\n") == std::vector<std::string>{"a"});
     CHECK(read("\"the \"\"x\"\"\",b\n1,2\n", {.columns = std::vector<Column>{{.name = "the \"x\""}, {.name = "b"}}})
               .points == Points{{1, 2}});

@@ -204,7 +204,7 @@ TEST_SUITE("tables of people") {
       CHECK(xs("grp == " + quoted("6") + " and n != 2") == Xs{4});
     }
     CHECK(xs("\"my kind\" == \"it's\"") == Xs{3});
-    // A text that meets a number, and what is none of either.
+    // A text compared with a number, and fields that are neither.
     CHECK(refusal(text, where("grp == 6")) ==
           "t:2: found 'A', expected a number in a column that --where uses (== \"...\" compares a text) "
           "(--skip-invalid leaves out lines that are no points)");
@@ -234,7 +234,7 @@ TEST_SUITE("tables of people") {
     CHECK(read("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
     CHECK(read(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
           std::vector<Point>{{9, 9}, {8, 8}});
-    // The bytes of a geometry, or none.
+    // A geometry as bytes, or wrong ones.
     CHECK(read("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
     CHECK(read("x,y,geom\n1,2,\n").remarks.empty());
   }

@@ -101,7 +101,7 @@ TEST_SUITE("threads") {
       CAPTURE(run);
       CHECK(most_threads_seen(folder, run + " -q --threads 1") == 1);
     }
-    // Others would have been seen. A look may come at the wrong moment; not each time.
+    // More threads would have been seen: a look may come at the wrong moment, but not each time.
     if (rbpa::threads_used(many, 0) == 1) return;
     std::size_t most = 0;
     for (int attempt = 0; attempt < 50 && most < 2; ++attempt) most = most_threads_seen(folder, runs[0] + " -q");

@@ -134,7 +134,7 @@ void signals(int signal) {
     sleep(up_to(1.1 * reference.seconds, random));
     if (!child.has_ended()) child.send(signal);
     const Ending ending = child.wait();
-    // Before the first line of main() a signal does what it does to any program.
+    // Before main() a signal ends the program as any other.
     CHECK((ending == Ending{0, 0} || ending == Ending{130, 0} || ending == Ending{-1, signal}));
     if (ending.signal == signal && signal != SIGKILL) CHECK(scene.said().empty());
     scene.check(ending, reference);
@@ -295,7 +295,7 @@ TEST_SUITE("robustness") {
       shorten(scene.input());
       const Ending ending = child.wait();
       CHECK((ending == Ending{0, 0} || ending == Ending{3, 0}));
-      // It may have been before the program began to read: then the half is all there is.
+      // The program may not have begun to read: then the half is the whole input.
       const Reference& half = reference_of(scene.run(), Input::half);
       scene.check(ending, half.is_done && scene.has_made(half) ? half : reference);
     });

@@ -110,7 +110,7 @@ TEST_CASE("a run killed while the scratch is made leaves nothing that the next d
   folder.file("s/created", "");
   folder.file("s/lock", "");
   check();
-  // And at random, early.
+  // Also at random early moments.
   std::mt19937 random(42);
   const int kills = robustness::moments() > 8 ? 300 : 16;
   for (int kill = 0; kill < kills; ++kill) {

@@ -244,7 +244,7 @@ TEST_CASE("a limit of file size gives one line, and the next run continues") {
   for (int moment = 0; moment < robustness::moments() / 2; ++moment) {
     const Folder folder;
     make_input(folder, some);
-    // From what tiles need to what the targets are.
+    // From the size of tiles to that of the targets.
     const double most = std::exp(std::uniform_real_distribution<double>(std::log(2000), std::log(3e6))(random));
     Child child(with_scratch(folder), [&] {
       redirect(STDERR_FILENO, folder.path("said"), O_WRONLY | O_CREAT | O_TRUNC);
@@ -322,7 +322,7 @@ TEST_CASE("a run stays within its memory") {
   };
   for (const char* memory : {"64M", "128M"}) check(memory, "0.9", "2");
   if (!nightly) return;
-  // Polygons that are everywhere, with hundreds of thousands of holes; and all that is around tiles.
+  // Polygons in all tiles, with hundreds of thousands of holes, and everything around tiles.
   for (const char* alpha : {"0.2", "0.4", "0.5", "8"})
     for (const char* threads : {"1", "4"})
       for (const char* memory : {"64M", "128M"}) check(memory, alpha, threads);

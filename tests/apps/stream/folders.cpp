@@ -16,7 +16,7 @@ std::string tile(int x) { return bytes_of(LasFile{.points = {{.x = x}, {.x = x +
 
 struct Listing {
   std::vector<std::string> names;  ///< a name that ends in / is a folder with a tile in it
-  std::string said;                ///< behind "rbpa: t: "; of a refusal what is found and expected
+  std::string said;                ///< after "rbpa: t: "; for a refusal the found and expected
   int code = 0;
 };
 

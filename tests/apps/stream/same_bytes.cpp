@@ -49,7 +49,7 @@ TEST_CASE("generated sets have the same bytes in tiles of a few points and of mo
       alphas.erase(alphas.begin() + 1, alphas.end() - 1);
     for (const double alpha : alphas) {
       if (std::isinf(2 * alpha)) continue;
-      // A tile of few points has all the others around it where alpha is large; and thousands of files take their time.
+      // If alpha is large, a tile of few points has all the others around it; and thousands of files take long.
       const bool is_wide = alpha > 4 * spacing && points.size() > 200;
       const std::uint64_t size = is_wide ? points.size() / 7 + 1 : points.size() > 60 ? points.size() / 12 : 5;
       check_all_tiles(points, alpha, {size});

@@ -221,7 +221,7 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
   CHECK(place.said().find("manifest.json: found a file that was cut off or changed, expected ") != std::string::npos);
   place.forget();
 
-  // A run whose progress has triangles and polygons: what is behind them in the files is not used when it is resumed.
+  // A run whose progress has triangles and polygons: later bytes in the files are not used when it is resumed.
   Child child(place.command(place.with_scratch()));
   const auto progress = [](const std::string& scratch) {
     const std::string text = rbpa::app::checked_content(scratch + "/progress.json");

@@ -58,7 +58,7 @@ TEST_CASE("compressed blocks come back to the bit") {
     return points;
   };
   for (const std::size_t count : {1U, 2U, 63U, 4096U}) {
-    // Centimeters within some hundred meters, far from the origin: 2 · 16 bits and few for the index.
+    // Centimeters within some hundred meters, far from the origin, take 2 · 16 bits and few for the index.
     const auto metres = block(count, [&] { return double(50'000'000 + std::int64_t(random.below(60'000))) / 100; });
     CHECK(packed_size_of(metres) < 60 + count * 5);
     const auto whole = block(count, [&] { return double(random.below(1000)) * 64; });
@@ -108,7 +108,7 @@ TEST_CASE("every point is in one tile, and reaches every tile near it") {
       for (std::uint32_t tile = 0; tile < tree.tiles(); ++tile) {
         const Region& box = tree.box(tile);
         CHECK((tree.tile_of(p) == tile) == box.contains(p));
-        // In long double the sum of these is exact, or so nearly that it decides nothing here.
+        // In long double the sum is exact, or so nearly that it does not matter here.
         using Long = long double;
         const bool is_near = Long(p.x) + reach >= box.x0 && Long(p.x) - reach <= box.x1 &&
                              Long(p.y) + reach >= box.y0 && Long(p.y) - reach <= box.y1;

@@ -10,7 +10,7 @@ namespace apps_test {
 
 Child::Child(const Command& command, const std::function<void()>& prepare) {
   std::vector<std::string> words = command;
-  // A signal that comes before the handlers of the test are taken out would be answered by them.
+  // A signal that comes before the handlers of the test are removed would be handled by them.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);
