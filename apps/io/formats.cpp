@@ -14,7 +14,7 @@ bool same(std::string_view name, std::string_view known) {
   return std::equal(name.begin(), name.end(), known.begin(), known.end(), same_letter);
 }
 
-/// Names apart by blanks.
+/// Names, separated by blanks.
 struct Named {
   std::string_view names;
   Format format;

@@ -38,7 +38,7 @@ struct PointFile {
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
   /// empty text is no name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
-  bool keys_are_texts = false;  ///< keys of groups are texts even if they look like numbers, since some are no numbers
+  bool keys_are_texts = false;  ///< some keys of groups are texts in the file, so that all count as texts
   /// Third coordinates, one per point, if they were requested and any point has one; NaN for points without.
   std::vector<double> z = {};
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say

@@ -204,7 +204,8 @@ TEST_SUITE("GeoJSON in") {
       const apps_test::Outcome outcome = folder.rbpa("info " + name);
       CHECK(outcome.out.starts_with(
           "points      3\ndistinct    3\nduplicates  0\ncrs         EPSG:4326\nbox         x 5 .. 5.5\n"));
-      CHECK(outcome.err.find("a degree of longitude is 0.61 to 0.62 of one of latitude there") != std::string::npos);
+      CHECK(outcome.err.find("a degree of longitude is as long as 0.61 to 0.62 degrees of latitude there") !=
+            std::string::npos);
     }
     CHECK(folder.rbpa("info p.geojson --crs EPSG:28992").err ==
           "rbpa: p.geojson: the file names EPSG:4326, but --crs EPSG:28992 overrides it\n");

@@ -200,7 +200,7 @@ TEST_SUITE("points of space") {
     CHECK(file.points == Places{{5, 60, 100}, {6, 60, 110}});
     REQUIRE(file.remarks.size() == 2);
     CHECK(file.remarks[1] ==
-          "x and y are degrees and z is none, and a ball is round in neither; a degree of longitude is 0.50 of one of "
+          "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as 0.50 degrees of "
           "latitude there (ogr2ogr -t_srs or pdal translate project them)");
     CHECK(table("x,y,z\n5,60,100\n").remarks.empty());
     LasFile las{.scale = {1, 1, 1}, .points = {{.x = 5, .y = 60, .z = 100}}};

@@ -188,9 +188,9 @@ std::string remark_on_degrees(const std::vector<Point3>& points) {
   if (points.empty()) return "";
   const Box box = box_of(points);
   if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360)
-    return "longitudes and latitudes are expected: are x and y degrees?";
-  return "x and y are degrees and z is none, and a ball is round in neither; a degree of longitude is " +
-         share_of_latitude(box) + " of one of latitude there (ogr2ogr -t_srs or pdal translate project them)";
+    return "expected longitudes and latitudes: are x and y degrees?";
+  return "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as " +
+         share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
 
 void remark_on_degrees(PointFile& file) {
@@ -205,8 +205,9 @@ void remark_on_degrees(PointFile& file) {
                            (exchanged ? ": are they exchanged?" : ": are they degrees?"));
     return;
   }
-  file.remarks.push_back("coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is " +
-                         share_of_latitude(box) + " of one of latitude there (ogr2ogr -t_srs projects them)");
+  file.remarks.push_back(
+      "coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as long as " +
+      share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)");
   if (lie_around_antimeridian(file.points, box))
     file.remarks.push_back(
         "points lie on both sides of the antimeridian, longitude 180, and are far apart in the plane "

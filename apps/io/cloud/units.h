@@ -23,7 +23,7 @@ std::optional<std::string_view> unit_of(const PointFile& file);
 /// BadInput for a longitude outside -180 to 360.
 void shift_longitude(std::vector<Point>& points, const std::string& name);
 
-/// Returns the warning that x and y of points in space are degrees and z is not; empty if they are not.
+/// Returns the warning about points in space whose x and y are said to be degrees; empty if there are no points.
 std::string remark_on_degrees(const std::vector<Point3>& points);
 
 /// Adds warnings: that degrees are lengths of different size in the plane; that points are on both sides of the
