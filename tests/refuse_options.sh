@@ -1,6 +1,6 @@
-# Sourced by scripts first of all, with their arguments: --help prints the script's lines from "# usage:" on, and any other
-# argument that begins with - is refused before anything is done. MOST_ARGUMENTS, if set, is the greatest number of
-# arguments.
+# Sourced by scripts first of all, with their arguments: --help prints the script's lines from "# usage:" on, and any
+# other argument that begins with - is refused before anything is done. MOST_ARGUMENTS, if set, is the greatest number
+# of arguments.
 if [ "${1-}" = --help ] || [ "${1-}" = -h ]; then
   sed -n '/^# usage:/,/^[^#]/s/^# \{0,1\}//p' "$0"
   exit 0

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything in release mode and runs the tests. The last lines name the suites that failed, and
-# count those that ran; with `release` it is a failure if one is left out.
+# Installs what is missing, builds everything in release mode and runs the tests. The last lines name the suites that
+# failed, and count those that ran; with `release` it is a failure if one is left out.
 # usage: tests/run.sh [PRESET]      release (default), debug, sanitize, threads, clang, shared, gdal, javascript, site, nightly;
 #                                   quick: the libraries' suites with sanitizers, and with clang;
 #                                   further: what reads the larger collection in $RBPA_DATA_DIR

@@ -1,6 +1,7 @@
 #!/bin/bash
-# What:  compares two builds of the programs: bytes of all files written, standard output, standard error and exit code, for
-#        every verb with its important options, on real inputs, on the same inputs in other formats, and on broken ones.
+# What:  compares two builds of the programs: bytes of all files written, standard output, standard error and exit code,
+#        for every verb with its important options, on real inputs, on the same inputs in other formats, and on broken
+#        ones.
 # usage: tests/same_outputs.sh OLD_BIN NEW_BIN [FOLDER...]
 #        OLD_BIN and NEW_BIN are folders with rbpa and meshtopo. Without FOLDER, runs on files of at most 100 kB in
 #        tests/data; with folders, on all of their files of at most 3 MB.
@@ -81,7 +82,8 @@ polygons() {
   same rbpa fill "$1" --size 1 --quiet -o out/x.vtu
 }
 
-# Breaks a file in several ways: truncated, empty, with a faulty line at its end, compressed, with a name that is not UTF-8.
+# Breaks a file in several ways: truncated, empty, with a faulty line at its end, compressed, with a name that is not
+# UTF-8.
 broken() {
   local file=$1 check=$2 name size
   name=$(basename "$file")

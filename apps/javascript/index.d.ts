@@ -11,8 +11,9 @@
 /** Points, each as [x, y], or numbers x0, y0, x1, y1, …; a typed array is fastest. */
 export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 
-/** A radius, or a rule: "plateau:K" is a radius in the K-th plateau, a range in which the shape hardly changes, the best first; "plateau" means
- * "plateau:1"; "auto" is the least radius that covers every point in one solid component; "min" is the least that covers every point. */
+/** A radius, or a rule: "plateau:K" is a radius in the K-th plateau, a range in which the shape hardly changes, the
+ * best first; "plateau" means "plateau:1"; "auto" is the least radius that covers every point in one solid
+ * component; "min" is the least that covers every point. */
 export type Alpha = number | "auto" | "min" | "plateau" | `plateau:${number}`;
 
 /** Thrown for an invalid argument, which the message names. */
@@ -20,12 +21,13 @@ export class InvalidInput extends Error {}
 
 /** Triangles of circumradius at most alpha; corners are indices of points. */
 export interface Triangulation {
-  /** Three corners per triangle, counter-clockwise if y points up, the least index first; triangles are in lexicographic order. Only the
-   * first of equal points is a corner. */
+  /** Three corners per triangle, counter-clockwise if y points up, the least index first; triangles are in
+   * lexicographic order. Only the first of equal points is a corner. */
   triangles: Uint32Array;
   /** Number 3 t + k is the triangle opposite to corner k of triangle t, or -1. */
   neighbors: Int32Array;
-  /** Side 3 t + k goes from corner k of triangle t to the next; number 3 t + k is the same side of the triangle beyond, or -1. */
+  /** Side 3 t + k goes from corner k of triangle t to the next; number 3 t + k is the same side of the triangle
+   * beyond, or -1. */
   halfedges: Int32Array;
   /** The two ends of each side with a triangle on its left only. */
   boundary: Uint32Array;
@@ -67,7 +69,8 @@ export interface Plateau {
   isLong: boolean;
 }
 
-/** Properties of the alpha shape for every alpha: one entry of each array for each radius at which something changes. */
+/** Properties of the alpha shape for every alpha: one entry of each array for each radius at which something
+ * changes. */
 export interface Filtration {
   alpha: Float64Array;
   triangles: Uint32Array;
@@ -103,11 +106,11 @@ export interface DelaunatorConstructor {
 export interface Rbpa {
   /** Returns the Delaunay triangles of circumradius at most alpha, by default all. */
   triangulate(points: Points, alpha?: number): Triangulation;
-  /** Returns these triangles and their outline as polygons; alpha is "plateau" by default. Holes smaller than minHoleArea are filled, and polygons
-   * smaller than minPartArea are left out. */
+  /** Returns these triangles and their outline as polygons; alpha is "plateau" by default. Holes smaller than
+   * minHoleArea are filled, and polygons smaller than minPartArea are left out. */
   alphaShape(points: Points, alpha?: Alpha, options?: { minHoleArea?: number; minPartArea?: number }): AlphaShape;
-  /** Returns the outline of the points as a closed ring of points, without holes, in the form of concaveman; the largest if there are several.
-   * alpha is "auto" by default, so that the ring encloses every point. */
+  /** Returns the outline of the points as a closed ring of points, without holes, in the form of concaveman; the
+   * largest if there are several. alpha is "auto" by default, so that the ring encloses every point. */
   concaveHull<P extends readonly number[]>(points: ArrayLike<P>, alpha?: Alpha): P[];
   concaveHull(points: ArrayLike<number>, alpha?: Alpha): number[][];
   /** Returns the properties of the alpha shape for every alpha. */
@@ -117,7 +120,7 @@ export interface Rbpa {
   readonly memoryBytes: number;
 }
 
-/** Returns a new instance, whose functions are synchronous. Nothing has to be freed. WebAssembly's memory grows and never shrinks: after a very
- * large run, drop the instance and load another. */
+/** Returns a new instance, whose functions are synchronous. Nothing has to be freed. WebAssembly's memory grows and
+ * never shrinks: after a very large run, drop the instance and load another. */
 export function load(): Promise<Rbpa>;
 export default load;

@@ -158,7 +158,8 @@ function plateaus(numbers) {
   });
 }
 
-/** Returns the points of the hull in Delaunator's order: against the direction of its sides; points on one line in their order on it. */
+/** Returns the points of the hull in Delaunator's order: against the direction of its sides; points on one line in
+ * their order on it. */
 function hullOf(sides, coords) {
   if (sides.length === 0) {
     const all = Uint32Array.from({ length: coords.length >> 1 }, (_, i) => i);

@@ -12,15 +12,17 @@ export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 export class InvalidInput extends Error {}
 
 export interface Surface {
-  /** Three corners per triangle, counter-clockwise seen from outside, the least index first; triangles are in lexicographic order. */
+  /** Three corners per triangle, counter-clockwise seen from outside, the least index first; triangles are in
+   * lexicographic order. */
   triangles: Uint32Array;
   /** Number 3 t + k is the triangle to which the ball rolls over the side opposite to corner k of triangle t, or -1. */
   neighbors: Int32Array;
 }
 
 export interface RbpaInSpace {
-  /** Returns the triangles on which a ball of that radius rests, outside as the normals point. Normals are vectors of any length but 0; they are
-   * estimated if not given. Throws InvalidInput, and RangeError if memory does not suffice. */
+  /** Returns the triangles on which a ball of that radius rests, outside as the normals point. Normals are vectors
+   * of any length but 0; they are estimated if not given. Throws InvalidInput, and RangeError if memory does not
+   * suffice. */
   surface(points: Points, radius: number, normals?: Points | null): Surface;
   /** Size of the instance's memory in bytes. */
   readonly memoryBytes: number;

@@ -1,6 +1,6 @@
-# Finds the Python that the package is built for, and pybind11. Sets RBPA_PYTHON_IS_FOUND, and RBPA_PYTHON_MISSING to what
-# is missing. The Python is Python_EXECUTABLE if that is given (by pip, which hides NumPy from a build); otherwise the first
-# on the path that has NumPy; otherwise the system's.
+# Finds the Python that the package is built for, and pybind11. Sets RBPA_PYTHON_IS_FOUND, and RBPA_PYTHON_MISSING to
+# what is missing. The Python is Python_EXECUTABLE if that is given (by pip, which hides NumPy from a build); otherwise
+# the first on the path that has NumPy; otherwise the system's.
 set(RBPA_PYTHON_MISSING "")
 if(NOT Python_EXECUTABLE)
   string(REPLACE ":" ";" folders "$ENV{PATH}:/usr/bin")

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Writes OUTPUT, a C++ source with the page of FOLDER in three parts: puts STYLES and SCRIPTS into page.html, and splits it
-# at @TITLE@ and @DATA@. The names of the parts begin with NAME.
+# Writes OUTPUT, a C++ source with the page of FOLDER in three parts: puts STYLES and SCRIPTS into page.html, and splits
+# it at @TITLE@ and @DATA@. The names of the parts begin with NAME.
 file(READ ${FOLDER}/page.html page)
 set(style "")
 foreach(name ${STYLES})

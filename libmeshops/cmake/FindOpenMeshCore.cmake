@@ -1,5 +1,5 @@
-# Finds OpenMesh's core library and defines the imported target OpenMeshCore::OpenMeshCore. Not every OpenMesh comes with a
-# CMake configuration, and the targets of one that does have no namespace and name the exact file of one version.
+# Finds OpenMesh's core library and defines the imported target OpenMeshCore::OpenMeshCore. Not every OpenMesh comes
+# with a CMake configuration, and the targets of one that does have no namespace and name the exact file of one version.
 find_path(OpenMeshCore_INCLUDE_DIR OpenMesh/Core/Mesh/PolyConnectivity.hh)
 find_library(OpenMeshCore_LIBRARY OpenMeshCore)
 mark_as_advanced(OpenMeshCore_INCLUDE_DIR OpenMeshCore_LIBRARY)

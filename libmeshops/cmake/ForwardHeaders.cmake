@@ -1,5 +1,5 @@
-# Headers at the paths that they had up to version 0.1: each includes the new one, for version 0.2 only. They are written into the
-# build folder, so that the sources have one place for each thing.
+# Headers at the paths that they had up to version 0.1: each includes the new one, for version 0.2 only. They are
+# written into the build folder, so that the sources have one place for each thing.
 #   rbpa_forward_headers(library old>new...)
 function(rbpa_forward_headers library)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/forwarding)

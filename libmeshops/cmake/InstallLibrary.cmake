@@ -1,8 +1,10 @@
-# Common settings of both libraries: hidden symbols unless marked, a versioned shared object, a relocatable installation.
+# Common settings of both libraries: hidden symbols unless marked, a versioned shared object, a relocatable
+# installation.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Before 1.0 a minor version may break compatibility: packages must agree in it, and it is part of the shared object's name.
+# Before 1.0 a minor version may break compatibility: packages must agree in it, and it is part of the shared object's
+# name.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(rbpa_compatibility SameMinorVersion)
   set(rbpa_soversion 0.${PROJECT_VERSION_MINOR})
@@ -38,7 +40,8 @@ function(rbpa_hide_symbols target)
   endif()
 endfunction()
 
-# Installs the library, and <name>Config.cmake and <name>.pc from the caller's folder cmake/. The caller installs headers.
+# Installs the library, and <name>Config.cmake and <name>.pc from the caller's folder cmake/. The caller installs
+# headers.
 function(rbpa_install_library name)
   set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/${name})
   set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

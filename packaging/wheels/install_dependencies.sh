@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the build dependencies of a wheel in an image of manylinux (AlmaLinux), which has no Debian packages: by dnf and
-# from sources. Called by cibuildwheel.
+# Installs the build dependencies of a wheel in an image of manylinux (AlmaLinux), which has no Debian packages: by dnf
+# and from sources. Called by cibuildwheel.
 # usage: packaging/wheels/install_dependencies.sh
 set -euo pipefail
 MOST_ARGUMENTS=0

@@ -31,7 +31,8 @@ function(row head text out)
   set(${out} "| `${cells} |\n" PARENT_SCOPE)
 endfunction()
 
-# One pass over a manual page: counts rows (pass 1), or appends sections to `text` (pass 2) without those that are shared.
+# One pass over a manual page: counts rows (pass 1), or appends sections to `text` (pass 2) without those that are
+# shared.
 macro(walk lines pass)
   set(section "")
   set(state text)

@@ -1,5 +1,5 @@
-# Configures the project SOURCE in WORK with the sources in RBPA_SOURCE. It must succeed without a warning; or, if REFUSED
-# is given, fail with a message that contains this text.
+# Configures the project SOURCE in WORK with the sources in RBPA_SOURCE. It must succeed without a warning; or, if
+# REFUSED is given, fail with a message that contains this text.
 cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE "${WORK}")
 execute_process(

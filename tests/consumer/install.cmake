@@ -1,6 +1,6 @@
-# Installs COMPONENTS (a,b) of the build BUILD, moves the tree to WORK, and checks that it works there: no file names the
-# folder where it was built or installed, headers include only installed headers, shared libraries find each other, and
-# PROGRAMS start.
+# Installs COMPONENTS (a,b) of the build BUILD, moves the tree to WORK, and checks that it works there: no file names
+# the folder where it was built or installed, headers include only installed headers, shared libraries find each other,
+# and PROGRAMS start.
 cmake_minimum_required(VERSION 3.22)
 string(REPLACE "," ";" COMPONENTS "${COMPONENTS}")
 string(REPLACE "," ";" PROGRAMS "${PROGRAMS}")

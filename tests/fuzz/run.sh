@@ -14,8 +14,8 @@ targets=("${@:2}")
 for target in "${targets[@]}"; do
   mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found"
   dictionary=tests/fuzz/dictionaries/$target.dict
-  # New inputs are written into the first folder; the committed corpus is only read. An input of a kilobyte that takes ten
-  # seconds or 512 MiB is a finding.
+  # New inputs are written into the first folder; the committed corpus is only read. An input of a kilobyte that takes
+  # ten seconds or 512 MiB is a finding.
   "build/fuzz/bin/fuzz_$target" -max_total_time="$seconds" -max_len=1024 -timeout=10 -rss_limit_mb=2048 \
     -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target-" \
     $([ -f "$dictionary" ] && echo "-dict=$dictionary") "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target"

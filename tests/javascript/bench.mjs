@@ -1,5 +1,6 @@
 // bench.mjs PACKAGE PEERS: compares Delaunator of the package in folder PACKAGE with delaunator and concaveman in the
-// node_modules of folder PEERS, alternating in one process. Prints milliseconds, the least of several runs with new points.
+// node_modules of folder PEERS, alternating in one process. Prints milliseconds, the least of several runs with new
+// points.
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";

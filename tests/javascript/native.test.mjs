@@ -1,5 +1,5 @@
-// Compares the package with the native program rbpa on files of points. RBPA_PROGRAM is the program, RBPA_POINTS the folders,
-// separated by ":".
+// Compares the package with the native program rbpa on files of points. RBPA_PROGRAM is the program, RBPA_POINTS the
+// folders, separated by ":".
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";

@@ -1,5 +1,5 @@
-# Finds CGAL's headers and its number types, for tests and benchmarks, and defines the target test_cgal. Does not use CGAL's
-# own package file, which prints messages and changes flags.
+# Finds CGAL's headers and its number types, for tests and benchmarks, and defines the target test_cgal. Does not use
+# CGAL's own package file, which prints messages and changes flags.
 if(NOT TARGET test_cgal)
   find_path(CGAL_INCLUDE_DIR CGAL/Delaunay_triangulation_2.h REQUIRED)
   find_path(GMP_INCLUDE_DIR gmp.h REQUIRED)

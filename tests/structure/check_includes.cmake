@@ -110,9 +110,9 @@ foreach(root libmeshops librbpa apps)
   endforeach()
 endforeach()
 
-# Public headers, and programs, which are users too, include no internal header of librbpa: these are not installed, their
-# symbols are hidden in a shared library, and they are exact only with the compile options of this project. docs/drawings
-# may include them, as it draws internals.
+# Public headers, and programs, which are users too, include no internal header of librbpa: these are not installed,
+# their symbols are hidden in a shared library, and they are exact only with the compile options of this project.
+# docs/drawings may include them, as it draws internals.
 file(STRINGS ${ROOT}/librbpa/CMakeLists.txt lines REGEX "rbpa/[a-z0-9_/]+\\.h")
 list(FILTER lines EXCLUDE REGEX ">")  # old paths
 string(REGEX MATCHALL "rbpa/[a-z0-9_/]+\\.h" installed "${lines}")

@@ -1,13 +1,14 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails if a link of a page leads to no file or to a missing heading, if a path in back quotes does not exist, if there are
-# more than 30 pages, or if README is too long.
+# Fails if a link of a page leads to no file or to a missing heading, if a path in back quotes does not exist, if there
+# are more than 30 pages, or if README is too long.
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
 list(LENGTH pages count)
 if(count LESS 20 OR count GREATER 30)
   message(SEND_ERROR "docs has ${count} pages, expected 20 to 30")
 endif()
 
-# Returns the text without characters that CMake's lists cannot hold; a character that no page has marks the targets of links.
+# Returns the text without characters that CMake's lists cannot hold; a character that no page has marks the targets of
+# links.
 string(ASCII 1 link_begin)
 function(read_page file result)
   file(READ ${file} text)

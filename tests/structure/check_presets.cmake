@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.22)
-# Configures one folder as apps/demo.sh and then as tests/run.sh do, after a cache that has the Python package off. Fails if
-# the second configuration leaves out anything that a fresh one has, or compiles anything with other flags than the first,
-# so that it would be compiled again.
+# Configures one folder as apps/demo.sh and then as tests/run.sh do, after a cache that has the Python package off.
+# Fails if the second configuration leaves out anything that a fresh one has, or compiles anything with other flags than
+# the first, so that it would be compiled again.
 file(STRINGS ${ROOT}/tests/run.sh lines REGEX "cmake --preset")
 if(NOT lines STREQUAL "  cmake --preset \"$1\"")
   message(FATAL_ERROR "tests/run.sh: found '${lines}', expected that it configures by the preset alone, as this test does")

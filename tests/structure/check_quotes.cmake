@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails if a page quotes code that is not in the file that it names. A quote is a line "<!-- from FILE -->" and a block of
-# code.
+# Fails if a page quotes code that is not in the file that it names. A quote is a line "<!-- from FILE -->" and a block
+# of code.
 set(checked 0)
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
 foreach(page ${pages})

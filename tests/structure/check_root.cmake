@@ -1,5 +1,5 @@
-# Fails unless the root of the repository has exactly these names. Files that git does not track, and archives without git,
-# are not checked.
+# Fails unless the root of the repository has exactly these names. Files that git does not track, and archives without
+# git, are not checked.
 cmake_minimum_required(VERSION 3.22)
 find_program(git git)
 if(NOT git OR NOT EXISTS ${ROOT}/.git)

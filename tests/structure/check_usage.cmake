@@ -1,5 +1,5 @@
-# Fails unless every script and every program of ours prints its usage for --help, and refuses any other argument that begins
-# with - before it does anything. usage: cmake -DROOT=... -DWORK=... "-DPROGRAMS=..." -P check_usage.cmake
+# Fails unless every script and every program of ours prints its usage for --help, and refuses any other argument that
+# begins with - before it does anything. usage: cmake -DROOT=... -DWORK=... "-DPROGRAMS=..." -P check_usage.cmake
 file(GLOB scripts "${ROOT}/*/*.sh" "${ROOT}/docs/*/*.sh" "${ROOT}/tests/*/*.sh" "${ROOT}/packaging/*/*.sh")
 list(FILTER scripts EXCLUDE REGEX "/(build_environment|refuse_options)\\.sh$")  # sourced
 list(LENGTH scripts count)
