@@ -1,9 +1,8 @@
 cmake_minimum_required(VERSION 3.22)
-# Fails when docs/reference/cpp_headers.md is not the table of the public headers and of what their "What:" lines say.
-# Write it anew by
+# Fails if docs/reference/cpp_headers.md is not the table of the public headers and their "What:" lines. Regenerate it by
 #   cmake -DROOT=. -DWRITE=ON -P tests/structure/check_cpp_headers.cmake
-# Public are headers directly in these folders: of librbpa those that its CMakeLists.txt names, as it installs them by
-# name, and of libmeshops, which installs all, those that are not in a namespace detail.
+# Public headers are directly in these folders: in librbpa those that its CMakeLists.txt installs by name; in
+# libmeshops, which installs all headers, those that are not in a namespace detail.
 set(librbpa_folders rbpa rbpa/base rbpa/base/parallel)
 set(libmeshops_folders meshops meshops/core meshops/handle meshops/stellar meshops/history meshops/patch meshops/front
   meshops/topology meshops/graph)
