@@ -33,7 +33,7 @@ struct PointFile {
   std::vector<Point> points = {};         ///< in the order of the file, all finite
   std::vector<std::uint32_t> index = {};  ///< of each among all points of the file; empty if points[i] has index i
   std::size_t all_points = 0;             ///< number of points of the file, including those that are left out
-  std::optional<Crs> crs = std::nullopt;  ///< where the file names one
+  std::optional<Crs> crs = std::nullopt;  ///< if the file names one
   std::vector<std::vector<double>> fields = {};  ///< a column for each of the condition's columns(), a value per point
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
   /// empty text is no name of a group.

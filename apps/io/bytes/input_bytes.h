@@ -12,7 +12,6 @@
 namespace rbpa::app {
 
 /// The bytes of a file. They are read, not mapped: shortening a mapped file kills the processes that read it.
-/// docs/io.md has the cost of the difference.
 class InputBytes {
  public:
   /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file unless the claim excludes that. The

@@ -71,7 +71,7 @@ def estimate_normals(
         matters, give your own normals. The arrays are writable.
 
         Confidences are in [0, 1]. Below 0.5 the normal is in doubt: the nearest points determine no plane, or neighbors
-        disagree about its side (docs/surface.md, section 3).
+        disagree about its side (docs/explanation/surfaces.md, section 3).
 
     Raises
     ------
