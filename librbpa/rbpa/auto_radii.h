@@ -1,7 +1,7 @@
 // What: chooses ball radii for points in space from the gaps between neighbors along the surface.
 // Law:  the radii depend on the set of points only, not on its order or on threads; points scaled by a power of two
 //       have scaled radii. The radii are a heuristic: experience shows that they are good, no proof does.
-//       docs/surface.md, section 4.
+//       docs/explanation/surfaces.md, section 4.
 // Cost: some microseconds a point, for its nearest neighbors.
 #pragma once
 

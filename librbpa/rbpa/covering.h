@@ -4,7 +4,7 @@
 //         fewer components are allowed. Exact; depends on the set of points only.
 // Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
 //         sorts the triangles and spends the logarithm of their number on each.
-// Source: docs/which_alpha.md.
+// Source: docs/explanation/filtration_and_persistence.md, section 4.
 #pragma once
 
 #include <cstddef>

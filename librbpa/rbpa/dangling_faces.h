@@ -3,7 +3,7 @@
 // Law:    a simplex is in the full alpha complex if a ball of radius at most alpha has its corners on its sphere and no
 //         point inside. Exact, for any finite input.
 // Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
-// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/solid.md, section 11.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 21.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 //         one side of the surface.
 // Law:    the normals depend on the set of points only, not on its order or on threads; multiplying all points by a
 //         power of two changes nothing. Equal points have equal normals, unless their viewpoints differ. The result is
-//         an estimate, in rounded numbers; docs/surface.md, section 3 tells when it is wrong.
+//         an estimate, in rounded numbers; docs/explanation/surfaces.md, section 3 tells when it is wrong.
 // Cost:   O(n log n); about 30 times as much on a scanner's lines, ten times on closed bodies thinner than the spacing
 //         of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
@@ -41,7 +41,8 @@ struct NormalOptions {
 /// Points that are connected through nearest others have normals on one side: the normals are turned along a minimum
 /// spanning tree, whose weights measure how uncertain the side is across an edge. The first normal points outward at an
 /// extreme point: that of the first direction among +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's
-/// normal. If no step errs (docs/surface.md, section 3), the normals of each component of a closed surface point
+/// normal. If no step errs (docs/explanation/surfaces.md, section 3), the normals of each component of a closed surface
+/// point
 /// outward, also of a component inside another one; those of a plane that is not too steep point upward.
 ///
 /// That tree errs if the two sides of a closed body are nearer to each other than the points are. The outer shells of

@@ -3,7 +3,7 @@
 //         before the first step that complex is empty. Exact, whatever the coordinates; a function of the set of points
 //         alone.
 // Cost:   sorts the triangles; the rest is near-linear. About twice the time of the triangulation.
-// Source: Edelsbrunner, Mücke, Three-dimensional alpha shapes (1994); docs/filtration.md.
+// Source: Edelsbrunner, Mücke, Three-dimensional alpha shapes (1994); docs/explanation/filtration_and_persistence.md.
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,8 @@
 //         tetrahedra, connected through triangles that are not in the complex.
 // Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); Delfinado and Edelsbrunner, An incremental
-//         algorithm for Betti numbers of simplicial complexes on the 3-sphere (1995); docs/solid.md, section 11.
+//         algorithm for Betti numbers of simplicial complexes on the 3-sphere (1995); docs/explanation/space.md,
+//         section 21.
 #pragma once
 
 #include <cstddef>

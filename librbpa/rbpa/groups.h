@@ -3,7 +3,8 @@
 // Law:  the result of a group equals that of a call with its points alone, with the indices of the input. Nothing
 //       depends on the number of threads, or on the other groups: an error in one group is reported as a sentence in
 //       the result, and the other groups are computed.
-// Cost: that of the single calls, shared among threads, without the fixed cost of a call: docs/performance.md.
+// Cost: that of the single calls, shared among threads, without the fixed cost of a call:
+//       docs/reference/performance.md.
 // Note: independent of OpenMesh.
 #pragma once
 

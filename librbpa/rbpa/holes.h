@@ -1,7 +1,7 @@
 // What: the boundary curves of a surface of points in space, with the reason for each edge why the surface ends there.
 // Law:  a function of the points, their normals and the radii. The exposed triangles form a closed surface, so the ball
 //       always rolls to some exposed triangle: a side is boundary because that triangle is not in the surface.
-//       docs/surface.md, section 5.
+//       docs/explanation/surfaces.md, section 5.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 //         … alpha that admits it.
 // Law:    the triangles are those of triangulate(), the levels those of hrbpa() (hrbpa.h).
 // Cost:   that of triangulate(), plus a quadtree and a comparison of the circumradius for each triangle.
-// Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/hrbpa.md.
+// Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/explanation/plane.md, sections 19 to 21.
 // Note:   independent of OpenMesh.
 #pragma once
 

@@ -2,7 +2,7 @@
 // Law:  a shell is outer if no shell winds around the center of a ball that rests on it, which is at least the radius
 //       away from all points. Exact except for the rounding of that center: if the radius is above 10⁻⁹ of the
 //       coordinates, only triangles whose circumcircle is nearly a great circle of the ball are in doubt.
-//       docs/surface_derivation.md, section 13.
+//       docs/explanation/surfaces.md, section 21.
 // Cost: a sort of the shells, and for each triangle a search among them.
 #pragma once
 

@@ -2,7 +2,7 @@
 //         which nine are scanned at each pivot.
 // Law:    the triangles are those of rbpa() and hrbpa(). The code is short and slow, made to be read and compared with.
 // Cost:   a pivot grows with α² over the square of the spacing; one thread.
-// Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3, 4 and 6; docs/paper.md.
+// Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3, 4 and 6; docs/explanation/paper.md.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 //         plane is merged, finish() returns what rbpa(), count() and polygons() compute for all points.
 // Cost:   that of triangulate(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
 //         kept in memory.
-// Source: docs/partial.md.
+// Source: docs/explanation/plane.md, sections 22 to 27.
 #pragma once
 
 #include <array>

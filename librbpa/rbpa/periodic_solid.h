@@ -4,7 +4,7 @@
 //         side are rounded to multiples of 2⁻⁵¹ of the power of two above the side, so that all images are doubles. For
 //         these points everything is exact, ties as in solid(). Moving all points by such multiples changes nothing.
 // How:    the points with their images around the box form one solid, of which one tetrahedron of each class is kept.
-//         docs/solid.md, section 13.
+//         docs/explanation/space.md, section 23.
 // Cost:   that of solid() for the points and the images that are within twice the largest radius of the box.
 // Source: Caroli and Teillaud, Computing 3D periodic triangulations (2009).
 #pragma once

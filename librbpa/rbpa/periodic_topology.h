@@ -5,7 +5,7 @@
 //         triangles − tetrahedra.
 // How:    the Delaunay tetrahedra fill the box, so voids are the tetrahedra that are not in the complex; in the full
 //         complex its triangles separate them as well. A path through tetrahedra that ends in an image of its first
-//         tetrahedron is a direction in which a piece or a void percolates. docs/solid.md, section 13.
+//         tetrahedron is a direction in which a piece or a void percolates. docs/explanation/space.md, section 23.
 // Cost:   linear in the tetrahedra of the triangulation, and a sort of the edges at each point.
 // Source: Delfinado and Edelsbrunner (1995); Alexander–Lefschetz duality.
 #pragma once

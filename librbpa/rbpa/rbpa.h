@@ -2,7 +2,7 @@
 // Law:    the triangles are a function of the set of points and alpha alone, not of the order of the input, the method
 //         of search or the compiler. rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and rbpa(S, infinity) is the
 //         Delaunay triangulation.
-// Cost:   about linear in the number of points for samplings of bounded variation: docs/performance.md.
+// Cost:   about linear in the number of points for samplings of bounded variation: docs/reference/performance.md.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3 and 4 (Theorem 1).
 #pragma once
 
@@ -29,7 +29,7 @@ struct Options {
 };
 
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
-/// are triangulated by the symbolic perturbation that docs/predicates.md defines.
+/// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines.
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them, as OpenMesh numbers halfedges in int.
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});

@@ -4,7 +4,7 @@
 //         appear later. Every curve of the complex around the hole encloses these triangles, so none encloses less
 //         area. A function of the set of points alone, except for the edges if radii are equal.
 // Cost:   that of persistence(), and linear in the triangles of the chosen holes.
-// Source: Obayashi, Volume-optimal cycle (2018); docs/filtration.md.
+// Source: Obayashi, Volume-optimal cycle (2018); docs/explanation/filtration_and_persistence.md, section 5.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for code that
 //         traverses the exposed triangles in its own order, as an advancing front does.
 // Law:    exact, on any finite input. Each result is a function of the set of points and the radius, not of earlier
-//         queries. Rolling back returns to the same triangle. docs/surface_derivation.md.
+//         queries. Rolling back returns to the same triangle. docs/explanation/surfaces.md, section 12.
 // Cost:   each query reads the points within two radii; surface() answers all queries together, which is faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once

@@ -2,8 +2,9 @@
 //         arrays of indices in canonical order. At infinity, the Delaunay triangulation.
 // Law:    a function of the set of points and alpha, not of any order or thread. Every decision is exact, on any finite
 //         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
-//         same tetrahedra. docs/solid.md.
-// Cost:   about 7 tetrahedra a point for points that fill a volume, and the time that docs/solid.md measures; quadratic
+//         same tetrahedra. docs/explanation/space.md.
+// Cost:   about 7 tetrahedra a point for points that fill a volume, and the time that docs/explanation/space.md,
+//         section 16, measures; quadratic
 //         in the worst case, as the number of tetrahedra is (points on the moment curve).
 // Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and
 //         Mücke, Three-dimensional alpha shapes (1994).
@@ -27,7 +28,7 @@ struct SolidOptions {
   /// Whether Solid::neighbors are filled in.
   bool neighbors = true;
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. Tiles, triples
-  /// and sorting use all of them; points are inserted by one thread (docs/solid.md).
+  /// and sorting use all of them; points are inserted by one thread (docs/explanation/space.md).
   unsigned threads = 0;
   /// Called repeatedly with the number of finished points in place of triangles. Returning false cancels the run.
   /// Empty: never called.

@@ -2,7 +2,7 @@
 //       volume and area.
 // Law:  a function of the set of tetrahedra. At an edge of four, six, … boundary triangles, neighbors are those that
 //       bound the same wedge of tetrahedra. Each fan of triangles around a point thus has a vertex of its own in
-//       split_fans() and surface_mesh(). docs/solid.md, section 7.
+//       split_fans() and surface_mesh(). docs/explanation/space.md, section 17.
 // Cost: one look at the neighbors of every tetrahedron; the rest is linear in the tetrahedra around edges of the
 //       boundary.
 #pragma once

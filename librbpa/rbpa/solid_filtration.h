@@ -4,8 +4,10 @@
 // Law:    a simplex is in the full alpha complex of alpha exactly if its radius is at most alpha, for every double
 //         alpha: the radius is rounded up from the exact one. No face of a simplex has a greater radius than the
 //         simplex. A function of the set of points, and of their numbering.
-// Cost:   that of solid(), and about as much again (docs/persistence_in_space.md); radii are shared among threads.
-// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4; docs/persistence_in_space.md.
+// Cost:   that of solid(), and about as much again (docs/explanation/filtration_and_persistence.md, sections 9 to 12);
+//         radii are shared among threads.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4;
+//         docs/explanation/filtration_and_persistence.md, sections 9 to 12.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 // Cost:   union–find for dimensions 0 and 2; for dimension 1 a reduction that is nearly linear in practice.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002); Delfinado,
 //         Edelsbrunner (1995): dimension 2 by duality; Chen, Kerber, Persistent homology computation with a twist
-//         (2011); docs/persistence_in_space.md.
+//         (2011); docs/explanation/filtration_and_persistence.md, section 10.
 #pragma once
 
 #include <cstdint>

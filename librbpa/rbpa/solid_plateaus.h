@@ -3,7 +3,7 @@
 // Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
 //         change it in proportion to their share of the points.
 // Cost:   a few sorts of the tetrahedra; the rest is near-linear.
-// Source: docs/which_alpha.md, section 6.
+// Source: docs/explanation/filtration_and_persistence.md, section 8.
 #pragma once
 
 #include <cstddef>

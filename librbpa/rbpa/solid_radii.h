@@ -2,7 +2,7 @@
 //         radii without geometry, and the least radii at which it has all points, or has them in one piece.
 // Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha.
 // Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; the others are about linear.
-// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/solid.md, section 10.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 20.
 #pragma once
 
 #include <array>

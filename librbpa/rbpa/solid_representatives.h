@@ -7,7 +7,7 @@
 // Cost:   that of solid_persistence(); also a search for a shortest path for each tunnel, and linear time in the
 //         tetrahedra of each void.
 // Source: Obayashi, Volume-optimal cycle (2018): voids; Dijkstra (1959), Hart, Nilsson, Raphael (1968): shortest paths;
-//         docs/persistence_in_space.md.
+//         docs/explanation/filtration_and_persistence.md, section 12.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // What: counts of a solid as a topological space: its simplices, components, tunnels and voids.
 // Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Exact; a
-//       function of the set of points and alpha. docs/solid.md, section 8.
+//       function of the set of points and alpha. docs/explanation/space.md, section 18.
 // Cost: union–find over the tetrahedra; the rest is linear in the boundary, and in the tetrahedra around points where
 //       it touches itself.
 #pragma once

@@ -1,7 +1,7 @@
 // What:   ball pivoting of points in space; the surface is returned as arrays of indices in canonical order.
 // Law:    a function of the set of points, their normals and the radius, not of any order, seed or thread. Every
 //         decision is exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses.
-//         docs/surface.md; docs/surface_derivation.md.
+//         docs/explanation/surfaces.md.
 // Cost:   linear in the number of points; the cost of a point grows slowly with the number of points within two radii.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999); the definition is of alpha
 //         shapes (Edelsbrunner and Mücke, 1994).

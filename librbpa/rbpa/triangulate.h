@@ -1,7 +1,7 @@
 // What: the alpha complex of points in the plane as plain arrays of indices, in canonical order.
 // Law:  the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads,
 //       or on the compiler.
-// Cost: less than that of rbpa(), as no mesh is made: docs/performance.md.
+// Cost: less than that of rbpa(), as no mesh is made: docs/reference/performance.md.
 // Note: independent of OpenMesh.
 #pragma once
 
@@ -66,7 +66,8 @@ struct Triangulation {
 /// Requires: as rbpa().
 /// Throws:   as rbpa().
 /// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors
-///           or boundary 120 (docs/performance.md); the full complex needs as much as the Delaunay triangulation with
+///           or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
+///           triangulation with
 ///           neighbors.
 RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
                                    const TriangulationOptions& options = {});

@@ -1,5 +1,5 @@
 // What: the points that are in no triangle of a surface, and the reason for each.
-// Law:  a function of the set of points, their normals and the radii; exact. docs/surface.md, section 6.
+// Law:  a function of the set of points, their normals and the radii; exact. docs/explanation/surfaces.md, section 6.
 #pragma once
 
 #include <cstdint>

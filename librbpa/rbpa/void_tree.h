@@ -5,7 +5,7 @@
 //         function of the set of points, except for the simplices if radii are equal.
 // Cost:   a sort of the tetrahedra, and union–find; with full walls also the radius of each triangle.
 // Source: Delfinado, Edelsbrunner (1995); Edelsbrunner, Facello, Liang, On the definition and the construction of
-//         pockets in macromolecules (1998); docs/persistence_in_space.md.
+//         pockets in macromolecules (1998); docs/explanation/filtration_and_persistence.md, section 11.
 #pragma once
 
 #include <cstdint>

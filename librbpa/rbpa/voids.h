@@ -1,7 +1,7 @@
 // What: the voids of a solid: the bounded components of the complement, each with its volume and its walls.
 // Law:  which regions are voids, and their boundary, are exact; a function of the set of points and alpha, down to the
 //       last bit of the measures. The volume of a void is that within its boundary, minus the islands that float in it;
-//       no tetrahedra of a larger radius are needed. docs/solid.md, section 8.
+//       no tetrahedra of a larger radius are needed. docs/explanation/space.md, section 18.
 // Cost: that of count(), and the measures of the voids' boundary; if islands float in voids, also a search among their
 //       components for each triangle of such a void.
 #pragma once

@@ -1,4 +1,5 @@
-// Measures single runs in fresh processes, in any order: the cold tables of docs/performance.md, and their targets.
+// Measures single runs in fresh processes, in any order: the cold tables of docs/reference/performance.md, and their
+// targets.
 //   bench_cold [--runs=N] [--points=N]      15 runs of each, 1,000,000 points
 #include <cstdio>
 #include <numeric>

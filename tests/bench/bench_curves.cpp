@@ -1,4 +1,5 @@
-// Measures the data of the figures of docs/performance.md: time per point against the number of points, against alpha,
+// Measures the data of the figures of docs/reference/performance.md: time per point against the number of points,
+// against alpha,
 // and against the unevenness of the points. Writes performance_scaling.csv, performance_alpha.csv and
 // performance_density.csv, each complete or not at all, which draw_figures draws; values are medians in nanoseconds per
 // point.

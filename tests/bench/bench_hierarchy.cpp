@@ -1,4 +1,5 @@
-// Measures the tables of docs/hrbpa.md: hrbpa() against rbpa(), CGAL and the paper's RBPA, and the effect of the leaf
+// Measures the tables of docs/explanation/plane.md, sections 19 to 21: hrbpa() against rbpa(), CGAL and the paper's
+// RBPA, and the effect of the leaf
 // capacity.
 //   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <cmath>

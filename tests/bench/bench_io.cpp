@@ -1,5 +1,6 @@
 // Prints a table of every format read and written, each next to the same bytes read by fread() or written by fwrite(),
-// as in docs/io.md. Files lie in the folder for temporary files; files that are read are in the system's cache.
+// as in docs/reference/file_formats.md. Files lie in the folder for temporary files; files that are read are in the
+// system's cache.
 //   bench_io [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <unistd.h>
 #include <zlib.h>

@@ -1,5 +1,6 @@
 // Prints how many estimated normals are on the right side, and how many of the others are marked as doubtful.
-//   bench_normals   the bodies of known_normals.h, then the sets of the further data, as a table of docs/surface.md
+//   bench_normals   the bodies of known_normals.h, then the sets of the further data, as a table of
+//   docs/explanation/surfaces.md
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Measures the phases of rbpa(), in one thread: the tables of docs/performance.md.
+// Measures the phases of rbpa(), in one thread: the tables of docs/reference/performance.md.
 //   bench_phases [--runs=N] [--points=N] [--alpha=SPACINGS]
 //                the least of 5 runs, 1,000,000 points, no radius; alpha in mean spacings of each set
 #include <algorithm>

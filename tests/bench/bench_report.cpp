@@ -1,5 +1,5 @@
 // Compares rbpa() with CGAL and any other program, in turn on the same points, and prints the tables of
-// docs/performance.md: times, memory, and the targets. Standard output is Markdown.
+// docs/reference/performance.md: times, memory, and the targets. Standard output is Markdown.
 //   bench_report [--points=N] [--runs=N] [--threads=1,2] [--trap-points=N] [--large] [--check]
 //                [--peer NAME=COMMAND]…
 #include <cmath>

@@ -1,5 +1,6 @@
 // Compares rbpa() and hrbpa() with CGAL's Delaunay triangulation of the points, in one process and one thread, by
-// processor time, on a hundred sets made to find slow paths. Prints the table of docs/performance.md, worst first.
+// processor time, on a hundred sets made to find slow paths. Prints the table of docs/reference/performance.md, worst
+// first.
 //   bench_slow_paths [--runs=N] [--points=N]      5 runs of each; 100,000 points, and a twelfth of them
 #include <algorithm>
 #include <cmath>

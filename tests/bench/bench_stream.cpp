@@ -1,6 +1,6 @@
 // Measures points that do not fit into memory: `rbpa stream` on files made for it, beside reading the input twice,
 // writing the output once, and computing in memory, on the same machine at the same time. Prints the tables of
-// docs/scale.md, section 1, as Markdown.
+// docs/how_to/more_points_than_memory.md, section 2, as Markdown.
 //   bench_stream [--points=1G] [--memory=1G] [--threads=2] [--scratch=DIR] …      --help for all
 #include <sys/statvfs.h>
 
@@ -168,7 +168,8 @@ class StreamBench {
     print_more();
   }
 
-  /// Prints an estimate, from the numbers above, for more points on more such machines (docs/scale.md, section 2).
+  /// Prints an estimate, from the numbers above, for more points on more such machines
+  /// (docs/how_to/more_points_than_memory.md, section 2).
   void print_more() const {
     const double tiles = most(&Moment::tile_bytes) / points(), output = stream_.output_bytes / points();
     const double bytes = 2 * input_.bytes / points() + 2 * tiles;

@@ -1,7 +1,7 @@
 // Measures ball pivoting in space: rbpa::surface(), the policy on the engine, Open3D and any other program.
 //   bench_surface [OPTIONS]; an unknown option prints the list of options
 // Contestants run in turn in one process, as in bench_report; with --cold each run has a process of its own, as in
-// bench_cold. docs/performance.md.
+// bench_cold. docs/reference/performance.md.
 #include <sys/wait.h>
 #include <unistd.h>
 

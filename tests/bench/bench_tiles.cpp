@@ -1,4 +1,5 @@
-// Measures how much of the complex tiles decide: the figures of docs/tiles.md, section 6, as a Markdown table.
+// Measures how much of the complex tiles decide: the figures of docs/explanation/plane.md, section 11, as a Markdown
+// table.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
 #include <cstdio>
 #include <limits>

@@ -316,7 +316,7 @@ TEST_CASE("further scans by two radii have at most the boundary of the first, ex
     const Surface first = rbpa::surface(scan.points, scan.normals, radii[0]),
                   both = rbpa::surface(scan.points, scan.normals, radii);
     CHECK(std::includes(both.triangles.begin(), both.triangles.end(), first.triangles.begin(), first.triangles.end()));
-    // docs/surface.md, section 4.
+    // docs/explanation/surfaces.md, section 4.
     static const std::vector<std::string> not_covered = {"c3_cilantro_frame1", "c3_lpm_car400", "m3_plate_holes"};
     const bool is_covered = std::find(not_covered.begin(), not_covered.end(), scan.name) == not_covered.end();
     CHECK((boundary(both) <= boundary(first)) == is_covered);

@@ -4,7 +4,7 @@
 //         of the work, is filled in and can run in parallel. There are three phases, each with a type: PatchAssembler
 //         lays patches, join() returns AssembledPatches, and these become a mesh, or a Front to be advanced.
 // Cost:   linear; about the time it takes to write the mesh.
-// Source: docs/front.md, section 5.
+// Source: docs/explanation/architecture.md, section 10.
 #pragma once
 
 #include <array>

@@ -214,7 +214,7 @@ class LoopSearch {
   }
 
   /// Runs Dijkstra's algorithm up to half of the limit: neither end of the edge across from the root is farther
-  /// (docs/graph.md). A little more allows for the rounding of sums.
+  /// (docs/reference/operators.md, section 8). A little more allows for the rounding of sums.
   void grow(Vertex root, double limit) {
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -1,7 +1,7 @@
 // What:   finds loops that generate the first homology of a mesh over Z/2, with the least total length of any such
 //         loops.
 // Law:    each component gets b₁ loops; the i-th shortest loop of any other basis is at least as long as the i-th of
-//         these, up to the rounding of sums. docs/graph.md, section 5.
+//         these, up to the rounding of sums. docs/reference/operators.md, section 8.
 // Cost:   for every vertex of the cut graph of homology(), a search for shortest paths, which ends at half the length
 //         of the longest loop of its component found so far; n log n for the n elements that it reaches, and a word for
 //         every 64 loops.

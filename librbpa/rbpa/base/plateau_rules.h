@@ -1,6 +1,6 @@
 // What:   the rules that plateaus of the plane and of space share: the least length, the meaning of structure, and the
 //         ranking.
-// Source: docs/which_alpha.md.
+// Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // What:   finds ranges of radii, long as a ratio of their ends, over which a measure of change hardly grows.
 // Law:    a function of the arguments alone; scaled radii have the same ranges.
 // Cost:   linear in the radii, for each range that is sought.
-// Source: docs/which_alpha.md.
+// Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
 
 #include <algorithm>

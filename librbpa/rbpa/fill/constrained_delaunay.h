@@ -1,7 +1,8 @@
 // What:   the constrained Delaunay triangulation of polygons, with their own points as corners and no others.
 // Law:    the triangles cover the polygons once. Across every edge that is on no ring, the apex beyond lies outside of
 //         the circle. Of points on one circle the lexicographically largest is lifted, as everywhere
-//         (docs/predicates.md), so there is one such triangulation: a function of the polygons as a set. All decisions
+//         (docs/explanation/exact_decisions.md), so there is one such triangulation: a function of the polygons as a
+//         set. All decisions
 //         are exact.
 // How:    the Delaunay triangulation of the points; then the edges that it lacks, one after the other in a random
 //         order. The triangles that an edge crosses are removed, a scan along its rim triangulates each of the two

@@ -1,7 +1,7 @@
 // What:   the uniform grid of the method: cells of side 2α, and the sites in the nine cells around a place.
 // Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together
-//         with both ends of an edge is in those around the middle of the edge. For any exponents: docs/paper.md,
-//         section 2.
+//         with both ends of an edge is in those around the middle of the edge. For any exponents:
+//         docs/explanation/paper.md, section 2.
 // Cost:   linear to build, without sorting; a query costs the number of sites in the nine cells, #V_p, which grows with
 //         α².
 // Source: Restricted BPA, section 3.1, "Data structure", and section 3.2: 9 pixels instead of 27 voxels.

@@ -17,7 +17,7 @@
 namespace rbpa {
 namespace {
 
-// Chosen by experiments: docs/surface_derivation.md, section 12.
+// Chosen by experiments: docs/explanation/surfaces.md, section 20.
 constexpr std::size_t neighbors = 32;
 constexpr double most_of_all = 0.99;  // fraction of the points whose gaps are ordinary
 constexpr double beyond_most = 2;     // a gap more than this many times the largest of these is an exception

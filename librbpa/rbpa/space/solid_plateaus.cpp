@@ -21,7 +21,8 @@ namespace {
 using Wide = long double;  // for its exponents: volumes are products of coordinates
 constexpr double settles = 2;
 
-/// Returns a ratio that noise does not reach: docs/which_alpha.md describes how it was measured.
+/// Returns a ratio that noise does not reach: docs/explanation/filtration_and_persistence.md, section 8 describes how
+/// it was measured.
 double noise_ratio(std::size_t distinct) { return 1.5 + 10 / std::sqrt(static_cast<double>(distinct)); }
 
 /// Returns half the diagonal of the points' bounding box.

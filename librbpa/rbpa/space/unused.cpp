@@ -49,7 +49,7 @@ void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::
 }
 
 /// Returns whether every ball that touches points[v] contains another point. This is so if and only if a
-/// ball rests on v, the nearest point and a third one (docs/surface_derivation.md, section 10).
+/// ball rests on v, the nearest point and a third one (docs/explanation/surfaces.md, section 18).
 /// Requires: distinct points; no empty ball rests on v; `around` has all points that such balls can touch or hold.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;

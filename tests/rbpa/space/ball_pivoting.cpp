@@ -152,7 +152,7 @@ Uneven uneven_set(std::size_t kind, Random& random) {
   return set;
 }
 
-/// Counts of the cases of the rule of docs/surface_derivation.md, section 9.
+/// Counts of the cases of the rule of docs/explanation/surfaces.md, section 17.
 struct Compared {
   std::size_t triangles = 0;      ///< of levels beyond the first
   std::size_t apart = 0;          ///< seeds among these: not adjacent to an earlier triangle

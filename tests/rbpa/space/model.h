@@ -38,7 +38,7 @@ bool is_nearer(const Points3& points, std::uint32_t from, std::uint32_t to, std:
 Triangle next_by_definition(const Points3& points, const std::set<Triangle>& exposed, const Triangle& triangle,
                             std::size_t k);
 
-/// The rule of docs/surface_derivation.md, section 9, with sets.
+/// The rule of docs/explanation/surfaces.md, section 17, with sets.
 class ModelSurface {
  public:
   ModelSurface(const Points3& points, const Points3& normals) : points_(points), normals_(normals) {}

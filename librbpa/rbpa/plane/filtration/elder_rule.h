@@ -2,7 +2,8 @@
 //         components and holes, each with a cell that is in it at its birth, or just before its death.
 // Law:    when two meet the younger dies; of two with the same alpha of birth, the one with the greater number.
 // Cost:   near-linear.
-// Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995); docs/filtration.md.
+// Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995);
+//         docs/explanation/filtration_and_persistence.md, section 5.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,8 @@
 // Law:    triangles may be added in any order; after each, the counts are what count() finds on the complex so far.
 //         Vertices on one point, which a mesh has where it is split at pinches, are one point of the space.
 // Cost:   linear to begin with, then practically constant per triangle.
-// Source: Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995); docs/filtration.md.
+// Source: Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995);
+//         docs/explanation/filtration_and_persistence.md, section 3.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What: measures how much the solid alpha complex has changed, at every step of its filtration.
 // Law:  each number depends on the set of points alone, and has no unit: sums are computed in an order that coordinates
 //       determine.
-// How:  docs/which_alpha.md.
+// How:  docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
 
 #include <cstdint>

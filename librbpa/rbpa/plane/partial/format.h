@@ -1,4 +1,4 @@
-// What: the layout of a Partial in bytes: words of 8, little-endian (docs/partial.md, section 6).
+// What: the layout of a Partial in bytes: words of 8, little-endian (docs/explanation/plane.md, section 27).
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 // Law:    every triangle of the patch is one of the solid alpha complex of all points. No triangle is left out whose
 //         circumcircle lies where the tile has all points and to which a front of such triangles leads.
 // Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic if these leave
-//         two points. See docs/tiles.md.
+//         two points. See docs/explanation/plane.md, sections 6 to 11.
 // Source: Restricted BPA, sections 3.1 and 3.2.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What: points that compete for a circle through the ends of a chord. Of the points left of the chord, the one with the
-//       least circle has the least k = dot / cross: docs/pivot.md, section 1.
+//       least circle has the least k = dot / cross: docs/explanation/plane.md, section 1.
 // Law:  the results are those of the predicates.
 // Why:  the products of a point and a chord are computed once for each point, not for each pair of them.
 #pragma once

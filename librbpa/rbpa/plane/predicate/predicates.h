@@ -1,7 +1,8 @@
 // What: the exact decisions: side of a line, in-circle, circumradius against alpha, distances.
 // Law:  each predicate returns the sign of a real number that its comment names, for every finite input. Exchanging
 //       arguments changes the sign as it does for the real number.
-// How:  a floating filter with a proved bound decides nearly always (docs/predicates.md derives the bounds); the rest
+// How:  a floating filter with a proved bound decides nearly always (docs/explanation/exact_decisions.md derives the
+//       bounds); the rest
 //       goes to integers of a fixed width where they fit, to double-double, to expansions, or to integers of any length
 //       where exponents are extreme.
 // Cost: a few nanoseconds; 0.1–1 µs when the filter fails.
@@ -86,7 +87,8 @@ class Predicates {
   }
 
   /// Returns in_circle() as if no four points were on a circle: q cocircular with (a, b, p) is moved off the circle by
-  /// the symbolic perturbation (docs/predicates.md). Requires: (a, b, p) turns left and q is none of them.
+  /// the symbolic perturbation (docs/explanation/exact_decisions.md). Requires: (a, b, p) turns left and q is none of
+  /// them.
   static int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
     const int side = in_circle(a, b, p, q);
     return side != 0 ? side : perturbed_side(a, b, p, q);
@@ -178,7 +180,7 @@ class Predicates {
     const auto ab = widened(a, b), bc = widened(b, c), ca = widened(c, a);
     const DoubleDouble first = ab.dot(ab), second = bc.dot(bc), third = ca.dot(ca);
     // Within these bounds no product leaves the range of double, and an underflow in a product is below the bound:
-    // docs/predicates.md.
+    // docs/explanation/exact_decisions.md.
     constexpr double least = 0x1p-300, largest = 0x1p300;
     const double squared = alpha * alpha;
     const auto [shortest, longest] = std::minmax({first.high, second.high, third.high, squared});

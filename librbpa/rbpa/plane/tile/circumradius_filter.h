@@ -1,6 +1,7 @@
 // What: tests which triangles on a tile have a circumradius ≤ alpha, as far as single precision decides.
 // Law:  `inside` and `outside` are true for the points in double precision; exact arithmetic decides `uncertain`.
-// How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/tiles.md, section 7, derives the bounds.
+// How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/explanation/plane.md, section 10,
+//       derives the bounds.
 // Cost: a few nanoseconds a triangle.
 #pragma once
 

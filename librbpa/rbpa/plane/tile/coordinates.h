@@ -1,7 +1,7 @@
 // What: a tile's points in single precision, relative to one of them, scaled so that the tile is within −1 … 1.
 // Law:  every coordinate is within `rounding` of the true one; on a lattice it is exact.
 // Why:  sixteen coordinates fit a vector register, and nothing can overflow. Decisions use bounds that count the
-//       rounding; docs/tiles.md derives them.
+//       rounding; docs/explanation/plane.md, section 10 derives them.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,8 @@
 // Cost: up to nine orientations for each triangle.
 // How:  an arc leads from a direction within a tetrahedron of the one part to a direction within one of the other; its
 //       crossings with each closed curve are counted. The directions are moved off the edges of the tetrahedra by
-//       infinitesimals of different orders, so that the arc never passes through a corner. docs/solid.md, section 9.
+//       infinitesimals of different orders, so that the arc never passes through a corner. docs/explanation/space.md,
+//       section 19.
 #pragma once
 
 #include <array>

@@ -3,8 +3,8 @@
 // Law:  a function of the tetrahedra; exact.
 // How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of the outside of a
 //       connected complex (Alexander duality). Such a surface passes through triangles that are glued through the
-//       outside, and around a point through all fans in the same region of its link's complement. docs/solid.md,
-//       section 9.
+//       outside, and around a point through all fans in the same region of its link's complement.
+//       docs/explanation/space.md, section 19.
 // Cost: linear; where several fans meet at a point, linear in all tetrahedra around it.
 #pragma once
 

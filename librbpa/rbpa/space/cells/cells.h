@@ -2,7 +2,7 @@
 //       are not stored.
 // Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents.
 //       Equal points are one site. The order of the cells is a function of the set of points.
-//       docs/surface_derivation.md, section 8.
+//       docs/explanation/surfaces.md, section 16.
 // Cost: a sort; as much memory as the points.
 #pragma once
 

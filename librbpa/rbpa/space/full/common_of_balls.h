@@ -1,5 +1,5 @@
 // What: volume and surface area of the intersection of one, two and three balls of radius 1, and sums of such terms.
-// How:  docs/solid.md, section 11, has the formula and a drawing.
+// How:  docs/explanation/space.md, section 21, has the formula and a drawing.
 #pragma once
 
 #include <cmath>

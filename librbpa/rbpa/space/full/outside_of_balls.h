@@ -1,6 +1,6 @@
 // What: the volume of voids of the full alpha complex that is outside of the balls of radius alpha around the points.
 // How:  the volume of the tetrahedra of a void, less the volume of the balls in them by inclusion and exclusion. The
-//       share of a tetrahedron in a ball is given by its angles: docs/solid.md, section 11.
+//       share of a tetrahedron in a ball is given by its angles: docs/explanation/space.md, section 21.
 // Law:  the choice of simplices is exact; sizes and angles are rounded; their sum is exact and rounded once.
 // Cost: linear in the tetrahedra of voids.
 // Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995).

@@ -1,4 +1,5 @@
-// What:   the Delaunay triangulation of points in space, built point by point. docs/solid.md, section 4, has a drawing.
+// What:   the Delaunay triangulation of points in space, built point by point. docs/explanation/space.md, section 6,
+//         has a drawing.
 // How:    for each point
 //           1. walk from a recently made tetrahedron to one whose sphere contains the point;
 //           2. find all such tetrahedra, the cavity, from neighbor to neighbor, level by level;

@@ -17,7 +17,8 @@ namespace {
 
 using Number = std::uint32_t;
 
-// Chosen on some fifty sets of points with known normals, and tried on others (docs/surface_derivation.md, section 11).
+// Chosen on some fifty sets of points with known normals, and tried on others (docs/explanation/surfaces.md, section
+// 19).
 // Least ratio of a point's projected sum to its area for which its side is known
 constexpr double one_sided = 0.35;
 constexpr double least_one_sided = 0.5;     // on average over a component

@@ -1,5 +1,5 @@
 // What: the persistence pairing: for each simplex that begins a class, the simplex that ends it, in all dimensions.
-// Cost: docs/persistence_in_space.md.
+// Cost: docs/explanation/filtration_and_persistence.md, section 10.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // What:   rolls the ball all the way around an edge: the arcs on which it contains no point, and the triangles at their
 //         ends.
 // Law:    exact. Each free arc of the circle of its centers is reported once, with the exposed triangle at its
-//         beginning and the one at its end. A function of the edge and the set of points. docs/surface_derivation.md,
-//         section 4.
+//         beginning and the one at its end. A function of the edge and the set of points. docs/explanation/surfaces.md,
+//         section 12.
 // How:    where the ball leaves a point, it may contain another one: the search then continues where it leaves that
 //         one. Where it contains none, it is free until it touches the first point.
 // Cost:   at most edges no arc is free. This takes a few balls, each tested against points until it contains one. Each

@@ -1,8 +1,9 @@
 // What:   the ball of a given radius that rests on three points: whether it exists, and which points it contains.
 // Law:    exact for every finite input. The results are those of a ball larger by an infinitesimal, among points that
-//         the symbolic perturbation has moved by even less: no fourth point touches it. docs/surface_derivation.md,
-//         sections 2 and 6.
-// How:    a floating-point filter whose bounds are computed with the ball (docs/surface_derivation.md, section 7); then
+//         the symbolic perturbation has moved by even less: no fourth point touches it. docs/explanation/surfaces.md,
+//         sections 10 and 14.
+// How:    a floating-point filter whose bounds are computed with the ball (docs/explanation/surfaces.md, section 15);
+//         then
 //         long double, then integers of any length.
 // Cost:   about sixty operations for each ball, and fifteen for each point; microseconds where a filter fails.
 #pragma once

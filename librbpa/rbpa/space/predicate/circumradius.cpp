@@ -62,7 +62,7 @@ class Circumradii {
                            uu * vw.z + vv * wu.z + ww * uv.z};  // times 2 volume
     const Number squares = dot(centre, centre), diameter = volume + volume, denominator = diameter * diameter;
 
-    // docs/predicates.md, section 7.
+    // docs/explanation/exact_decisions.md, section 7.
     constexpr double volume_error = 0x1p-93, centre_error = 0x1p-91, relative = 0x1p-98;
     const V length = hn::Sqrt(squares.high), half = hn::Abs(diameter.high);
     const V squares_error = hn::MulAdd(hn::Set(d, 4 * centre_error), length,

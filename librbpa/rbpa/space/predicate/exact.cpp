@@ -108,7 +108,7 @@ int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radiu
   const Scale scale({a, b, c, q}, radius);
   const Corners t(scale, a, b, c);
   const Vector d = scale(q) - t.origin;
-  // The power of q is (A − B √D) / n²: docs/surface_derivation.md.
+  // The power of q is (A − B √D) / n²: docs/explanation/surfaces.md, section 14.
   const Vector vn = cross(t.v, t.n), nu = cross(t.n, t.u);
   const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v);
   const Integer A = dot(t.n, t.n) * dot(d, d) - uu * dot(vn, d) - vv * dot(nu, d), B = dot(t.n, d);

@@ -1,6 +1,6 @@
 // What: the least sphere through two or three points: its radius, and whether a point is inside.
 // Law:  exact for every finite input. A point on the sphere is not inside.
-// How:  a filter in long double (docs/predicates.md, section 7), then integers of any length.
+// How:  a filter in long double (docs/explanation/exact_decisions.md, section 7), then integers of any length.
 // Cost: some ten nanoseconds; microseconds where the filter fails.
 #pragma once
 

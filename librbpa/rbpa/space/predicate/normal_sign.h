@@ -1,5 +1,5 @@
 // What: tests whether the normal of a triangle agrees with another vector.
-// Law:  exact for every finite input (docs/surface_derivation.md, section 7).
+// Law:  exact for every finite input (docs/explanation/surfaces.md, section 15).
 // Cost: some nanoseconds; microseconds when the filter fails.
 #pragma once
 

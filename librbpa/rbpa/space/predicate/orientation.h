@@ -1,8 +1,8 @@
 // What: the side of a triangle's plane that a point is on; the side of a line that a point is on, seen along an axis.
 // Law:  exact for every finite input.
 // How:  a floating-point filter; then integers of fixed width, where the differences fit; then expansions, where no
-//       product of the differences can underflow or overflow; then integers of any length (docs/surface_derivation.md,
-//       section 7).
+//       product of the differences can underflow or overflow; then integers of any length
+//       (docs/explanation/surfaces.md, section 15).
 // Cost: some nanoseconds; a tenth of a microsecond for points in a plane, microseconds at extreme exponents.
 #pragma once
 

@@ -1,6 +1,6 @@
 // What: the side of the sphere through four points that a fifth is on; ties are broken by perturbation.
-// Law:  exact for every finite input. The answers are those of one set of lifted points (docs/predicates.md, section
-//       2): never 0.
+// Law:  exact for every finite input. The answers are those of one set of lifted points
+//       (docs/explanation/exact_decisions.md, section 2): never 0.
 // Cost: some ten nanoseconds; a tenth of a microsecond on grids, where the filter fails or is left out; microseconds
 //       otherwise.
 #pragma once
@@ -17,7 +17,7 @@ namespace rbpa::space {
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 /// Returns the in-sphere determinant, positive inside, in double-double (base/exact/double_double.h). Its error is at
-/// most 68 · 2^−106 times the sum of the absolute values of all terms (docs/predicates.md, section 7).
+/// most 68 · 2^−106 times the sum of the absolute values of all terms (docs/explanation/exact_decisions.md, section 7).
 /// Requires: points that fit double (base/exact/magnitude.h).
 double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
@@ -29,7 +29,7 @@ std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Po
 /// Returns whether q is inside the perturbed sphere, for points of any size. Requirements as for in_sphere_on_grid().
 bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
-/// Returns in_sphere_exactly(), after trying a floating-point filter (docs/solid_triples.md).
+/// Returns in_sphere_exactly(), after trying a floating-point filter (docs/explanation/space.md, sections 8 to 10).
 bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 /// Decides the tests that the filter of sphere_minors.h leaves open: by the value itself where it has no error, else by

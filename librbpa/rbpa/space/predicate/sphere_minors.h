@@ -9,7 +9,7 @@
 //
 //       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by its lift: the
 //       sphere is the half-space beyond the plane through the others, and V is the same four products.
-// Law:  |V computed − V| ≤ error; docs/predicates.md, section 7, derives the filter's bound.
+// Law:  |V computed − V| ≤ error; docs/explanation/exact_decisions.md, section 7, derives the filter's bound.
 #pragma once
 
 #include <algorithm>
@@ -71,7 +71,8 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
           -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
 }
 
-/// Filter constant: errors are below this times the lengths of docs/predicates.md, section 7: 20 roundings there, and
+/// Filter constant: errors are below this times the lengths of docs/explanation/exact_decisions.md, section 7: 20
+/// roundings there, and
 /// some for the bound itself.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
@@ -96,7 +97,8 @@ inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& 
 /// The comparison of a sphere's radius with alpha.
 enum class RadiusSide { within, beyond, unknown };
 
-/// Compares the radius with alpha by the minors, where nothing underflows; docs/predicates.md, section 7.
+/// Compares the radius with alpha by the minors, where nothing underflows; docs/explanation/exact_decisions.md, section
+/// 7.
 inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
   // (m0, m1, m2) is 2 minor 3 times the vector to the circumcenter.
   constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;

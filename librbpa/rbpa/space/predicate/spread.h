@@ -2,7 +2,7 @@
 //       so that filters of degree five neither overflow nor underflow unnoticed.
 // Law:  multiplied by 2^exponent no coordinate is above 2^150. Where is_exact, none is rounded, and all are multiples
 //       of 2^unit, unit ≥ −150; otherwise underflow changes no value of degree five by more than `underflow`
-//       (docs/predicates.md, section 7).
+//       (docs/explanation/exact_decisions.md, section 7).
 // Cost: linear.
 #pragma once
 

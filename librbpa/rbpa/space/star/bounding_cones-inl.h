@@ -1,6 +1,6 @@
 // What: cones from v that bound the parts of a free region. A point whose cap misses all cones does not change the
 //       region.
-// Law:  conservative: a rejected point cannot change the region now or later. docs/surface_derivation.md, section 5.
+// Law:  conservative: a rejected point cannot change the region now or later. docs/explanation/surfaces.md, section 13.
 // How:  a part on one side of a plane through v is in the cone of its corners. The corners are lengthened to C until
 //       their hull is outside the sphere. Then p's cap meets the part only if C · p > p²/2 for one of them.
 //

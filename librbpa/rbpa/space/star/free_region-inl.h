@@ -1,7 +1,7 @@
 // What: the free region: possible centers of a ball that touches a point v and contains no other point. It is the
 //       sphere of centers around v without one cap for each other point. Its corners are the exposed triangles at v.
 // Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is possible the region is lost, and
-//       false is returned. docs/surface_derivation.md, section 5.
+//       false is returned. docs/explanation/surfaces.md, section 13.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
 //       of the circle of a point, on which the ball touches v and that point. Compiled once for each kind of vector
 //       unit: Highway's toggle is the include guard.

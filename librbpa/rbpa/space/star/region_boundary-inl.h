@@ -1,7 +1,7 @@
 // What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's
 //       centers.
 // Law:  arcs are shorter than 120 degrees; where necessary, corners that are not triangles divide them.
-//       docs/surface_derivation.md, section 5.
+//       docs/explanation/surfaces.md, section 13.
 // How:  corner k and the arc from it to corner next[k] have the same position in all arrays, so that one loop over
 //       vector lanes tests a point against all of them. Sets of corners or arcs are the bits of a word. Compiled once
 //       for each kind of vector unit: Highway's toggle is the include guard.

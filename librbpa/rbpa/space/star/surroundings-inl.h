@@ -1,6 +1,6 @@
 // What: the sites in the cells around a cell, and those among them that can change the free region of a site.
 // Law:  single precision, rounded to the safe side: a site that is left out changes nothing.
-//       docs/surface_derivation.md, section 5.
+//       docs/explanation/surfaces.md, section 13.
 // How:  offsets from one of the sites, in radii, one array for each coordinate. Compiled once for each kind of vector
 //       unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_SURROUNDINGS_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -3,7 +3,7 @@
 // Law:  exact: no other point of the tile is in the sphere. Nothing is found where the ball may contain points beyond
 //       the tile, or the face is on the hull.
 // How:  choose the most probable candidate; if a point may be in its sphere, search exactly from there.
-//       docs/solid_tiles.md.
+//       docs/explanation/space.md, sections 11 to 15.
 #if defined(RBPA_SPACE_TILES_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
 #undef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
@@ -80,7 +80,7 @@ class ApexSearch {
   /// Returns the sphere through a face (v, p, q) and r, as sphere_minors() computes it for (q, p, r).
   HWY_INLINE static Sphere sphere_of(const Face& face, const Spoke& r) {
     const auto &n = face.normal, &m = face.turned;
-    // The lengths of docs/predicates.md, bounded by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
+    // The lengths of docs/explanation/exact_decisions.md, bounded by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
     const double weight = in_sphere_filter * std::sqrt(face.product * r.square);
     return {{n.x * r.square + (m.y * r.z - m.z * r.y), n.y * r.square + (m.z * r.x - m.x * r.z),
              n.z * r.square + (m.x * r.y - m.y * r.x), -(n.x * r.x + n.y * r.y + n.z * r.z)},
@@ -88,7 +88,8 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Returns whether the center is off by less than a hundredth of the radius: docs/solid_tiles.md.
+  /// Returns whether the center is off by less than a hundredth of the radius: docs/explanation/space.md, sections 11
+  /// to 15.
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// Returns a box that contains the ball. Requires: is_certain().

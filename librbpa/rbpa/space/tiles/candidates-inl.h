@@ -3,7 +3,8 @@
 // How:  a block has the points in the cells around a cell, once for all points of the cell. Points of the block in a
 //       ball around v are candidates. Their offsets from v are in double precision to decide and in single precision to
 //       choose. The centers of balls through v, p and q are x/2 + t n; of the points above the plane the one with the
-//       least t is the fourth corner (docs/solid_triples.md has the quotients). The choice is certain if every other
+//       least t is the fourth corner (docs/explanation/space.md, sections 8 to 10 has the quotients). The choice is
+//       certain if every other
 //       candidate is outside of its sphere by more than the error, and the sphere is within the ball of candidates: if
 //       its radius is at most half of the reach.
 #if defined(RBPA_SPACE_TILES_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)

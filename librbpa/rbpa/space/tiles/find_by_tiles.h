@@ -1,6 +1,6 @@
 // What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Those at points that no tile settles
 //       come from a triangulation of these points and their neighbors.
-// Law:  exact and complete; each tetrahedron once (docs/solid_tiles.md).
+// Law:  exact and complete; each tetrahedron once (docs/explanation/space.md, sections 11 to 15).
 // Cost: about a microsecond a point, for points that fill a volume.
 #pragma once
 

@@ -4,7 +4,7 @@
 //       the hull, points stay unsettled.
 // How:  points are completed in their order. A face with a tetrahedron on one side waits at the first of its corners
 //       that is not completed. There the tetrahedron on the other side is found; each of its faces closes a waiting
-//       face or waits. docs/solid_tiles.md.
+//       face or waits. docs/explanation/space.md, sections 11 to 15.
 // Cost: about a tenth of a microsecond for each tetrahedron.
 #pragma once
 

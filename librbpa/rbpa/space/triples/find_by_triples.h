@@ -1,6 +1,7 @@
 // What: finds the Delaunay tetrahedra of circumradius at most alpha from the triples of points around each point.
 // Law:  exact and complete; each tetrahedron once. Cases that single precision leaves open go to double precision, and
-//       cases that it leaves open go to exact predicates under the symbolic perturbation (docs/solid_triples.md).
+//       cases that it leaves open go to exact predicates under the symbolic perturbation (docs/explanation/space.md,
+//       sections 8 to 10).
 // How:  for each point v, where step 1 is shared by all points of a cell,
 //       1. gather the points after v in the order of sites, and those before v, within 2 alpha (near_points-inl.h);
 //       2. list the pairs (q, r) after v, q before r, whose triangle with v has a circumradius of at most alpha;
