@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/refine_filling.h"
+#include "rbpa/space/repair/refine_filling.h"
 
 namespace rbpa::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "cli/left_out_points.h"
 #include "io/cloud/read_space_points.h"
-#include "rbpa/estimate_normals.h"
+#include "rbpa/space/surface/estimate_normals.h"
 #include "triangulation/close_surface.h"
 
 namespace rbpa::app {

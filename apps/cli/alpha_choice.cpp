@@ -9,9 +9,9 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/covering.h"
-#include "rbpa/filtration.h"
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "cli/run.h"
 #include "rbpa/base/point.h"
-#include "rbpa/covering.h"
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/persistence.h"
+#include "rbpa/plane/persistence.h"
 #include "report/radii.h"
 
 namespace rbpa::app {

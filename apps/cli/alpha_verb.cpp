@@ -14,9 +14,9 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/hrbpa_arrays.h"
-#include "rbpa/persistence.h"
-#include "rbpa/representatives.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/representatives.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa::app {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa::app {
 

@@ -6,7 +6,7 @@
 #include "io/bytes/available_memory.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
-#include "rbpa/collinear.h"
+#include "rbpa/plane/collinear.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {

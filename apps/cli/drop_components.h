@@ -6,8 +6,8 @@
 
 #include "cli/surface_report.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/surface.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 

@@ -22,7 +22,7 @@
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
-#include "rbpa/filling_values.h"
+#include "rbpa/fill/filling_values.h"
 
 namespace rbpa::app {
 namespace {

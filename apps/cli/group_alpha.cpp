@@ -15,8 +15,8 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/shape_files.h"
-#include "rbpa/covering.h"
-#include "rbpa/groups.h"
+#include "rbpa/plane/groups.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa::app {
 namespace {

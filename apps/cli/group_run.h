@@ -12,7 +12,7 @@
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "io/polygon/shape_files.h"
-#include "rbpa/groups.h"
+#include "rbpa/plane/groups.h"
 
 namespace rbpa::app {
 

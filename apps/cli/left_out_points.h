@@ -10,8 +10,8 @@
 
 #include "cli/surface_report.h"
 #include "io/cloud/read_space_points.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

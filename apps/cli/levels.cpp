@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/failure.h"
-#include "rbpa/level_topology.h"
+#include "rbpa/plane/level_topology.h"
 
 namespace rbpa::app {
 namespace {

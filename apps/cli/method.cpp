@@ -9,9 +9,9 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/hrbpa_arrays.h"
-#include "rbpa/link_triangles.h"
 #include "rbpa/paper.h"
+#include "rbpa/plane/link_triangles.h"
+#include "rbpa/plane/triangles_by_level.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cli/run.h"
-#include "rbpa/delaunay.h"
 #include "rbpa/hrbpa.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa::app {
 

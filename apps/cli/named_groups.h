@@ -12,7 +12,7 @@
 #include "cli/point_arguments.h"
 #include "cli/run.h"
 #include "io/point_file.h"
-#include "rbpa/groups.h"
+#include "rbpa/plane/groups.h"
 
 namespace rbpa::app {
 

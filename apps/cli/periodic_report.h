@@ -9,7 +9,7 @@
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/periodic_topology.h"
+#include "rbpa/space/balls/periodic_topology.h"
 
 namespace rbpa::app {
 

@@ -20,8 +20,8 @@
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
-#include "rbpa/periodic_solid.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/solid/periodic_solid.h"
+#include "rbpa/space/solid/solid_radii.h"
 
 namespace rbpa::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/method.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/covering.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::app {

@@ -8,7 +8,7 @@
 #include "cli/run.h"
 #include "cli/stats.h"
 #include "cli/verbs.h"
-#include "rbpa/delaunay.h"
+#include "rbpa/plane/delaunay.h"
 #include "report/radii.h"
 
 namespace rbpa::app {

@@ -12,8 +12,8 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
-#include "rbpa/pair_choice.h"
-#include "rbpa/solid_representatives.h"
+#include "rbpa/base/pair_choice.h"
+#include "rbpa/space/persistence/solid_representatives.h"
 #include "report/write_report.h"
 #include "report/write_space_report.h"
 

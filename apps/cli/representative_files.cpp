@@ -14,7 +14,7 @@
 #include "io/mesh/vtu.h"
 #include "io/polygon/shape_files.h"
 #include "io/values_at.h"
-#include "rbpa/hrbpa_arrays.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa::app {
 namespace {

@@ -11,13 +11,13 @@
 #include "io/bytes/output_file.h"
 #include "io/crs.h"
 #include "io/formats.h"
+#include "rbpa/base/pair_choice.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/pair_choice.h"
-#include "rbpa/representatives.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_representatives.h"
+#include "rbpa/plane/representatives.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/persistence/solid_representatives.h"
 
 namespace rbpa::app {
 

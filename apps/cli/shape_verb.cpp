@@ -13,9 +13,9 @@
 #include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
 #include "picture/picture.h"
-#include "rbpa/coverage.h"
-#include "rbpa/link_triangles.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/link_triangles.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/polygon_of_points.h"
 
 namespace rbpa::app {
 namespace {

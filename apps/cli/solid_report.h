@@ -8,12 +8,12 @@
 
 #include "cli/point_names.h"
 #include "io/bytes/output_file.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_components.h"
-#include "rbpa/solid_topology.h"
-#include "rbpa/union_of_balls.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/balls/union_of_balls.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_components.h"
+#include "rbpa/space/solid/solid_topology.h"
+#include "rbpa/space/solid/voids.h"
 
 namespace rbpa::app {
 

@@ -15,9 +15,9 @@
 #include "cli/verbs.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/solid/voids.h"
 
 namespace rbpa::app {
 

@@ -24,11 +24,11 @@
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_plateaus.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/split_fans.h"
+#include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/persistence/solid_plateaus.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/surface/split_fans.h"
 
 namespace rbpa::app {
 namespace {

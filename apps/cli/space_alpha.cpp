@@ -19,8 +19,8 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/pair_choice.h"
-#include "rbpa/solid_representatives.h"
+#include "rbpa/base/pair_choice.h"
+#include "rbpa/space/persistence/solid_representatives.h"
 
 namespace rbpa::app {
 namespace {

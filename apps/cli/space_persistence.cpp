@@ -11,7 +11,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/solid/solid_radii.h"
 
 namespace rbpa::app {
 

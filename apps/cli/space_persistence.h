@@ -9,9 +9,9 @@
 #include "cli/run.h"
 #include "cli/verbs.h"
 #include "io/cloud/read_space_points.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_plateaus.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/persistence/solid_plateaus.h"
 
 namespace rbpa::app {
 

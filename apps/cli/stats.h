@@ -6,8 +6,8 @@
 #include <string>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/shape.h"
-#include "rbpa/topology.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/topology.h"
 
 namespace rbpa::app {
 

@@ -12,8 +12,8 @@
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/curve_kinds.h"
-#include "rbpa/hole_remedies.h"
+#include "rbpa/space/repair/suggested_repairs.h"
+#include "rbpa/space/surface/curve_kinds.h"
 
 namespace rbpa::app {
 

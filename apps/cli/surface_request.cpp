@@ -8,8 +8,8 @@
 #include "cli/point_arguments.h"
 #include "io/bytes/number.h"
 #include "io/failure.h"
-#include "rbpa/estimate_normals.h"
-#include "rbpa/outliers.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/outliers.h"
 
 namespace rbpa::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/validity.h"
+#include "rbpa/fill/validity.h"
 
 namespace rbpa::app {
 namespace {

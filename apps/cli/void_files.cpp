@@ -9,7 +9,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/split_fans.h"
+#include "rbpa/space/surface/split_fans.h"
 
 namespace rbpa::app {
 namespace {

@@ -13,8 +13,8 @@
 #include "cli/void_lives.h"
 #include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/surface.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/voids.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

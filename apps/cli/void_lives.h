@@ -8,10 +8,10 @@
 
 #include "rbpa/base/point3.h"
 #include "rbpa/base/triangle.h"
-#include "rbpa/solid.h"
-#include "rbpa/surface.h"
-#include "rbpa/void_tree.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/persistence/void_tree.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/voids.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

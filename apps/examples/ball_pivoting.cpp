@@ -16,7 +16,7 @@
 
 #include "examples/surface_arrays.h"
 #include "meshops/topology/report.h"
-#include "rbpa/surface_levels.h"
+#include "rbpa/space/surface/surface_levels.h"
 
 using meshops::Front;
 using meshops::Site;

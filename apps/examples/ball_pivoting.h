@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "meshops/front/engine.h"
-#include "rbpa/facing_sides.h"
-#include "rbpa/rolling_ball.h"
+#include "rbpa/space/surface/facing_sides.h"
+#include "rbpa/space/surface/rolling_ball.h"
 
 /// Policy of a ball that rolls over points with normals, from edge to edge. Each radius is a level of the front, with a
 /// ball and a policy of its own. Sites are input indices.

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/mesh_holes.h"
+#include "rbpa/space/repair/mesh_holes.h"
 
 using namespace meshops;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "meshops/front/front.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 /// Returns triangles in canonical order, the triangles across from their corners, and levels from 0, as
 /// rbpa::surface().

@@ -15,12 +15,12 @@
 #include "javascript/exports.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/point.h"
-#include "rbpa/covering.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/filtration.h"
-#include "rbpa/plateaus.h"
-#include "rbpa/shape.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 
 #include "javascript/exports.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/estimate_normals.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace {
 

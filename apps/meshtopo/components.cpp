@@ -5,7 +5,7 @@
 #include "io/interrupt.h"
 #include "meshops/topology/repair.h"
 #include "meshtopo/face_fans.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 

@@ -13,7 +13,7 @@
 #include "meshops/topology/orient.h"
 #include "meshtopo/components.h"
 #include "meshtopo/exact.h"
-#include "rbpa/outer_shells.h"
+#include "rbpa/space/surface/outer_shells.h"
 
 namespace rbpa::app {
 namespace {

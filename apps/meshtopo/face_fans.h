@@ -10,7 +10,7 @@
 
 #include "meshops/topology/repair.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

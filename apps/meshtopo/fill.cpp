@@ -10,9 +10,9 @@
 #include "meshops/topology/repair.h"
 #include "meshops/topology/soup_defects.h"
 #include "meshtopo/face_fans.h"
-#include "rbpa/curve_kinds.h"
-#include "rbpa/fill_holes.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 namespace {

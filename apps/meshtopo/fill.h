@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "io/mesh/read_mesh.h"
-#include "rbpa/curve_kinds.h"
-#include "rbpa/holes.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/holes.h"
 #include "triangulation/filling_counts.h"
 #include "triangulation/hole_choice.h"
 

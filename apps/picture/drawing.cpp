@@ -5,7 +5,7 @@
 
 #include "io/interrupt.h"
 #include "io/sort.h"
-#include "rbpa/boundary_curves.h"
+#include "rbpa/plane/boundary_curves.h"
 
 namespace rbpa::app {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "io/mesh/write_triangles.h"
 #include "rbpa/base/point.h"
-#include "rbpa/shape.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa::app {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/filtration.h"
-#include "rbpa/persistence.h"
-#include "rbpa/plateaus.h"
-#include "rbpa/solid_persistence.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/space/persistence/solid_persistence.h"
 
 namespace rbpa::app {
 

@@ -1,4 +1,4 @@
-#include "rbpa/filtration.h"
+#include "rbpa/plane/filtration.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -10,12 +10,12 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/covering.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/hrbpa_arrays.h"
-#include "rbpa/persistence.h"
-#include "rbpa/plateaus.h"
-#include "rbpa/representatives.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/representatives.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa::python {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "python/arrays.h"
-#include "rbpa/partial.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/partial.h"
 
 namespace rbpa::python {
 

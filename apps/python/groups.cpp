@@ -1,4 +1,4 @@
-#include "rbpa/groups.h"
+#include "rbpa/plane/groups.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -3,7 +3,7 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/locate.h"
+#include "rbpa/plane/locate.h"
 
 namespace rbpa::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 
 #include <pybind11/pybind11.h>
 
@@ -13,7 +13,7 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/base/error.h"
-#include "rbpa/partial_bytes.h"
+#include "rbpa/plane/partial_bytes.h"
 
 namespace rbpa::python {
 namespace {

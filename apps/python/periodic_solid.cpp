@@ -1,4 +1,4 @@
-#include "rbpa/periodic_solid.h"
+#include "rbpa/space/solid/periodic_solid.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,8 +14,8 @@
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
-#include "rbpa/periodic_topology.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/balls/periodic_topology.h"
+#include "rbpa/space/solid/solid_radii.h"
 
 namespace rbpa::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 #include <pybind11/pybind11.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -15,12 +15,12 @@
 #include "python/module.h"
 #include "python/solid_again.h"
 #include "python/watched.h"
-#include "rbpa/dangling_faces.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/union_of_balls.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/balls/dangling_faces.h"
+#include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/balls/union_of_balls.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/solid/voids.h"
 
 namespace rbpa::python {
 namespace {

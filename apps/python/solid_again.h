@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "python/arrays.h"
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 
 namespace rbpa::python {
 

@@ -1,4 +1,4 @@
-#include "rbpa/solid_filtration.h"
+#include "rbpa/space/persistence/solid_filtration.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -14,12 +14,12 @@
 #include "python/module.h"
 #include "python/solid_again.h"
 #include "python/watched.h"
-#include "rbpa/pair_choice.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_plateaus.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/solid_representatives.h"
-#include "rbpa/void_tree.h"
+#include "rbpa/base/pair_choice.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/persistence/solid_plateaus.h"
+#include "rbpa/space/persistence/solid_representatives.h"
+#include "rbpa/space/persistence/void_tree.h"
+#include "rbpa/space/solid/solid_radii.h"
 
 namespace rbpa::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/solid_locator.h"
+#include "rbpa/space/solid/solid_locator.h"
 
 #include <utility>
 

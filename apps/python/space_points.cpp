@@ -8,10 +8,10 @@
 #include "python/module.h"
 #include "python/surface_input.h"
 #include "python/watched.h"
-#include "rbpa/auto_radii.h"
-#include "rbpa/estimate_normals.h"
-#include "rbpa/outliers.h"
-#include "rbpa/scale_space.h"
+#include "rbpa/space/surface/auto_radii.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/outliers.h"
+#include "rbpa/space/surface/scale_space.h"
 
 namespace rbpa::python {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -19,18 +19,18 @@
 #include "python/module.h"
 #include "python/surface_input.h"
 #include "python/watched.h"
-#include "rbpa/close_surface.h"
-#include "rbpa/crossing_triangles.h"
-#include "rbpa/curve_kinds.h"
-#include "rbpa/fill_holes.h"
-#include "rbpa/holes.h"
-#include "rbpa/outer_shells.h"
-#include "rbpa/refine_filling.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface_components.h"
-#include "rbpa/surface_levels.h"
-#include "rbpa/surface_mesh.h"
-#include "rbpa/surface_of.h"
+#include "rbpa/space/repair/close_surface.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/repair/refine_filling.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/outer_shells.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_components.h"
+#include "rbpa/space/surface/surface_levels.h"
+#include "rbpa/space/surface/surface_mesh.h"
+#include "rbpa/space/surface/surface_of.h"
 
 namespace rbpa::python {
 namespace {

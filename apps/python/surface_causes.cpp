@@ -9,12 +9,12 @@
 #include "python/module.h"
 #include "python/surface_input.h"
 #include "python/watched.h"
-#include "rbpa/curve_kinds.h"
-#include "rbpa/fill_holes.h"
-#include "rbpa/hole_remedies.h"
-#include "rbpa/holes.h"
-#include "rbpa/surface_components.h"
-#include "rbpa/unused.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/repair/suggested_repairs.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/surface_components.h"
+#include "rbpa/space/surface/unused_points.h"
 
 namespace rbpa::python {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "python/arrays.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::python {
 

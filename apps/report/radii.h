@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/filtration.h"
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/plateaus.h"
 
 namespace rbpa::app {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/filtration_arrays.h"
+#include "rbpa/plane/filtration_arrays.h"
 #include "report/radii.h"
 
 namespace rbpa::app {

@@ -11,7 +11,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/text/markup.h"
-#include "rbpa/pair_choice.h"
+#include "rbpa/base/pair_choice.h"
 #include "report/blob.h"
 #include "report/facts_text.h"
 #include "report/page_parts.h"

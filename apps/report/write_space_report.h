@@ -11,9 +11,9 @@
 
 #include "io/bytes/output_file.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_representatives.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/persistence/solid_representatives.h"
 
 namespace rbpa::app {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "stream/tile_file.h"
 #include "stream/triangle_rows.h"
 

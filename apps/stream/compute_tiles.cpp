@@ -14,8 +14,8 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
-#include "rbpa/base/parallel/join_in_order.h"
-#include "rbpa/partial_bytes.h"
+#include "rbpa/base/join_in_order.h"
+#include "rbpa/plane/partial_bytes.h"
 #include "stream/compute_tile.h"
 #include "stream/pass_progress.h"
 #include "stream/scratch_file.h"

@@ -5,7 +5,7 @@
 
 #include "io/cloud/point_blocks.h"
 #include "io/interrupt.h"
-#include "rbpa/base/parallel/read_ahead.h"
+#include "rbpa/base/read_ahead.h"
 
 namespace rbpa::app {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "stream/budget.h"
 #include "stream/manifest.h"
 #include "stream/polygon_log.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/polygon/shape_files.h"
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "stream/record_log.h"
 #include "stream/scratch.h"
 

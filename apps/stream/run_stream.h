@@ -10,7 +10,7 @@
 #include <string>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "stream/request.h"
 
 namespace rbpa::app {

@@ -12,7 +12,7 @@
 
 #include "io/interrupt.h"
 #include "rbpa/base/point.h"
-#include "rbpa/region.h"
+#include "rbpa/plane/region.h"
 #include "stream/pack_block.h"
 #include "stream/scratch_file.h"
 

@@ -8,7 +8,7 @@
 #include "io/bytes/npy.h"
 #include "io/interrupt.h"
 #include "io/polygon/shape_files.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 #include "stream/budget.h"
 
 namespace rbpa::app {

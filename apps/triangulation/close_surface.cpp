@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "rbpa/base/progress.h"
-#include "rbpa/close_surface.h"
-#include "rbpa/fill_holes.h"
-#include "rbpa/refine_filling.h"
+#include "rbpa/space/repair/close_surface.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/repair/refine_filling.h"
 
 namespace rbpa::app {
 namespace {

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/curve_kinds.h"
-#include "rbpa/holes.h"
-#include "rbpa/surface.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_components.h"
 #include "triangulation/filling_counts.h"
 #include "triangulation/hole_choice.h"
 

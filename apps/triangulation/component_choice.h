@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 

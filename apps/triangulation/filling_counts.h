@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "rbpa/fill_holes.h"
+#include "rbpa/space/repair/fill_holes.h"
 
 namespace rbpa::app {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "rbpa/curve_kinds.h"
-#include "rbpa/holes.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/holes.h"
 
 namespace rbpa::app {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/split_fans.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/failure.h"
-#include "rbpa/crossing_triangles.h"
+#include "rbpa/space/repair/crossing_triangles.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {

@@ -10,7 +10,7 @@
 
 #include "io/mesh/single_precision.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace rbpa::app {
 

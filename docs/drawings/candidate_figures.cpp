@@ -8,7 +8,7 @@
 #include "drawings/drawn_complex.h"
 #include "drawings/figures.h"
 #include "drawings/sheet.h"
-#include "rbpa/paper/ball.h"
+#include "rbpa/paper/circle.h"
 
 namespace figures {
 namespace {

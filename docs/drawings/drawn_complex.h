@@ -7,8 +7,8 @@
 #include "drawings/canvas.h"
 #include "drawings/drawn_mesh.h"
 #include "drawings/sheet.h"
+#include "rbpa/plane/outline_polygons.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
 
 namespace figures {
 

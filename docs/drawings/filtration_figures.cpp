@@ -7,11 +7,11 @@
 #include "drawings/figures.h"
 #include "drawings/random.h"
 #include "picture/filtration_plot.h"
-#include "rbpa/filtration.h"
-#include "rbpa/persistence.h"
-#include "rbpa/plateaus.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
 
 namespace figures {
 namespace {

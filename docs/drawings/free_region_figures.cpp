@@ -12,8 +12,8 @@
 #include "drawings/figures.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/predicate/ball.h"
-#include "rbpa/space/star/free_region-inl.h"
-#include "rbpa/space/star/neighbor.h"
+#include "rbpa/space/surface/star/free_region-inl.h"
+#include "rbpa/space/surface/star/neighbor.h"
 
 namespace figures {
 namespace {

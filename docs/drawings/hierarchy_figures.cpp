@@ -13,7 +13,7 @@
 #include "meshops/core/live.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper.h"
-#include "rbpa/paper/quadtree.h"
+#include "rbpa/paper/point_quadtree.h"
 
 namespace figures {
 namespace {

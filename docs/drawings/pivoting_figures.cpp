@@ -11,7 +11,7 @@
 #include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
-#include "rbpa/paper/rbpa.h"
+#include "rbpa/paper/pivoting.h"
 #include "rbpa/rbpa.h"
 
 namespace figures {

@@ -12,10 +12,10 @@
 #include "drawings/random.h"
 #include "drawings/sheet.h"
 #include "io/cloud/images.h"
-#include "rbpa/filtration.h"
-#include "rbpa/persistence.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/topology.h"
 
 namespace figures {
 namespace {

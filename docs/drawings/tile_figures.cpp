@@ -18,8 +18,8 @@
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/patches/find_patch.h"
 #include "rbpa/plane/remainder/remainder.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/plane/tile/cut.h"
-#include "rbpa/triangulate.h"
 
 namespace figures {
 namespace {

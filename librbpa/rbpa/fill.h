@@ -19,7 +19,7 @@
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa {
 

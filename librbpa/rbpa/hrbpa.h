@@ -15,8 +15,8 @@
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/complex.h"
-#include "rbpa/hrbpa_arrays.h"
+#include "rbpa/plane/complex.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa {
 

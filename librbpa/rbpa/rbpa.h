@@ -13,7 +13,7 @@
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/complex.h"
+#include "rbpa/plane/complex.h"
 
 namespace rbpa {
 

@@ -9,8 +9,8 @@
 
 #include "meshops/front/boundary_curve.h"
 #include "picture/drawing.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/triangulate.h"
 #include "support/sets.h"
 #include "support/spacing.h"
 

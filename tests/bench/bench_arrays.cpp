@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "bench/known_normals.h"
-#include "rbpa/estimate_normals.h"
+#include "rbpa/space/surface/estimate_normals.h"
 
 namespace rbpa_bench {
 namespace {

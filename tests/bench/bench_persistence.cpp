@@ -15,9 +15,9 @@
 #include "bench/memory.h"
 #include "bench/persistence_gudhi.h"
 #include "bench/stopwatch.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

@@ -20,12 +20,12 @@
 #include "bench/stopwatch.h"
 #include "bench/tables.h"
 #include "bench/timings.h"
-#include "rbpa/covering.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/filtration.h"
-#include "rbpa/groups.h"
-#include "rbpa/shape.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/groups.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/random.h"
 
 namespace rbpa_bench {

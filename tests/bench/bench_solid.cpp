@@ -16,7 +16,7 @@
 #include "bench/machine.h"
 #include "bench/solid_cgal.h"
 #include "bench/stopwatch.h"
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/data_folder.h"
 #include "support/solid_sets.h"
 

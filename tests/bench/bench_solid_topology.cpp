@@ -12,11 +12,11 @@
 #include "bench/arguments.h"
 #include "bench/machine.h"
 #include "bench/stopwatch.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_components.h"
-#include "rbpa/solid_topology.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_components.h"
+#include "rbpa/space/solid/solid_topology.h"
+#include "rbpa/space/solid/voids.h"
 #include "support/solid_sets.h"
 
 namespace rbpa_bench {

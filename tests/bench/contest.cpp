@@ -3,8 +3,8 @@
 #include "bench/stopwatch.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/triangulate.h"
 
 namespace rbpa_bench {
 namespace {

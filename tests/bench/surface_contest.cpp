@@ -10,7 +10,7 @@
 #include "bench/shell_run.h"
 #include "bench/stopwatch.h"
 #include "examples/ball_pivoting.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/surface_mesh.h"
 
 namespace rbpa_bench {
 namespace {

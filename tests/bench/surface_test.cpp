@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bench/surface_contest.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/surface_mesh.h"
 
 using namespace rbpa_bench;
 

@@ -9,8 +9,8 @@
 #include "bench/memory.h"
 #include "bench/stopwatch.h"
 #include "io/cloud/point_blocks.h"
-#include "rbpa/shape.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa_bench {
 namespace {

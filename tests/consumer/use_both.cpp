@@ -9,9 +9,9 @@
 #include "meshops/handle/unglue.h"
 #include "meshops/topology/count.h"
 #include "rbpa/base/error.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
-#include "rbpa/topology.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa_test {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "oracle/cgal_dangling.h"
-#include "rbpa/dangling_faces.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/balls/dangling_faces.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/arguments.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"

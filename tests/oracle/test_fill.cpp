@@ -9,7 +9,7 @@
 #include "oracle/geos_geometry.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
-#include "rbpa/polygons_of_rings.h"
+#include "rbpa/fill/polygons_of_rings.h"
 #include "support/arguments.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"

@@ -15,9 +15,9 @@
 
 #include "oracle/geos_geometry.h"
 #include "rbpa/fill.h"
+#include "rbpa/fill/validity.h"
+#include "rbpa/plane/outline_polygons.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
-#include "rbpa/validity.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/random.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "oracle/cgal_natural_neighbors.h"
-#include "rbpa/locate.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/locate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"

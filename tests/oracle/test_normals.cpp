@@ -5,7 +5,7 @@
 #include <set>
 
 #include "oracle/cgal_normals.h"
-#include "rbpa/estimate_normals.h"
+#include "rbpa/space/surface/estimate_normals.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

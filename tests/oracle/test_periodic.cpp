@@ -17,9 +17,9 @@
 #include "oracle/cgal_periodic.h"
 #include "oracle/cgal_tetrahedra.h"
 #include "rbpa/base/error.h"
-#include "rbpa/periodic_solid.h"
-#include "rbpa/periodic_topology.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/balls/periodic_topology.h"
+#include "rbpa/space/solid/periodic_solid.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/arguments.h"
 #include "support/periodic_sets.h"
 

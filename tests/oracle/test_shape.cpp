@@ -9,8 +9,8 @@
 #include <string>
 
 #include "oracle/geos_geometry.h"
+#include "rbpa/plane/outline_polygons.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "oracle/cgal_tetrahedra.h"
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/arguments.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "oracle/gudhi_persistence.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_filtration.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/solid_sets.h"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "oracle/gudhi_betti.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_topology.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_topology.h"
+#include "rbpa/space/solid/voids.h"
 #include "support/arguments.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"

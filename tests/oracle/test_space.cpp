@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "oracle/cgal_space.h"
-#include "rbpa/holes.h"
-#include "rbpa/surface.h"
-#include "rbpa/surface_levels.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_levels.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa_test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 #include "support/random.h"
 #include "support/triangle.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/periodic_solid.h"
+#include "rbpa/space/solid/periodic_solid.h"
 #include "support/random.h"
 #include "support/space_sets.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rbpa/plane/outline_polygons.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/collinear.h"
+#include "rbpa/plane/collinear.h"
 
 namespace rbpa::app {
 namespace {

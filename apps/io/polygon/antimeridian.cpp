@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
-#include "rbpa/cut_polygon.h"
+#include "rbpa/fill/cut_polygon.h"
 
 namespace rbpa::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "io/polygon/read_polygons.h"
 #include "io/text/lines.h"
 #include "rbpa/base/error.h"
-#include "rbpa/polygons_of_rings.h"
+#include "rbpa/fill/polygons_of_rings.h"
 
 namespace rbpa::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/point_file.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa::app {
 

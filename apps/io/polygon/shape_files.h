@@ -15,8 +15,8 @@
 #include "io/formats.h"
 #include "io/polygon/antimeridian.h"
 #include "rbpa/base/point.h"
-#include "rbpa/groups.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/groups.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa::app {
 

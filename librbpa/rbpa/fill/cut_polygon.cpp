@@ -1,4 +1,4 @@
-#include "rbpa/cut_polygon.h"
+#include "rbpa/fill/cut_polygon.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
-#include "rbpa/fill/plane_predicates.h"
-#include "rbpa/polygons_of_rings.h"
+#include "rbpa/fill/polygons_of_rings.h"
+#include "rbpa/fill/rings/plane_predicates.h"
 
 namespace rbpa {
 namespace {

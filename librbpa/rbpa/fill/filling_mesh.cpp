@@ -1,11 +1,11 @@
-#include "rbpa/filling_mesh.h"
+#include "rbpa/fill/filling_mesh.h"
 
 #include <cstddef>
 #include <numeric>
 
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/topology/build_mesh.h"
-#include "rbpa/base/fans.h"
+#include "rbpa/base/arrays/fans.h"
 
 namespace rbpa {
 FillingMesh filling_mesh(const Filling& filling) {

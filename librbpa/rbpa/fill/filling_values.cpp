@@ -1,4 +1,4 @@
-#include "rbpa/filling_values.h"
+#include "rbpa/fill/filling_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/steps.h"
-#include "rbpa/fill/plane_predicates.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/fill/rings/plane_predicates.h"
 
 namespace rbpa {
 namespace {

@@ -1,17 +1,17 @@
-#include "rbpa/polygons_of_rings.h"
+#include "rbpa/fill/polygons_of_rings.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/steps.h"
-#include "rbpa/fill/noded_rings.h"
-#include "rbpa/fill/placed_rings.h"
-#include "rbpa/fill/simple_rings.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/fill/rings/noded_rings.h"
+#include "rbpa/fill/rings/placed_rings.h"
+#include "rbpa/fill/rings/simple_rings.h"
+#include "rbpa/fill/validity.h"
 #include "rbpa/plane/shape/measure.h"
 #include "rbpa/plane/shape/nesting.h"
-#include "rbpa/validity.h"
 
 namespace rbpa {
 namespace {

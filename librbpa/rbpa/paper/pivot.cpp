@@ -1,4 +1,4 @@
-#include "rbpa/paper/ball.h"
+#include "rbpa/paper/circle.h"
 
 namespace rbpa::paper {
 

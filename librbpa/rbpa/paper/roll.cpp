@@ -1,7 +1,7 @@
 // The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with
 // its center left. Signs decide at which of two points it arrives first, without any angle or root
 // (docs/explanation/paper.md, section 3); the next point is the first of all within 2α of v.
-#include "rbpa/paper/ball.h"
+#include "rbpa/paper/circle.h"
 
 namespace rbpa::paper {
 

@@ -6,7 +6,7 @@
 //      whether it has one on its left. That is a seed.
 //   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
 // docs/explanation/plane.md, section 32 proves that this finds every triangle.
-#include "rbpa/paper/rbpa.h"
+#include "rbpa/paper/pivoting.h"
 
 namespace rbpa::paper {
 

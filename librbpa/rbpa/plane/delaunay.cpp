@@ -1,11 +1,11 @@
-#include "rbpa/delaunay.h"
+#include "rbpa/plane/delaunay.h"
 
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/steps.h"
+#include "rbpa/base/run/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {

@@ -1,4 +1,4 @@
-#include "rbpa/locate.h"
+#include "rbpa/plane/locate.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/double_double.h"
-#include "rbpa/base/input.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/plane/arrays/natural_neighbors.h"
 #include "rbpa/plane/grid/sites.h"
-#include "rbpa/plane/natural_neighbors.h"
 #include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {

@@ -1,4 +1,4 @@
-#include "rbpa/topology.h"
+#include "rbpa/plane/topology.h"
 
 #include <algorithm>
 #include <vector>

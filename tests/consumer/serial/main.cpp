@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "rbpa/estimate_normals.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/surface.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/surface.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "rbpa/base/distinct.h"
+#include "rbpa/base/arrays/distinct.h"
 #include "support/random.h"
 
 using rbpa::Threads;

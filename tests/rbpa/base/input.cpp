@@ -1,4 +1,4 @@
-#include "rbpa/base/input.h"
+#include "rbpa/base/run/input.h"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/generate.h"
 
 using rbpa::Triangulation;

@@ -1,5 +1,5 @@
 // fill() with an infinite size.
-#include "rbpa/fill/constrained_delaunay.h"
+#include "rbpa/fill/front/constrained_delaunay.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/cut_polygon.h"
+#include "rbpa/fill/cut_polygon.h"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/triangulate.h"
-#include "rbpa/validity.h"
+#include "rbpa/fill/validity.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 using namespace rbpa;
 

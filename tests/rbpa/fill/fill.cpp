@@ -11,7 +11,7 @@
 
 #include "fill/laws.h"
 #include "fill/refusal.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/data_folder.h"
 #include "support/exact.h"
 #include "support/generate_polygons.h"

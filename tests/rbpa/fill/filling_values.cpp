@@ -1,4 +1,4 @@
-#include "rbpa/filling_values.h"
+#include "rbpa/fill/filling_values.h"
 
 #include <doctest/doctest.h>
 

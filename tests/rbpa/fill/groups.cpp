@@ -11,7 +11,7 @@
 #include "fill/laws.h"
 #include "fill/refusal.h"
 #include "rbpa/fill.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/random.h"
 
 TEST_SUITE_BEGIN("fill");

@@ -1,4 +1,4 @@
-#include "rbpa/fill/improve.h"
+#include "rbpa/fill/front/improve.h"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 
 #include "meshops/core/validate.h"
 #include "rbpa/base/exact/exact_sum.h"
-#include "rbpa/filling_mesh.h"
+#include "rbpa/fill/filling_mesh.h"
 #include "support/exact.h"
 
 namespace rbpa_test {

@@ -1,4 +1,4 @@
-#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/rings/simple_rings.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/polygons_of_rings.h"
+#include "rbpa/fill/polygons_of_rings.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

@@ -1,5 +1,5 @@
 // The number of triangles that fill() expects.
-#include "rbpa/fill/size_estimate.h"
+#include "rbpa/fill/front/size_estimate.h"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 
 #include "fill/refusal.h"
 #include "rbpa/fill.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 

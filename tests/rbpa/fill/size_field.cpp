@@ -1,4 +1,4 @@
-#include "rbpa/fill/size_field.h"
+#include "rbpa/fill/front/size_field.h"
 
 #include <doctest/doctest.h>
 

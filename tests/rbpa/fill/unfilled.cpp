@@ -1,5 +1,5 @@
 // The sites visible from the edges of a front, and the cost of finding them.
-#include "rbpa/fill/unfilled.h"
+#include "rbpa/fill/front/unfilled.h"
 
 #include <doctest/doctest.h>
 

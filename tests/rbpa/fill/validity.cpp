@@ -1,4 +1,4 @@
-#include "rbpa/validity.h"
+#include "rbpa/fill/validity.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/fill/simple_rings.h"
+#include "rbpa/fill/rings/simple_rings.h"
 #include "support/triangle.h"
 
 TEST_SUITE_BEGIN("fill");

@@ -1,4 +1,4 @@
-#include "rbpa/paper/quadtree.h"
+#include "rbpa/paper/point_quadtree.h"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "paper/small_sets.h"
-#include "rbpa/paper/ball.h"
+#include "rbpa/paper/circle.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 

@@ -10,8 +10,8 @@
 
 #include "meshops/front/engine.h"
 #include "paper/small_sets.h"
-#include "rbpa/mesh.h"
-#include "rbpa/paper/rbpa.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/paper/pivoting.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/shrink.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/complex.h"
+#include "rbpa/plane/complex.h"
 #include "rbpa/plane/predicate/radius.h"
 #include "support/arguments.h"
 #include "support/exact.h"

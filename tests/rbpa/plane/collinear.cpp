@@ -1,4 +1,4 @@
-#include "rbpa/collinear.h"
+#include "rbpa/plane/collinear.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/delaunay.h"
+#include "rbpa/plane/delaunay.h"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +8,10 @@
 #include "meshops/core/contract.h"
 #include "plane/filtration/small_sets.h"
 #include "rbpa/base/error.h"
-#include "rbpa/covering.h"
-#include "rbpa/filtration.h"
-#include "rbpa/persistence.h"
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 

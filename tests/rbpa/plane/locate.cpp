@@ -1,4 +1,4 @@
-#include "rbpa/locate.h"
+#include "rbpa/plane/locate.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/arguments.h"
 #include "support/delaunay_arrays.h"
 #include "support/exact.h"

@@ -1,5 +1,5 @@
 // Natural neighbor interpolation, compared with Voronoi cells that are cut out of the plane one half-plane at a time.
-#include "rbpa/plane/natural_neighbors.h"
+#include "rbpa/plane/arrays/natural_neighbors.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/magnitude.h"
-#include "rbpa/locate.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/locate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"

@@ -1,4 +1,4 @@
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 #include <doctest/doctest.h>
 

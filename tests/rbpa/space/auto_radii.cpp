@@ -1,4 +1,4 @@
-#include "rbpa/auto_radii.h"
+#include "rbpa/space/surface/auto_radii.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/space/spacing/tangent_cell.h"
-#include "rbpa/surface_levels.h"
+#include "rbpa/space/surface/spacing/tangent_cell.h"
+#include "rbpa/space/surface/surface_levels.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

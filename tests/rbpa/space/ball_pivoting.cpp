@@ -15,8 +15,8 @@
 
 #include "examples/surface_arrays.h"
 #include "meshops/core/validate.h"
-#include "rbpa/surface_levels.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/surface_levels.h"
+#include "rbpa/space/surface/surface_mesh.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"

@@ -1,4 +1,4 @@
-#include "rbpa/close_surface.h"
+#include "rbpa/space/repair/close_surface.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "rbpa/base/error.h"
-#include "rbpa/crossing_triangles.h"
-#include "rbpa/split_fans.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/surface/split_fans.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/curve_kinds.h"
+#include "rbpa/space/surface/curve_kinds.h"
 
 #include <doctest/doctest.h>
 

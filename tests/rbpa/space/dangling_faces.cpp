@@ -1,4 +1,4 @@
-#include "rbpa/dangling_faces.h"
+#include "rbpa/space/balls/dangling_faces.h"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid_radii.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

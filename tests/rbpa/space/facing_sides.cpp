@@ -1,4 +1,4 @@
-#include "rbpa/facing_sides.h"
+#include "rbpa/space/surface/facing_sides.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/fill_holes.h"
+#include "rbpa/space/repair/fill_holes.h"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/crossing_triangles.h"
+#include "rbpa/space/repair/crossing_triangles.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

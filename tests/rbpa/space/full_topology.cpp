@@ -1,4 +1,4 @@
-#include "rbpa/full_topology.h"
+#include "rbpa/space/balls/full_topology.h"
 
 #include <doctest/doctest.h>
 
@@ -13,11 +13,11 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/dangling_faces.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_components.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/balls/dangling_faces.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_components.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/solid/voids.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

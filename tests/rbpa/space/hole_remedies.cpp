@@ -1,4 +1,4 @@
-#include "rbpa/hole_remedies.h"
+#include "rbpa/space/repair/suggested_repairs.h"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
 #include "rbpa/base/error.h"
-#include "rbpa/surface_levels.h"
+#include "rbpa/space/surface/surface_levels.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
 

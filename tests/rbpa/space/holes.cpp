@@ -1,4 +1,4 @@
-#include "rbpa/holes.h"
+#include "rbpa/space/surface/holes.h"
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/surface_levels.h"
-#include "rbpa/unused.h"
+#include "rbpa/space/surface/surface_levels.h"
+#include "rbpa/space/surface/unused_points.h"
 #include "space/model.h"
 #include "support/arguments.h"
 

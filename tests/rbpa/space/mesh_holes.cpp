@@ -1,5 +1,5 @@
 // Meshes as surfaces, and their holes filled in place.
-#include "rbpa/mesh_holes.h"
+#include "rbpa/space/repair/mesh_holes.h"
 
 #include <doctest/doctest.h>
 
@@ -20,8 +20,8 @@
 #include "meshops/topology/count.h"
 #include "meshops/topology/cut_open.h"
 #include "rbpa/base/error.h"
-#include "rbpa/crossing_triangles.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/surface/surface_components.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/outer_shells.h"
+#include "rbpa/space/surface/outer_shells.h"
 
 #include <doctest/doctest.h>
 

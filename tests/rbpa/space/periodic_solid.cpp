@@ -1,4 +1,4 @@
-#include "rbpa/periodic_solid.h"
+#include "rbpa/space/solid/periodic_solid.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/periodic_sets.h"
 
 using namespace rbpa_test;

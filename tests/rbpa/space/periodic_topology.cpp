@@ -1,4 +1,4 @@
-#include "rbpa/periodic_topology.h"
+#include "rbpa/space/balls/periodic_topology.h"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +14,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/dangling_faces.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/balls/dangling_faces.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/periodic_sets.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/refine_filling.h"
+#include "rbpa/space/repair/refine_filling.h"
 
 #include <doctest/doctest.h>
 
@@ -13,10 +13,10 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/crossing_triangles.h"
-#include "rbpa/fill_holes.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_components.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/rolling_ball.h"
+#include "rbpa/space/surface/rolling_ball.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

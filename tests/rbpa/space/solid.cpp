@@ -1,4 +1,4 @@
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/solid_boundary.h"
+#include "rbpa/space/solid/solid_boundary.h"
 
 #include <doctest/doctest.h>
 
@@ -16,8 +16,8 @@
 #include "meshops/core/validate.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_mesh.h"
 #include "space/solid_model.h"
 #include "support/arguments.h"
 

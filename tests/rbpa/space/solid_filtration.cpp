@@ -1,4 +1,4 @@
-#include "rbpa/solid_filtration.h"
+#include "rbpa/space/persistence/solid_filtration.h"
 
 #include <doctest/doctest.h>
 
@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/solid_locator.h"
+#include "rbpa/space/solid/solid_locator.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid.h"
-#include "rbpa/space/outer_faces.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/outer_faces.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/rational.h"
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/random.h"
 #include "support/space_sets.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/solid_persistence.h"
+#include "rbpa/space/persistence/solid_persistence.h"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/full_topology.h"
+#include "rbpa/space/balls/full_topology.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;

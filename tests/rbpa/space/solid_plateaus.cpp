@@ -1,4 +1,4 @@
-#include "rbpa/solid_plateaus.h"
+#include "rbpa/space/persistence/solid_plateaus.h"
 
 #include <doctest/doctest.h>
 
@@ -12,10 +12,10 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/solid/voids.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;

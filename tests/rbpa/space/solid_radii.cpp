@@ -1,4 +1,4 @@
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/solid/solid_radii.h"
 
 #include <doctest/doctest.h>
 
@@ -13,11 +13,11 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_components.h"
 #include "rbpa/space/predicate/circumradius.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_components.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/split_fans.h"
+#include "rbpa/space/surface/split_fans.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/surface_components.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/surface_components.h"
+#include "rbpa/space/surface/surface_mesh.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/space/predicate/ball.h"
-#include "rbpa/triangulate.h"
 #include "support/generate.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"

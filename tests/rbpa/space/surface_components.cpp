@@ -1,4 +1,4 @@
-#include "rbpa/surface_components.h"
+#include "rbpa/space/surface/surface_components.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/holes.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/surface_mesh.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 

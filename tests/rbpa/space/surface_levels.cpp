@@ -1,4 +1,4 @@
-#include "rbpa/surface_levels.h"
+#include "rbpa/space/surface/surface_levels.h"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +14,8 @@
 #include "meshops/core/validate.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/space/levels/sub_surface.h"
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/levels/sub_surface.h"
+#include "rbpa/space/surface/surface_mesh.h"
 #include "space/model.h"
 
 using namespace rbpa_test;

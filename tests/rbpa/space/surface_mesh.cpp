@@ -1,4 +1,4 @@
-#include "rbpa/surface_mesh.h"
+#include "rbpa/space/surface/surface_mesh.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/surface_of.h"
+#include "rbpa/space/surface/surface_of.h"
 
 #include <doctest/doctest.h>
 
@@ -13,10 +13,10 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/close_surface.h"
-#include "rbpa/refine_filling.h"
-#include "rbpa/split_fans.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/repair/close_surface.h"
+#include "rbpa/space/repair/refine_filling.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_components.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/union_of_balls.h"
+#include "rbpa/space/balls/union_of_balls.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/solid_radii.h"
+#include "rbpa/space/solid/solid_radii.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 

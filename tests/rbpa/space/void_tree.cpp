@@ -1,4 +1,4 @@
-#include "rbpa/void_tree.h"
+#include "rbpa/space/persistence/void_tree.h"
 
 #include <doctest/doctest.h>
 
@@ -15,12 +15,12 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
-#include "rbpa/full_topology.h"
-#include "rbpa/solid_boundary.h"
-#include "rbpa/solid_persistence.h"
-#include "rbpa/solid_radii.h"
-#include "rbpa/solid_representatives.h"
-#include "rbpa/voids.h"
+#include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+#include "rbpa/space/persistence/solid_representatives.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "rbpa/space/solid/voids.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;

@@ -1,4 +1,4 @@
-#include "rbpa/voids.h"
+#include "rbpa/space/solid/voids.h"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/solid_components.h"
-#include "rbpa/solid_topology.h"
-#include "rbpa/surface_components.h"
+#include "rbpa/space/solid/solid_components.h"
+#include "rbpa/space/solid/solid_topology.h"
+#include "rbpa/space/surface/surface_components.h"
 #include "space/solid_model.h"
 #include "support/arguments.h"
 

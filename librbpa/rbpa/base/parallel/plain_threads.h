@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "rbpa/base/parallel/join_in_order.h"
+#include "rbpa/base/join_in_order.h"
 
 #if defined(__SANITIZE_THREAD__)
 #define RBPA_PLAIN_THREADS 1

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/steps.h"
+#include "rbpa/base/run/steps.h"
 #include "rbpa/plane/arrays/boundary_sides.h"
 #include "rbpa/plane/predicate/predicates.h"
-#include "rbpa/topology.h"
+#include "rbpa/plane/topology.h"
 
 // A boundary side has the complex on its left. Around a point, counter-clockwise, outgoing and incoming sides
 // alternate. From an outgoing side to the next incoming one there is a fan of triangles, or nothing if an edge in no

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 

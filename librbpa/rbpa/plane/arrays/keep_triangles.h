@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/distinct.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/base/arrays/distinct.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "rbpa/base/point.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 

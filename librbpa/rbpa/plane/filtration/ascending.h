@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "rbpa/base/steps.h"
+#include "rbpa/base/run/steps.h"
 
 namespace rbpa {
 

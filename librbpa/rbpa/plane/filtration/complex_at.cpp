@@ -2,8 +2,8 @@
 #include <span>
 
 #include "meshops/core/contract.h"
-#include "rbpa/filtration.h"
 #include "rbpa/plane/arrays/keep_triangles.h"
+#include "rbpa/plane/filtration.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/radii.h"
 

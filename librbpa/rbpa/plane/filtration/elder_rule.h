@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/steps.h"
+#include "rbpa/base/run/steps.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
 
 namespace rbpa {

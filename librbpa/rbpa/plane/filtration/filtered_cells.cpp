@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "rbpa/base/distinct.h"
+#include "rbpa/base/arrays/distinct.h"
 #include "rbpa/plane/filtration/least_alpha.h"
 #include "rbpa/plane/predicate/predicates.h"
 

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/steps.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/filtration.h"
-#include "rbpa/persistence.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
 
 namespace rbpa {
 

@@ -9,8 +9,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/point.h"
-#include "rbpa/filtration.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 

@@ -11,7 +11,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/topology.h"
+#include "rbpa/plane/topology.h"
 
 namespace rbpa {
 

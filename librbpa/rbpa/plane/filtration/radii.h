@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/base/steps.h"
-#include "rbpa/covering.h"
-#include "rbpa/delaunay.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa {
 

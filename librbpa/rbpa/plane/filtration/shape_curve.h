@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/steps.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/filtration.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
 
 namespace rbpa {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/groups.h"
+#include "rbpa/plane/groups.h"
 
 namespace rbpa {
 

@@ -9,18 +9,18 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/input.h"
 #include "rbpa/base/parallel/in_order.h"
-#include "rbpa/base/steps.h"
-#include "rbpa/collinear.h"
-#include "rbpa/delaunay.h"
-#include "rbpa/filtration.h"
-#include "rbpa/groups.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/plane/collinear.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
 #include "rbpa/plane/filtration/radii.h"
+#include "rbpa/plane/groups.h"
 #include "rbpa/plane/groups/chunks.h"
+#include "rbpa/plane/plateaus.h"
 #include "rbpa/plane/shape/polygons_of_linked.h"
-#include "rbpa/plateaus.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "rbpa/base/point.h"
-#include "rbpa/plane/hierarchy/circumradius.h"
 #include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/hierarchy/rounded_circumradius.h"
 
 namespace rbpa {
 

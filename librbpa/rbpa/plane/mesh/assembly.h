@@ -14,8 +14,8 @@
 #include "meshops/core/reserve.h"
 #include "meshops/front/front.h"
 #include "meshops/patch/assembler.h"
-#include "rbpa/collinear.h"
-#include "rbpa/complex.h"
+#include "rbpa/plane/collinear.h"
+#include "rbpa/plane/complex.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/mesh/monitor.h"
 

@@ -2,8 +2,8 @@
 //       miss.
 #pragma once
 
+#include "rbpa/base/mesh.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/mesh.h"
 
 namespace rbpa {
 

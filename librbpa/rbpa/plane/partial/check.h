@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "rbpa/region.h"
+#include "rbpa/plane/region.h"
 
 namespace rbpa {
 

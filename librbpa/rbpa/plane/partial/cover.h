@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/region.h"
+#include "rbpa/plane/region.h"
 
 namespace rbpa {
 

@@ -5,8 +5,8 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
-#include "rbpa/base/input.h"
-#include "rbpa/partial.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/join_chains.h"
 #include "rbpa/plane/partial/rings.h"
 #include "rbpa/plane/partial/settle.h"

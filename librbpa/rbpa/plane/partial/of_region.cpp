@@ -7,7 +7,7 @@
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/triangle.h"
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/region_complex.h"
 #include "rbpa/plane/partial/rim_walk.h"
 #include "rbpa/plane/partial/rings.h"

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "rbpa/base/error.h"
-#include "rbpa/partial_bytes.h"
 #include "rbpa/plane/partial/check_state.h"
 #include "rbpa/plane/partial/crc64.h"
 #include "rbpa/plane/partial/format.h"
 #include "rbpa/plane/partial/state.h"
+#include "rbpa/plane/partial_bytes.h"
 
 namespace rbpa {
 namespace {

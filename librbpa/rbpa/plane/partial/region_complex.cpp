@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/input.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/plane/partial/check.h"
 
 namespace rbpa {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/partial.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/partial.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 

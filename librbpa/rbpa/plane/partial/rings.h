@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/state.h"
 
 namespace rbpa {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/error.h"
-#include "rbpa/base/sort_unique.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/partial/rings.h"
 

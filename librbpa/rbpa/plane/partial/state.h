@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/cover.h"
 #include "rbpa/plane/shape/measure.h"
 

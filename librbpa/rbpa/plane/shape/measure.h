@@ -8,7 +8,7 @@
 
 #include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/base/point.h"
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa {
 

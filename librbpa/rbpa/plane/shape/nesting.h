@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
-#include "rbpa/base/steps.h"
-#include "rbpa/shape.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "rbpa/base/error.h"
-#include "rbpa/base/input.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa::space {

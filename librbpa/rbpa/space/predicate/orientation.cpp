@@ -5,7 +5,7 @@
 
 #include "rbpa/base/exact/expansion.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/predicate/fixed_width.h"
+#include "rbpa/space/predicate/fixed_width_vectors.h"
 
 namespace rbpa::space {
 namespace {

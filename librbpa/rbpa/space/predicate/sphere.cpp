@@ -6,7 +6,7 @@
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/predicate/fixed_width.h"
+#include "rbpa/space/predicate/fixed_width_vectors.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/vector3.h"
 

@@ -1,5 +1,5 @@
 // Parallel work of programs: results joined in order, and items made ahead.
-#include "rbpa/base/parallel/join_in_order.h"
+#include "rbpa/base/join_in_order.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "rbpa/base/parallel/read_ahead.h"
+#include "rbpa/base/read_ahead.h"
 
 using rbpa::join_in_order;
 using rbpa::ReadAhead;

@@ -11,9 +11,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/topology.h"
-#include "rbpa/triangulate.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"

@@ -1,4 +1,4 @@
-#include "rbpa/covering.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/filtration_arrays.h"
+#include "rbpa/plane/filtration_arrays.h"
 
 #include <doctest/doctest.h>
 

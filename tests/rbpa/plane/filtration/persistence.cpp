@@ -1,4 +1,4 @@
-#include "rbpa/persistence.h"
+#include "rbpa/plane/persistence.h"
 
 #include <doctest/doctest.h>
 

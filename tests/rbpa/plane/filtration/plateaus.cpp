@@ -1,4 +1,4 @@
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/plateaus.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include "plane/filtration/small_sets.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/filtration/shape_curve.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/topology.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"

@@ -1,4 +1,4 @@
-#include "rbpa/representatives.h"
+#include "rbpa/plane/representatives.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
-#include "rbpa/hrbpa_arrays.h"
+#include "rbpa/plane/triangles_by_level.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 

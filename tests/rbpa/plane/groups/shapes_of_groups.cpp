@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/filtration.h"
-#include "rbpa/groups.h"
-#include "rbpa/plateaus.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/groups.h"
+#include "rbpa/plane/plateaus.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"

@@ -1,4 +1,4 @@
-#include "rbpa/plane/hierarchy/circumradius.h"
+#include "rbpa/plane/hierarchy/rounded_circumradius.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/hrbpa_arrays.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 #include <doctest/doctest.h>
 

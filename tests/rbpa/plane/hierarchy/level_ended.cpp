@@ -8,7 +8,7 @@
 
 #include "meshops/core/validate.h"
 #include "rbpa/hrbpa.h"
-#include "rbpa/level_topology.h"
+#include "rbpa/plane/level_topology.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/levels.h"

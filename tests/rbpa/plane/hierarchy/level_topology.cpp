@@ -1,4 +1,4 @@
-#include "rbpa/level_topology.h"
+#include "rbpa/plane/level_topology.h"
 
 #include <doctest/doctest.h>
 

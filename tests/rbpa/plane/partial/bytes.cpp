@@ -1,4 +1,4 @@
-#include "rbpa/partial_bytes.h"
+#include "rbpa/plane/partial_bytes.h"
 
 #include <doctest/doctest.h>
 

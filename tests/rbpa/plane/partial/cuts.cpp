@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "rbpa/coverage.h"
-#include "rbpa/partial_bytes.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/partial_bytes.h"
+#include "rbpa/plane/polygon_of_points.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/shape.h"
-#include "rbpa/topology.h"
 
 namespace rbpa_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 #include "support/random.h"
 #include "support/triangle.h"
 

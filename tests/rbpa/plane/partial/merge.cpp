@@ -8,8 +8,8 @@
 
 #include "plane/partial/cuts.h"
 #include "rbpa/base/error.h"
-#include "rbpa/partial.h"
-#include "rbpa/partial_bytes.h"
+#include "rbpa/plane/partial.h"
+#include "rbpa/plane/partial_bytes.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/pictures.h"

@@ -1,5 +1,5 @@
 // Regions cut in any way and merged in any order give the whole.
-#include "rbpa/partial.h"
+#include "rbpa/plane/partial.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "plane/partial/cuts.h"
-#include "rbpa/partial_bytes.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/partial_bytes.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"

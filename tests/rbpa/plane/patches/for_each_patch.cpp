@@ -13,7 +13,7 @@
 #include "meshops/front/front.h"
 #include "meshops/patch/assembler.h"
 #include "rbpa/base/exact/magnitude.h"
-#include "rbpa/mesh.h"
+#include "rbpa/base/mesh.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"

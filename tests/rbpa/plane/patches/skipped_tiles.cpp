@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/triangulate.h"
 #include "support/generate.h"
 #include "support/triangle.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/coverage.h"
+#include "rbpa/plane/polygon_of_points.h"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/triangulate.h"
 #include "support/generate.h"
 #include "support/pictures.h"
 #include "support/random.h"

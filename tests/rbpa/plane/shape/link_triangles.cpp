@@ -1,4 +1,4 @@
-#include "rbpa/link_triangles.h"
+#include "rbpa/plane/link_triangles.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "rbpa/base/error.h"
-#include "rbpa/triangulate.h"
+#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/generate.h"
 #include "support/random.h"
 

@@ -1,4 +1,4 @@
-#include "rbpa/shape.h"
+#include "rbpa/plane/outline_polygons.h"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/topology.h"
-#include "rbpa/triangulate.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"

@@ -1,4 +1,4 @@
-#include "rbpa/space/insertion/insertion.h"
+#include "rbpa/space/solid/insertion/insertion.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/insertion/spatial_order.h"
+#include "rbpa/space/solid/insertion/spatial_order.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "rbpa/space/insertion/hilbert.h"
+#include "rbpa/space/solid/insertion/hilbert.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

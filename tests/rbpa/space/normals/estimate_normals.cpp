@@ -1,4 +1,4 @@
-#include "rbpa/estimate_normals.h"
+#include "rbpa/space/surface/estimate_normals.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/surface.h"
+#include "rbpa/space/surface/surface.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
 

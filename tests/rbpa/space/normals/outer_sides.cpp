@@ -1,4 +1,4 @@
-#include "rbpa/space/normals/outer_sides.h"
+#include "rbpa/space/surface/normals/outer_sides.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/estimate_normals.h"
-#include "rbpa/space/normals/fit_plane.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/normals/fit_plane.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

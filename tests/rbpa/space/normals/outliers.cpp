@@ -1,4 +1,4 @@
-#include "rbpa/outliers.h"
+#include "rbpa/space/surface/outliers.h"
 
 #include <doctest/doctest.h>
 

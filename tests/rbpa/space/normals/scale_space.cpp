@@ -1,4 +1,4 @@
-#include "rbpa/scale_space.h"
+#include "rbpa/space/surface/scale_space.h"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/estimate_normals.h"
-#include "rbpa/surface_levels.h"
-#include "rbpa/unused.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/surface_levels.h"
+#include "rbpa/space/surface/unused_points.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

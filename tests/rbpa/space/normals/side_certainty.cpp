@@ -1,4 +1,4 @@
-#include "rbpa/space/normals/side_certainty.h"
+#include "rbpa/space/surface/normals/side_certainty.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 #include <vector>
 
-#include "rbpa/estimate_normals.h"
-#include "rbpa/space/normals/compare_normals.h"
-#include "rbpa/space/normals/fit_plane.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/normals/compare_normals.h"
+#include "rbpa/space/surface/normals/fit_plane.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;

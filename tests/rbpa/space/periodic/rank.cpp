@@ -1,4 +1,4 @@
-#include "rbpa/space/periodic/rank.h"
+#include "rbpa/space/balls/periodic/torus_rank.h"
 
 #include <doctest/doctest.h>
 

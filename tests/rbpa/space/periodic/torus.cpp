@@ -1,4 +1,4 @@
-#include "rbpa/space/periodic/torus.h"
+#include "rbpa/space/solid/periodic/torus.h"
 
 #include <doctest/doctest.h>
 

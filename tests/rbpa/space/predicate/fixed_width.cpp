@@ -1,4 +1,4 @@
-#include "rbpa/space/predicate/fixed_width.h"
+#include "rbpa/space/predicate/fixed_width_vectors.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/star/find_rings.h"
+#include "rbpa/space/surface/star/find_rings.h"
 
 #include <doctest/doctest.h>
 

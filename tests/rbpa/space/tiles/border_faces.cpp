@@ -1,5 +1,5 @@
 // Faces of tetrahedra, and pairs of equal faces, compared with all pairs.
-#include "rbpa/space/tiles/border_faces.h"
+#include "rbpa/space/solid/tiles/border_faces.h"
 
 #include <doctest/doctest.h>
 

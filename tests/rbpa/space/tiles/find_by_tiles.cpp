@@ -1,5 +1,5 @@
 // Tetrahedra found tile by tile, for any size of leaf, compared with those found by insertion.
-#include "rbpa/space/tiles/find_by_tiles.h"
+#include "rbpa/space/solid/tiles/find_by_tiles.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "rbpa/base/progress.h"
-#include "rbpa/solid.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/arguments.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"

@@ -1,5 +1,5 @@
 // Leaves of points, compared with their specification.
-#include "rbpa/space/tiles/leaves.h"
+#include "rbpa/space/solid/tiles/leaves.h"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "rbpa/space/tiles/open_faces-inl.h"
+#include "rbpa/space/solid/tiles/open_faces-inl.h"
 #include "support/random.h"
 
 using namespace rbpa_test;

@@ -1,5 +1,5 @@
 // The points of a leaf and around it, compared with all points.
-#include "rbpa/space/tiles/tile.h"
+#include "rbpa/space/solid/tiles/leaf_points.h"
 
 #include <doctest/doctest.h>
 

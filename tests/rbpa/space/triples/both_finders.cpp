@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/solid.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/solid/solid.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
 

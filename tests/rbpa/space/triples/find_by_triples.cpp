@@ -1,5 +1,5 @@
 // Tetrahedra from the triples around each point, compared with the definition: every four points, and every fifth.
-#include "rbpa/space/triples/find_by_triples.h"
+#include "rbpa/space/solid/triples/find_by_triples.h"
 
 #include <doctest/doctest.h>
 

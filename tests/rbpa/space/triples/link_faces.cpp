@@ -1,5 +1,5 @@
 // The neighbors of rows of four numbers, compared with every pair of rows.
-#include "rbpa/space/triples/link_faces.h"
+#include "rbpa/space/solid/triples/link_faces.h"
 
 #include <doctest/doctest.h>
 

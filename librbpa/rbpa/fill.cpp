@@ -1,0 +1,328 @@
+#include "rbpa/fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "meshops/front/engine.h"
+#include "meshops/topology/build_mesh.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/fill/front/constrained_delaunay.h"
+#include "rbpa/fill/front/improve.h"
+#include "rbpa/fill/front/link_filling.h"
+#include "rbpa/fill/front/lo_front.h"
+#include "rbpa/fill/front/outline.h"
+#include "rbpa/fill/front/size_estimate.h"
+#include "rbpa/fill/front/size_field.h"
+#include "rbpa/fill/rings/polygon_rings.h"
+#include "rbpa/plane/mesh/monitor.h"
+#include "rbpa/plane/shape/measure.h"
+
+namespace rbpa {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+void check_positive(const std::string& what, double value) {
+  if (!(value > 0) || std::isinf(value))
+    throw InvalidInput(what + ": found " + text(value) + ", expected a finite number above 0");
+}
+
+void check_sizes(const FillOptions& options) {
+  if (std::isinf(options.size) && options.size > 0) {
+    if (options.grade || !options.sizes.empty())
+      throw InvalidInput("size: found inf, at which no point is added, and " +
+                         std::string(options.grade ? "a grade" : "sizes at points") + ", expected one of them");
+    return;
+  }
+  check_positive("size", options.size);
+  if (options.grade) check_positive("grade", *options.grade);
+  for (std::size_t i = 0; i < options.sizes.size(); ++i) {
+    const std::string which = "size " + std::to_string(i) + " of sizes at points";
+    check_positive(which, options.sizes[i].size);
+    if (!is_finite(options.sizes[i].at))
+      throw InvalidInput(which + ": found it at " + place_of(options.sizes[i].at) + ", expected finite coordinates");
+  }
+}
+
+/// Maximum number of triangles of a mesh.
+constexpr double max_triangles = 500e6;
+
+/// Checks the estimated number of triangles. Throws: InvalidInput when there would be too many.
+void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
+                  const std::function<bool()>& go_on) {
+  const double triangles = estimate_triangles(parts_of(outline), field, said.keep_boundary, go_on);
+  if (!(triangles <= max_triangles)) {
+    const std::string others = said.grade || !said.sizes.empty() ? " and the other size options" : "";
+    throw InvalidInput("size: found " + text(said.size) + others + ", at which about " + text(std::round(triangles)) +
+                       " triangles would be made, expected larger sizes: at most " + text(max_triangles) +
+                       " triangles");
+  }
+  if (said.estimated) said.estimated(triangles);
+}
+
+/// A temporary scale of coordinates that are too large or too small for squared lengths. The factor is a power of two,
+/// which changes none of their bits.
+class Scale {
+ public:
+  /// Scales the outline. Throws: InvalidInput when this would change bits.
+  explicit Scale(Outline& outline) {
+    double largest = 0;
+    for (const Point& p : outline.places) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    constexpr int comfortable = 300;
+    exponent_ = std::abs(std::ilogb(largest)) > comfortable ? std::ilogb(largest) : 0;
+    for (Point& p : outline.places) {
+      const Point scaled{in(p.x), in(p.y)};
+      if (out(scaled) != p)
+        throw InvalidInput("coordinates: found " + place_of(p) + " beside a coordinate of " + text(largest) +
+                           ", expected them closer in magnitude");
+      p = scaled;
+    }
+  }
+
+  double in(double value) const { return std::scalbn(value, -exponent_); }
+  Point out(const Point& p) const { return {std::scalbn(p.x, exponent_), std::scalbn(p.y, exponent_)}; }
+  FillOptions in(FillOptions options, std::vector<SizeAt>& sizes) const {
+    constexpr double huge = 0x1p400;  // larger values mean the same
+    for (SizeAt& size : sizes) size = {{in(size.at.x), in(size.at.y)}, std::min(in(size.size), huge)};
+    options.size = std::min(in(options.size), huge);
+    options.sizes = sizes;
+    return options;
+  }
+
+ private:
+  int exponent_;
+};
+
+SizeField field_of(const Outline& outline, const FillOptions& options) {
+  std::vector<SizeAt> sources(options.sizes.begin(), options.sizes.end());
+  if (options.grade)
+    for (const OutlineRing& ring : outline.rings)
+      for (std::size_t i = 0; i < ring.sites.size(); ++i) {
+        const Point& a = outline.places[ring.sites[i]];
+        const Point& b = outline.places[ring.sites[(i + 1) % ring.sites.size()]];
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        const double length = std::sqrt(dx * dx + dy * dy);
+        if (length > 0) sources.push_back({{a.x + dx / 2, a.y + dy / 2}, length});
+      }
+  return {options.size, options.grade.value_or(FillOptions::default_grade), std::move(sources)};
+}
+
+/// Returns cones over the rings: behind every edge of the boundary lies a triangle of a cone over its ring. All of the
+/// boundary is thus a front, and nothing is attached to its other side.
+meshops::PolygonSoup cones_over(const Outline& outline) {
+  meshops::PolygonSoup soup{.points = outline.places.size() + outline.rings.size(), .corners = {}};
+  for (std::size_t r = 0; r < outline.rings.size(); ++r) {
+    const std::vector<Site>& ring = outline.rings[r].sites;
+    const auto tip = static_cast<Site>(outline.places.size() + r);
+    for (std::size_t i = 0; i < ring.size(); ++i) soup.add_face(Triangle{ring[(i + 1) % ring.size()], ring[i], tip});
+  }
+  return soup;
+}
+
+/// Triangles on places; the places of the outline come first.
+struct Pieces {
+  std::vector<Point> places = {};
+  std::vector<Triangle> triangles = {};
+  std::size_t retreats = 0, passed = 0;
+};
+
+class ProgressVisitor : public Monitor {
+ public:
+  ProgressVisitor(LoFront& policy, const std::function<bool(const Progress&)>& progress, std::size_t points)
+      : Monitor(progress, points), policy_(policy) {}
+  void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
+    policy_.attached(front, triangle);
+    Monitor::attached(front, h, triangle);
+  }
+  void detached(const Front&, const meshops::DetachedTriangle& triangle) { policy_.detached(triangle); }
+
+ private:
+  LoFront& policy_;
+};
+
+Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options,
+                    const std::function<bool()>& go_on) {
+  Mesh mesh;
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
+  const std::size_t outside = mesh.n_faces();
+  std::vector<std::vector<Site>> rings;
+  for (const OutlineRing& ring : outline.rings) rings.push_back(ring.sites);
+  std::vector<Point> places = outline.places;
+  places.resize(places.size() + outline.rings.size());
+
+  Front front(mesh, site_of_vertex);
+  LoFront policy(std::move(places), rings, field, go_on);
+  meshops::advance(front, policy, ProgressVisitor(policy, options.progress, outline.places.size()));
+  Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .passed = policy.passed()};
+  for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
+    meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");
+  meshops::for_each_face(mesh, [&](meshops::Face f) {
+    if (static_cast<std::size_t>(f.idx()) < outside) return;
+    const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
+    pieces.triangles.push_back({front.from_site(h), front.to_site(h), front.to_site(next)});
+  });
+  return pieces;
+}
+
+/// Removes places that no triangle uses, except those of the outline.
+void drop_unused(Pieces& pieces, std::size_t outline) {
+  constexpr std::uint32_t unused = TriangleArrays::none;
+  std::vector<std::uint32_t> number(pieces.places.size(), unused);
+  for (std::size_t i = 0; i < outline; ++i) number[i] = static_cast<std::uint32_t>(i);
+  for (const Triangle& triangle : pieces.triangles)
+    for (const std::uint32_t s : triangle) number[s] = s;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    if (number[i] == unused) continue;
+    pieces.places[kept] = pieces.places[i];
+    number[i] = static_cast<std::uint32_t>(kept++);
+  }
+  pieces.places.resize(kept);
+  for (Triangle& triangle : pieces.triangles)
+    for (std::uint32_t& s : triangle) s = number[s];
+}
+
+meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t points) {
+  meshops::PolygonSoup soup{.points = points, .corners = {}};
+  for (const Triangle& triangle : triangles) soup.add_face(triangle);
+  return soup;
+}
+
+/// Moves vertex v to the place of point[v].
+void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint32_t> point) {
+  for (std::size_t v = 0; v < point.size(); ++v)
+    mesh.set_point(meshops::Vertex(static_cast<int>(v)), {places[point[v]].x, places[point[v]].y, 0});
+}
+
+/// Improves the triangles: moves places and flips edges.
+void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options) {
+  Mesh mesh;
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
+  place(mesh, pieces.places, site);
+  const std::function<void()> ask = asking(options.progress, outline, pieces.triangles.size());
+  improve(mesh, outline, field, [&] {
+    if (ask) ask();
+  });
+  pieces.triangles.clear();
+  for (std::size_t i = outline; i < pieces.places.size(); ++i) {
+    const auto& p = mesh.point(meshops::Vertex(static_cast<int>(i)));
+    pieces.places[i] = {p[0], p[1]};
+  }
+  meshops::for_each_face(mesh, [&](meshops::Face f) {
+    const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
+    const auto number = [&](meshops::Vertex v) { return site[static_cast<std::size_t>(v.idx())]; };
+    pieces.triangles.push_back(
+        {number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)), number(mesh.to_vertex_handle(next))});
+  });
+  drop_unused(pieces, outline);
+}
+
+/// Returns the triangles of one group, on places that begin with those of its part of the outline.
+Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
+                 const std::function<bool()>& go_on) {
+  if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
+  Pieces pieces = advance_from(outline, *field, options, go_on);
+  drop_unused(pieces, outline.places.size());
+  make_better(pieces, outline.places.size(), *field, options);
+  return pieces;
+}
+
+/// Appends the triangles of a part, on points of the whole.
+void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uint32_t> number, const Scale& scale,
+         std::vector<std::pair<Triangle, std::size_t>>& triangles, Filling& filling) {
+  std::vector<std::uint32_t> point;
+  for (const Site s : part.site) point.push_back(number[s]);
+  for (std::size_t i = part.site.size(); i < pieces.places.size(); ++i) {
+    point.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(pieces.places[i]));
+  }
+  for (const Triangle& triangle : pieces.triangles) {
+    Triangle named{point[triangle[0]], point[triangle[1]], point[triangle[2]]};
+    std::rotate(named.begin(), std::min_element(named.begin(), named.end()), named.end());
+    triangles.emplace_back(named, part.group);
+  }
+  filling.retreats += pieces.retreats;
+  filling.passed += pieces.passed;
+}
+
+std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rings,
+                                 std::span<const std::uint32_t> number, std::span<const Polygon> input,
+                                 std::span<const Point> points) {
+  std::vector<Polygon> polygons(input.size());
+  for (std::size_t p = 0; p < input.size(); ++p) polygons[p].holes.resize(input[p].holes.size());
+  for (const OutlineRing& ring : outline.rings) {
+    const auto [polygon, hole] = rings.roles[ring.input];
+    Ring& cut = hole ? polygons[polygon].holes[*hole] : polygons[polygon].shell;
+    for (const Site s : ring.sites) cut.points.push_back(number[s]);
+  }
+  for (Polygon& polygon : polygons)
+    if (!polygon.shell.points.empty()) measure(polygon, points);
+  return polygons;
+}
+
+}  // namespace
+
+Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& said) {
+  check_sizes(said);
+  const std::function<void()> ask = asking(said.progress, points.size());
+  const std::function<bool()> go_on = [&] {
+    if (ask) ask();
+    return true;
+  };
+  const PolygonRings rings = valid_polygons(points, polygons, said.groups, go_on);
+  Filling filling;
+  filling.points.assign(points.begin(), points.end());
+  filling.boundary_points = points.size();
+  if (rings.input.empty()) {
+    filling.polygons.assign(polygons.begin(), polygons.end());
+    link(filling);
+    return filling;
+  }
+  Outline outline = outline_of(points, rings.noded.rings, rings.places, rings.groups);
+  const Scale scale(outline);
+  std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
+  FillOptions options = scale.in(said, sizes);
+  std::optional<SizeField> field;
+  if (!std::isinf(said.size)) {
+    field.emplace(field_of(outline, options));
+    check_number(outline, *field, said, go_on);
+    if (!options.keep_boundary) cut(outline, *field, go_on);
+  }
+  std::vector<std::uint32_t> number = outline.input;
+  for (std::size_t i = outline.input.size(); i < outline.places.size(); ++i) {
+    number.push_back(static_cast<std::uint32_t>(filling.points.size()));
+    filling.points.push_back(scale.out(outline.places[i]));
+  }
+  filling.boundary_points = filling.points.size();
+
+  std::vector<std::pair<Triangle, std::size_t>> triangles;
+  if (said.progress)
+    options.progress = [&](const Progress& progress) {
+      return said.progress({triangles.size() + progress.triangles, progress.points});
+    };
+  for (const OutlinePart& part : parts_of(outline))
+    add(part, pieces_of(part.outline, field ? &*field : nullptr, options, go_on), number, scale, triangles, filling);
+  std::sort(triangles.begin(), triangles.end());
+  for (const auto& [triangle, group] : triangles) {
+    filling.triangles.push_back(triangle);
+    filling.groups.push_back(group);
+  }
+  link(filling);
+  filling.polygons = polygons_of(outline, rings, number, polygons, filling.points);
+  return filling;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,37 @@
+// What: cuts a polygon along a vertical line, such as longitude 180.
+// Law:  the parts on each side are valid polygons, whose points are points of the polygon or of the line. Their
+//       topology is decided exactly; a point at which an edge crosses the line is rounded, to the same number on both
+//       sides.
+// Cost: n log n in the vertices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/outline_polygons.h"
+
+namespace rbpa {
+
+/// The crossing of an edge and the line.
+struct EdgeCrossing {
+  std::uint32_t from, to;  ///< the ends of the edge, left and right of the line
+  double share;            ///< fraction of the way from `from` to `to`
+};
+
+struct PolygonCut {
+  std::vector<Point> points;            ///< the input points under their indices, then one for each crossing
+  std::vector<EdgeCrossing> crossings;  ///< one for each such point
+  std::vector<Polygon> left, right;     ///< empty if no part of the polygon lies on that side
+};
+
+/// Cuts `polygon` along the line at `x`.
+/// Requires: a valid polygon (validity.h) on these points, whose shell is counter-clockwise and whose holes are
+///           clockwise, as polygons() returns them; a finite x.
+/// Throws:   InvalidInput that names the place if rounded crossings would make a part invalid; otherwise as
+///           polygons_of_rings().
+RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);
+
+}  // namespace rbpa

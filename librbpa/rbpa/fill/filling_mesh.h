@@ -1,0 +1,28 @@
+// What: a filling of polygons as a halfedge mesh.
+// Law:  an oriented 2-manifold with boundary, glued as the filling is. Vertex v stands on point v of the filling, and
+//       face f is triangle f; unused points are isolated vertices. If several fans of triangles meet at a point,
+//       because rings touch or groups overlap, the fans after the first have additional vertices, numbered after the
+//       last point.
+// Cost: linear.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/fill.h"
+
+namespace rbpa {
+
+struct FillingMesh {
+  Mesh mesh;                                   ///< z = 0
+  std::vector<std::uint32_t> point_of_vertex;  ///< for each vertex, its point in the filling
+};
+
+/// Builds the halfedge mesh of a filling.
+/// Requires: points, triangles and neighbors as fill() returns them.
+/// Throws:   ContractViolation as require_linked().
+RBPA_API FillingMesh filling_mesh(const Filling& filling);
+
+}  // namespace rbpa

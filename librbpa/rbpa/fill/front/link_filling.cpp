@@ -1,0 +1,90 @@
+#include "rbpa/fill/front/link_filling.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rbpa {
+namespace {
+
+/// A side of a triangle, with its edge and its group.
+struct GroupSide {
+  std::uint64_t edge;  // the lesser end, then the greater one
+  std::size_t group;
+  std::uint32_t triangle;
+  std::uint8_t across;  // the corner across
+  bool ascends;
+  friend bool operator<(const GroupSide& a, const GroupSide& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.group < b.group;
+  }
+};
+
+std::vector<GroupSide> sorted_sides(const Filling& filling) {
+  std::vector<GroupSide> sides;
+  sides.reserve(3 * filling.triangles.size());
+  for (std::uint32_t t = 0; t < filling.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = filling.triangles[t][(k + 1) % 3], to = filling.triangles[t][(k + 2) % 3];
+      const std::uint64_t low = std::min(from, to), high = std::max(from, to);
+      sides.push_back({low << 32 | high, filling.groups[t], t, static_cast<std::uint8_t>(k), from < to});
+    }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/// Calls visit(first, last) for the sides at each edge.
+template <typename Visit>
+void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
+  for (auto first = sides.begin(); first != sides.end();) {
+    auto last = first + 1;
+    while (last != sides.end() && last->edge == first->edge) ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+/// Returns for each group whether it has no neighboring group: it has an edge on its left that another group has on its
+/// left too.
+std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
+  std::size_t groups = 0;
+  for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);
+  std::vector<bool> apart(groups, false);
+  for_each_shared_edge(sides, [&](auto first, auto last) {
+    for (const bool ascends : {false, true}) {
+      const auto is_one = [&](const GroupSide& side) { return side.ascends == ascends; };
+      if (std::count_if(first, last, is_one) < 2) continue;
+      for (auto side = first; side != last; ++side)
+        if (is_one(*side)) apart[side->group] = true;
+    }
+  });
+  return apart;
+}
+
+}  // namespace
+
+void link(Filling& filling) {
+  const std::vector<GroupSide> sides = sorted_sides(filling);
+  const std::vector<bool> apart = are_apart(sides);
+  filling.neighbors.assign(filling.triangles.size(),
+                           {TriangleArrays::none, TriangleArrays::none, TriangleArrays::none});
+  const auto join = [&](const GroupSide& a, const GroupSide& b) {
+    filling.neighbors[a.triangle][a.across] = b.triangle;
+    filling.neighbors[b.triangle][b.across] = a.triangle;
+  };
+  for_each_shared_edge(sides, [&](auto first, auto last) {
+    auto shared = last;  // a side of a group that is not apart: there are at most two
+    for (auto side = first; side != last; ++side) {
+      if (apart[side->group]) {
+        if (side != first && (side - 1)->group == side->group) join(*(side - 1), *side);
+      } else if (shared == last) {
+        shared = side;
+      } else {
+        join(*shared, *side);
+      }
+    }
+  });
+}
+
+}  // namespace rbpa

@@ -1,0 +1,55 @@
+// What: the boundary of the polygons to be filled, in an order that does not depend on how the input is written.
+// Law:  a function of the polygons as a set of the plane, except for the numbers of input points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "meshops/patch/site.h"
+#include "rbpa/base/point.h"
+#include "rbpa/fill/front/size_field.h"
+#include "rbpa/fill/rings/simple_rings.h"
+
+namespace rbpa {
+
+struct OutlineRing {
+  std::vector<meshops::Site> sites;  ///< the polygon is on the left; the least of the corners first
+  std::size_t input = 0;             ///< the number of the input ring
+  bool is_reversed = false;          ///< whether the direction is opposite to the input's
+  std::size_t group = 0;             ///< group of polygons that form a valid multipolygon (fill.h)
+};
+
+struct Outline {
+  /// The place of each site: corners in lexicographic order, then points that were added on edges.
+  std::vector<Point> places;
+  std::vector<std::uint32_t> input;  ///< for each corner the input point
+  std::vector<OutlineRing> rings;    ///< sorted by their first sites
+};
+
+/// Returns the outline of rings.
+/// Requires: noded rings, of which those of one group meet in single points at most; and the result of nest_rings() for
+///           the rings of each group.
+Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places,
+                   std::span<const std::size_t> groups);
+
+/// Adds points on edges, so that none is much longer than the size field allows: an edge along which the field counts n
+/// of its lengths is cut into n pieces, n rounded. A point is rounded to doubles; an edge stays whole if its pieces
+/// would then meet others of its group. An edge that several rings have, in either direction, is cut once for all.
+/// Throws: Cancelled.
+/// Cost:   n log n in the pieces.
+void cut(Outline& outline, const SizeField& field, const std::function<bool()>& go_on);
+
+/// One group of an outline.
+struct OutlinePart {
+  Outline outline;
+  std::vector<meshops::Site> site;  ///< for each of its sites, the site of the whole outline; ascending
+  std::size_t group;
+};
+
+/// Returns the parts of all groups, ascending. Cost: n log n.
+std::vector<OutlinePart> parts_of(const Outline& outline);
+
+}  // namespace rbpa

@@ -1,0 +1,153 @@
+// What:   a triangulation of the region that a front has not filled yet: its corners are the points of the front, and
+//         its border the edges of the front.
+// Law:    after every change it is the constrained Delaunay triangulation of the unfilled region, up to points on one
+//         circle. All decisions are exact.
+// Why:    a walk through it from an edge visits the corners visible from that edge, and no others. Long edges that lie
+//         close hide nearly all near points from each other, and a search by boxes would visit all of these
+//         (docs/explanation/plane.md, section 36).
+// Cost:   n log n to build, for a front of n edges. Adding or removing a triangle costs the triangles that it crosses,
+//         and their flips; removing a corner costs k log k for k triangles around it. A search costs the triangles
+//         visited.
+// Source: Chew, Constrained Delaunay triangulations (1989); Lee, Preparata, Euclidean shortest paths in the presence of
+//         rectilinear barriers (1984), for the funnel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "meshops/patch/site.h"
+#include "rbpa/base/point.h"
+#include "rbpa/fill/front/front_edge.h"
+#include "rbpa/plane/grid/box.h"
+
+namespace rbpa {
+
+class Unfilled {
+ public:
+  using Site = meshops::Site;
+  static constexpr std::size_t unlimited = ~std::size_t{0};
+
+  /// Triangulates the region left of the rings of a front, each given by its sites. Keeps a reference to the places, to
+  /// which others may be added.
+  /// Throws: Cancelled, when go_on returns false.
+  Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
+           const std::function<bool()>& go_on);
+
+  /// Begins a search from an edge of the front, for the functions below. It passes at most `most` triangles; the
+  /// triangle beside the edge is always seen.
+  void look_from(const FrontEdge& edge, std::size_t most = unlimited) const;
+  /// Returns the sites in a box that make an empty triangle with that edge, except those that were found before; in any
+  /// order.
+  /// Requires: the box contains the edge and the boxes before; nothing was filled or emptied since look_from().
+  std::span<const Site> free_sites(const Box& box) const;
+  /// Returns whether the triangle of an edge of the front and a site is empty.
+  bool is_free(const FrontEdge& edge, Site site) const;
+  /// Returns whether the triangle of an edge and a new point is empty, and every edge of the front is at least
+  /// `clearance` from the point. Returns false if more than `most` triangles would be passed on the way.
+  bool is_free(const FrontEdge& edge, const Point& apex, double clearance, std::size_t most = unlimited) const;
+
+  /// Fills an empty triangle on an edge of the front. An apex that is not yet a site of the front becomes one.
+  void fill(const FrontEdge& edge, Site apex);
+  /// Makes a triangle unfilled again. Side i, from corner i to corner i + 1, is then an edge of the front, or has an
+  /// unfilled region beyond it.
+  void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
+
+  /// Returns the number of triangles passed so far by searches and on the way to points, plus the number of those added
+  /// or flipped: a measure of the work.
+  std::size_t passed() const { return passed_; }
+  /// Returns the triangles, counter-clockwise, in any order.
+  std::vector<std::array<Site, 3>> triangles() const;
+
+ private:
+  /// The number of a side: side k of triangle t is 3 t + k, and runs from corner k + 1 to corner k + 2, across from
+  /// corner k.
+  using Side = std::uint32_t;
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  static Side after(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Side before(Side side) { return side % 3 == 0 ? side + 2 : side - 1; }
+  static std::uint64_t key_of(Site from, Site to) { return std::uint64_t{from} << 32U | to; }
+  Site from(Side side) const { return corner_[after(side)]; }
+  Site to(Side side) const { return corner_[before(side)]; }
+
+  /// A corner of the cavity that a triangle cuts, and the side beyond the edge that leads to it.
+  struct Rim {
+    Site site;
+    Side beyond;
+    bool is_new = false;  // whether the triangle beyond was made for this rim
+  };
+  /// An edge of the star of a corner that is removed: a corner of its rim, the corners beside it, and the number of
+  /// times it was offered as an ear.
+  struct Ray {
+    Rim rim;
+    std::uint32_t last, next;
+    std::uint32_t offers = 0;
+  };
+  /// An offer of an ear. Only the last offer for a corner counts; the least rise comes first.
+  struct Ear {
+    double rise;
+    std::uint32_t at, offer;
+    friend bool operator<(const Ear& one, const Ear& other) {
+      return std::pair(other.rise, other.at) < std::pair(one.rise, one.at);
+    }
+  };
+  /// A side through which a search looks, in the triangle before it: the visible region lies right of the line from the
+  /// edge's beginning to one site, and left of the line from its end to another.
+  struct Gate {
+    Side side;
+    Site left, right;
+  };
+
+  int turn(Site a, Site b, Site c) const;
+  int turn(Site a, Site b, const Point& p) const;
+  Side at(const FrontEdge& edge) const;
+  std::optional<Side> around(const FrontEdge& edge, const Point& apex, std::size_t most) const;
+  bool is_clear(Side around, const Point& p, double clearance) const;
+
+  void link(Side side, Side beyond);
+  std::uint32_t add(Site a, Site b, Site c);
+  void remove(std::uint32_t triangle);
+  void forget_removed();
+  void split(const FrontEdge& edge, Site site);
+  void cross(Side side, Site apex);
+  Side cut_ears(std::vector<Rim>& rim, bool is_right);
+  void close(Site from, const Rim& to, Side inner, bool is_right);
+  void bound(Side beyond, Site from, Site to);
+  void flip_all();
+  void flip(Side side);
+  bool is_inner(Side at) const;
+  void take_out(Side at);
+  void offer_ear(std::uint32_t i, Site inner);
+  std::uint32_t first_ear();
+  Side cut_ear(std::uint32_t i);
+
+  const std::vector<Point>& places_;
+  std::vector<Site> corner_;           // the corner across from side 3 t + k
+  std::vector<Side> across_;           // the same edge as a side of the triangle beyond, or none if it is of the front
+  std::vector<std::uint32_t> unused_;  // unused triangles
+  std::unordered_map<std::uint64_t, Side> border_;  // edges of the front as sides
+  Site next_ = 0;                                   // sites from here on are new
+  // used while a triangle is filled:
+  std::vector<Rim> left_, right_;
+  std::vector<std::uint32_t> crossed_;
+  std::vector<std::array<std::uint32_t, 3>> waiting_;
+  std::vector<Side> queue_;
+  // used while a corner is removed:
+  std::vector<Ray> star_;
+  std::vector<Ear> ears_;  // a heap
+  // used in a search:
+  mutable FrontEdge eye_ = {};
+  mutable std::vector<Site> found_, seen_;    // found in the last box; free sites outside of it
+  mutable std::vector<Gate> gates_, closed_;  // gates to be looked through; those outside of the box
+  mutable std::vector<Side> stack_;
+  mutable std::vector<std::size_t> stamp_;  // for each triangle, the last search that passed it
+  mutable std::size_t most_ = 0, of_look_ = 0, looks_ = 0, passed_ = 0;
+};
+
+}  // namespace rbpa

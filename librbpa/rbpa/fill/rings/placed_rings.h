@@ -1,0 +1,26 @@
+// What: nests the user's rings, noded, or tells why and where they are no rings of polygons.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/base/point.h"
+#include "rbpa/fill/rings/noded_rings.h"
+#include "rbpa/fill/rings/simple_rings.h"
+
+namespace rbpa {
+
+/// Returns what is wrong with rings that meet, in terms of the input: the vertices are those of `rings`.
+std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::span<const Ring> rings,
+                    const NodedRings& noded, const RingName& name);
+
+/// Returns which ring lies in which.
+/// Throws: InvalidInput when rings cross, overlap, or one passes a place twice; Cancelled.
+std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
+                                   const RingName& name, const std::function<bool()>& go_on);
+
+}  // namespace rbpa

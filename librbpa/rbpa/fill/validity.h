@@ -1,0 +1,28 @@
+// What:   tests whether polygons are valid under OGC Simple Features, and tells where they are not.
+// Law:    decided exactly. A polygon is valid if its rings are simple, do not cross, have at most single points in
+//         common, holes lie in the shell and not in each other, and the interior is connected. Polygons form a valid
+//         multipolygon if also they have no area and no edge in common. Consecutive vertices at one place count as one.
+// Cost:   n log n in the vertices.
+// Source: OGC 06-103r4, Simple feature access, 6.1.11 and 6.1.14.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/outline_polygons.h"
+
+namespace rbpa {
+
+/// Returns the reason why the polygons do not form a valid multipolygon, or why a single one is invalid; nothing if
+/// they are valid. The reason tells in one line where, what was found and what was expected; it numbers polygons, holes
+/// and vertices from 0. Rings may begin anywhere and have either orientation.
+/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
+                                                const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,61 @@
+// What: a filtration as plain arrays, ordered by alpha: the complex of any alpha is a prefix. Made for programs that
+//       show the complex at one radius after another and compute nothing themselves.
+// Law:  a function of the set of points alone. The first k triangles, k being the count of a filtration step, are the
+//       solid alpha complex at the step's alpha.
+// Cost: twice that of persistence().
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/persistence.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+
+namespace rbpa {
+
+/// An edge that is in the full alpha complex before any of its triangles is.
+struct FreeEdge {
+  double alpha = 0;            ///< radius at which the edge appears: half its length, rounded up
+  std::uint32_t triangle = 0;  ///< the first triangle at the edge, which appears later
+  std::uint32_t side = 0;      ///< side of that triangle, from corner `side` to the next
+  friend bool operator==(const FreeEdge&, const FreeEdge&) = default;
+};
+
+/// A persistence pair of the solid complex, located by a triangle. For a component, the triangle is part of it from its
+/// birth on. For a hole, the triangle is part of it until its death, which this triangle causes.
+struct PlacedPair {
+  PersistencePair pair = {};
+  std::uint32_t triangle = 0;
+  friend bool operator==(const PlacedPair&, const PlacedPair&) = default;
+};
+
+struct FiltrationArrays {
+  std::vector<Point> points;  ///< the distinct points, in lexicographic order
+  /// Indices into `points`, counter-clockwise, the smallest first; sorted by alpha, then by corners.
+  std::vector<Triangle> triangles;
+  std::vector<double> alpha;         ///< for each triangle, the alpha at which it appears
+  std::vector<FreeEdge> free_edges;  ///< by alpha, then by triangle and side
+  std::vector<PlacedPair> pairs;     ///< sorted as by persistence(), equal pairs by triangle
+};
+
+/// Computes the arrays.
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
+RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
+                                            const std::function<bool()>& go_on = {});
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// first.
+inline FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
+                                          const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+  return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);
+}
+
+}  // namespace rbpa

@@ -1,0 +1,110 @@
+// What: computes many sets of points in one call, each on its own: a footprint for every building, a hull for every
+//       cluster.
+// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. Nothing
+//       depends on the number of threads, or on the other groups: an error in one group is reported as a sentence in
+//       the result, and the other groups are computed.
+// Cost: that of the single calls, shared among threads, without the fixed cost of a call:
+//       docs/reference/performance.md.
+// Note: independent of OpenMesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
+
+namespace rbpa {
+
+/// The points of each group: group g has members[offsets[g]] to members[offsets[g + 1] − 1].
+struct Groups {
+  std::vector<std::uint64_t> offsets = {0};  ///< ascending, one more than there are groups; the first is 0
+  std::vector<std::uint32_t> members = {};   ///< input indices, ascending within each group
+
+  std::size_t size() const { return offsets.size() - 1; }
+  std::span<const std::uint32_t> operator[](std::size_t group) const {
+    return std::span(members).subspan(offsets[group], offsets[group + 1] - offsets[group]);
+  }
+};
+
+/// The label of a point that is in no group.
+inline constexpr std::uint32_t no_group = 0xffffffff;
+
+/// Returns the groups 0 to count − 1 of the points with these labels. A group may be empty.
+/// Throws: InvalidInput when a label is neither below `count` nor no_group.
+/// Cost:   linear.
+RBPA_API Groups groups_of(std::span<const std::uint32_t> labels, std::size_t count);
+
+struct GroupOptions {
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
+  unsigned threads = 0;
+  /// Called with the number of finished groups every few milliseconds, one call at a time but from any thread of the
+  /// run; returning false cancels the run. Empty: never called.
+  std::function<bool(std::size_t)> go_on = {};
+};
+
+/// A group, as the visitor of for_each_group() receives it.
+struct Group {
+  std::size_t number = 0;
+  std::span<const Point> points = {};           ///< contiguous in memory
+  std::span<const std::uint32_t> members = {};  ///< for each of these points, its input index
+};
+
+/// Calls visit(Group) once for each group, in any order and thread.
+/// Throws: InvalidInput when the offsets or members are not valid Groups of these points; any exception of `visit`,
+///         after which some groups are not visited; Cancelled.
+RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups,
+                             const std::function<void(const Group&)>& visit, const GroupOptions& options = {});
+
+/// The choice of the radius of each group.
+struct GroupAlpha {
+  /// One radius for all groups, or one for each; empty: the radii are chosen.
+  std::span<const double> given = {};
+  /// A condition (covering.h): each group gets the least radius that satisfies it. By default all points of a group
+  /// must be in one component.
+  Covering covering = {.share = 1, .max_components = 1};
+  /// If above 0, each group gets the radius of the plateau of this rank (plateaus.h), or of the last plateau if there
+  /// are fewer.
+  std::size_t plateau = 0;
+};
+
+struct GroupShapesOptions : GroupOptions {
+  PolygonFilter filter = {};
+  bool triangles = false;  ///< whether GroupShapes::triangles are filled in
+};
+
+/// The reason why a group has no polygon.
+struct GroupProblem {
+  std::size_t group = 0;
+  std::string what;  ///< for example "all points are collinear"
+  friend bool operator==(const GroupProblem&, const GroupProblem&) = default;
+};
+
+/// The solid alpha complexes of groups. Entry g of a vector is that of group g, unless stated otherwise.
+struct GroupShapes {
+  std::vector<double> alphas;     ///< the given or chosen radius; NaN if the points have no triangle at any radius
+  std::vector<Polygon> polygons;  ///< of all groups, in their order, each sorted as by polygons(); input indices
+  /// The polygons of group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
+  std::vector<std::uint64_t> polygon_begin = {0};
+  std::vector<PolygonTotals> totals;
+  std::vector<std::uint64_t> triangle_begin = {0};  ///< likewise for triangles, also if these are not kept
+  std::vector<Triangle> triangles;     ///< only on request: of all groups, each as triangulate() returns its own
+  std::vector<GroupProblem> problems;  ///< for groups without a polygon, ascending
+};
+
+/// Computes the solid alpha complex of each group. Groups may overlap, and points need not be finite: each group that
+/// has no polygon is listed in `problems`.
+/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups.
+/// Throws:   InvalidInput as for_each_group(), and when the number of radii is not 0, 1 or the number of groups;
+///           Cancelled.
+RBPA_API GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
+                                      const GroupShapesOptions& options = {});
+
+}  // namespace rbpa

@@ -1,0 +1,20 @@
+// What: the topology of the complex after each level of a hierarchy.
+// Law:  level_topology(h)[i] is count(rbpa(points, h.levels[i].alpha)).
+// Cost: near-linear in the triangles and levels together: each triangle is added once.
+#pragma once
+
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/plane/topology.h"
+
+namespace rbpa {
+
+struct Hierarchy;  // rbpa/hrbpa.h
+
+/// Returns the counts after each level.
+/// Requires: `hierarchy` is the result of hrbpa().
+/// Throws:   ContractViolation when it visibly is not.
+RBPA_API std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy);
+
+}  // namespace rbpa

@@ -1,0 +1,90 @@
+// What:   the alpha solid as polygons with holes, one for each solid component.
+// Law:    each polygon is valid under OGC Simple Features, and so are all together as a multipolygon; their areas add
+//         up to that of the triangles. A function of the set of points and alpha: triangles and vertices in any order
+//         give the same polygons in the same order.
+// Cost:   linear in the complex, n log n in the boundary.
+// Source: docs/explanation/plane.md, sections 33 to 35.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle_arrays.h"
+
+namespace rbpa {
+
+struct SolidAlphaComplex;  // rbpa/plane/complex.h
+
+/// A closed polyline that passes no point twice.
+struct Ring {
+  std::vector<std::uint32_t> points;  ///< input indices, the lexicographically least point first and not repeated
+  friend bool operator==(const Ring&, const Ring&) = default;
+};
+
+/// A polygon: a solid component. Its interior is connected; rings touch each other at single points, if at all.
+struct Polygon {
+  Ring shell = {};  ///< counter-clockwise
+  /// The holes: clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
+  std::vector<Ring> holes = {};
+  double area = 0;  ///< of the shell without the holes: the real number rounded once
+  /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³; infinite, as is the area, beyond the range of
+  /// double.
+  double perimeter = 0;
+  friend bool operator==(const Polygon&, const Polygon&) = default;
+};
+
+/// Lower bounds for the area of holes and parts, in squared units of the points. Areas are compared as rounded.
+struct PolygonFilter {
+  /// Least area of a hole: holes whose ring encloses less are filled, and polygons in them are dropped.
+  double min_hole_area = 0;
+  /// Least area of a polygon: polygons of less area, after holes are filled, are dropped.
+  double min_part_area = 0;
+};
+
+/// Returns the solid components as polygons, sorted by the first point of the shell, then by the second,
+/// lexicographically. Where a component touches itself at a point, its boundary is split there into rings. A boundary
+/// edge is on exactly one ring, and no other edge is on any.
+/// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled when `go_on`, which is called
+///         every few milliseconds, returns false. Empty: never called.
+/// Cost:   as above; a bound on holes adds a plane sweep over the boundary.
+RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
+                                       const std::function<bool()>& go_on = {});
+
+/// Returns the same for a solid complex in arrays, with neighbors, on these points.
+/// Throws: also ContractViolation as require_linked(), or when the points are visibly others.
+RBPA_API std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex,
+                                       const PolygonFilter& filter = {}, const std::function<bool()>& go_on = {});
+
+struct PolygonTotals {
+  std::size_t holes = 0;
+  double area = 0;  ///< the exact sum of the polygons' areas, rounded once; so is the perimeter
+  double perimeter = 0;
+};
+
+RBPA_API PolygonTotals total(std::span<const Polygon> polygons);
+
+/// A sum over polygons that are not in memory together.
+class RBPA_API RunningTotals {
+ public:
+  RunningTotals();
+  ~RunningTotals();
+  RunningTotals(const RunningTotals&) = delete;
+  RunningTotals& operator=(const RunningTotals&) = delete;
+
+  /// Adds a polygon with this number of holes.
+  /// Requires: an area and a perimeter that are not negative; they may be infinite.
+  void add(std::size_t holes, double area, double perimeter);
+  PolygonTotals totals() const;
+
+ private:
+  struct Sums;
+  std::unique_ptr<Sums> sums_;
+};
+
+}  // namespace rbpa

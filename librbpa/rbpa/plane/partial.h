@@ -1,0 +1,143 @@
+// What:   the contribution of a region of the plane to a solid alpha complex: counts, finished polygons, and the rim,
+//         which depends on regions not merged yet. The contributions of all regions are merged to the whole.
+// Law:    partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
+//         commutative: bytes (partial_bytes.h) depend on which regions were merged, not on the order. When the whole
+//         plane is merged, finish() returns what rbpa(), count() and polygons() compute for all points.
+// Cost:   that of triangulate(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
+//         kept in memory.
+// Source: docs/explanation/plane.md, sections 22 to 27.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/plane/corner_polygon.h"
+#include "rbpa/plane/region.h"
+
+namespace rbpa {
+
+/// Counts over the merged regions. Counts of items that regions own add up; components and curves count once they are
+/// finished.
+struct PartialCounts {
+  std::uint64_t points = 0;      ///< input points, duplicates included
+  std::uint64_t duplicates = 0;  ///< points equal to one of a lower index
+  std::uint64_t isolated = 0;    ///< distinct points in no triangle
+  std::uint64_t vertices = 0;    ///< distinct points in triangles
+  std::uint64_t edges = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t solid_components = 0;
+  std::uint64_t components = 0;  ///< pinches connect
+  std::uint64_t boundary_curves = 0;
+  friend bool operator==(const PartialCounts&, const PartialCounts&) = default;
+
+  /// Returns the number of holes. Requires: the whole plane is merged.
+  std::uint64_t holes() const { return components + edges - vertices - triangles; }
+};
+
+/// The size of the part that depends on regions not merged yet.
+struct RimSize {
+  std::uint64_t triangles = 0;   ///< triangles with corners both in merged regions and in others
+  std::uint64_t components = 0;  ///< solid components with such triangles
+  std::uint64_t chains = 0;      ///< paths of boundary edges that continue in other regions
+  std::uint64_t corners = 0;     ///< corners of chains, and of rings whose component is unfinished
+  std::uint64_t polygons = 0;    ///< finished polygons that are not removed yet
+  friend bool operator==(const RimSize&, const RimSize&) = default;
+};
+
+struct PartialState;
+
+class RBPA_API Partial {
+ public:
+  /// Constructs the contribution of no region: the neutral element of merge().
+  Partial();
+  Partial(const Partial&);
+  Partial(Partial&&) noexcept;
+  Partial& operator=(const Partial&);
+  Partial& operator=(Partial&&) noexcept;
+  ~Partial();
+
+  /// Returns alpha; 0 for the contribution of no region.
+  double alpha() const;
+  PartialCounts counts() const;
+  RimSize rim() const;
+  /// Returns whether all of the plane is merged.
+  bool is_whole() const;
+
+  // For the functions in plane/partial/.
+  explicit Partial(PartialState&& state);
+  const PartialState& state() const { return *state_; }
+  PartialState& state() { return *state_; }
+
+ private:
+  std::unique_ptr<PartialState> state_;  // null only after a move
+};
+
+struct PartialOptions {
+  /// Threads and progress as in TriangulationOptions.
+  unsigned threads = 0;
+  std::function<bool(const Progress&)> progress = {};
+};
+
+/// Computes the contribution of a region.
+/// Throws: InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending order,
+///         when a point is not finite or there are too many (triangulate.h), when the number of indices differs from
+///         that of points or an index is given twice; Cancelled.
+/// Cost:   that of triangulate() with neighbors, on all given points.
+RBPA_API Partial partial(const Region& region, const RegionPoints& points, double alpha,
+                         const PartialOptions& options = {});
+
+/// The items that a region owns.
+struct OwnedItems {
+  /// Triangles as indices into the whole input: counter-clockwise, the smallest index first, in lexicographic order.
+  /// The triangles of all regions together, sorted, are the result of triangulate().
+  std::vector<std::array<std::uint64_t, 3>> triangles;
+  std::vector<std::uint64_t> isolated;  ///< distinct points in no triangle, ascending
+};
+
+struct PartialAndItems {
+  Partial partial;
+  OwnedItems owned;
+};
+
+/// Computes the contribution of a region and its items, at the cost of one of them.
+RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoints& points, double alpha,
+                                           const PartialOptions& options = {});
+
+/// Merges two sets of regions into one.
+/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when they contradict each other
+///         about a common triangle, because a halo was not complete or points differed. Then neither can be used any
+///         further.
+/// Cost:   n log n in the rims; an amortized constant for polygons.
+RBPA_API Partial merge(Partial&& a, Partial&& b);
+
+/// Removes the finished polygons from `partial` and returns them in order; counts do not change. A polygon that touches
+/// an unfinished one is finished once it is certain which of them counts the common points.
+RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
+
+struct TakenHoles {
+  /// The holes of one polygon may be returned under several names, and several times under one.
+  ComponentName component;
+  std::vector<CornerRing> holes;  ///< in order
+};
+
+/// Removes the holes of unfinished components from `partial` and returns them by component. A component that spans the
+/// plane may have more holes than fit into memory. A component keeps its holes if they have fewer than `min_corners`
+/// corners together, because the record that replaces them takes the memory of about 100 corners.
+RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
+
+struct WholeComplex {
+  PartialCounts counts;
+  std::vector<CornerPolygon> polygons;  ///< in order; without those already removed
+};
+
+/// Returns the complex of the whole plane.
+/// Throws: InvalidInput that names the missing part, unless all of the plane is merged and nothing is unfinished.
+RBPA_API WholeComplex finish(Partial&& partial);
+
+}  // namespace rbpa

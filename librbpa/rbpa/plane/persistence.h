@@ -1,0 +1,55 @@
+// What:   births and deaths of components and holes while alpha grows from 0 to infinity.
+// Law:    the components at alpha are the pairs of dimension 0 with birth ≤ alpha < death; the holes are those of
+//         dimension 1. For the solid complex these are the numbers in the steps of filtration(). A pair never has birth
+//         = death.
+// Cost:   sorts the edges; the rest is near-linear.
+// Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002): the elder rule;
+//         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+
+namespace rbpa {
+
+enum class ComplexKind {
+  solid,  ///< triangles of circumradius ≤ alpha, with their edges and vertices
+  /// The alpha complex: also every point from alpha 0 on, and every edge whose ends an empty ball of radius alpha can
+  /// touch, whether in a triangle or not.
+  full
+};
+
+/// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death. When two components meet,
+/// the younger one dies. Birth and death are double radii, rounded up from the exact ones.
+struct PersistencePair {
+  int dimension = 0;
+  double birth = 0;
+  std::optional<double> death;  ///< absent: never
+  friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
+};
+
+/// Returns the pairs sorted by dimension, birth and death; those without a death come last. A function of the set of
+/// points alone.
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
+                                                  ComplexKind kind = ComplexKind::solid,
+                                                  const std::function<bool()>& go_on = {});
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// first.
+inline std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
+                                                const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
+                                                const std::function<bool()>& go_on = {}) {
+  return persistence(Delaunay(delaunay, points, go_on, "persistence"), filtration, kind, go_on);
+}
+
+}  // namespace rbpa

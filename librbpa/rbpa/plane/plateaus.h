@@ -1,0 +1,70 @@
+// What:   finds plateaus: ranges of alpha, long as a ratio of their ends, over which the parts and holes of the solid
+//         alpha complex hardly change; and recommends an alpha in each.
+// Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
+//         change it in proportion to their share of the points.
+// Cost:   a sort of the triangles; the rest is near-linear. About the time of the filtration.
+// Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7. Longest is most persistent: Edelsbrunner,
+//         Letscher, Zomorodian (2002); Betti curves that
+//         stand still mark the scale of a sample: Robins, Meiss, Bradley (1998).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+
+namespace rbpa {
+
+/// The form of a shape as a whole, regardless of tiny parts.
+enum class PlateauKind {
+  structured,  ///< several parts of significant size, or holes of significant size
+  one_piece    ///< one part holds nearly all covered points, and holes are small
+};
+
+/// The range from ≤ alpha < to.
+struct Plateau {
+  double from = 0;
+  std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
+  /// Its persistence: to / from; for the last plateau, half the diagonal of the points' box / from, at least 1.
+  double ratio = 1;
+  double alpha = 0;            ///< the recommended alpha: √(from · to), but at most plateau_settles · from
+  FiltrationStep step = {};    ///< the complex at `alpha`
+  double effective_parts = 1;  ///< at `alpha`, (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
+  double hole_share = 0;       ///< at `alpha`, area of holes / area of complex and holes
+  PlateauKind kind = PlateauKind::one_piece;  ///< at `alpha`
+  bool is_long = false;  ///< whether its ratio is above the one that points without any structure reach by chance
+  friend bool operator==(const Plateau&, const Plateau&) = default;
+};
+
+/// The upper bound of Plateau::alpha / Plateau::from.
+inline constexpr double plateau_settles = 2;
+
+/// Returns at most eight plateaus, the best first: long structured ones below the first long one in one piece; then
+/// that one, and the long structured ones above it; then all others. Each group is sorted by (ratio − 1) · share of
+/// points covered, descending. A plateau begins where at least half of the points are covered. The result is empty if
+/// there is no triangle.
+///
+/// The *change* of the shape grows by at most a tenth within a plateau. Ranges with a ratio below 1.25 are left out,
+/// unless there is no other. The change at alpha is the product P · H · ⁸√E of
+///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
+///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
+///   E  the area of complex and holes, whose root lets it nearly double within a plateau.
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
+                                       const std::function<bool()>& go_on = {});
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// first.
+inline std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
+                                     const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+  return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);
+}
+
+}  // namespace rbpa

@@ -1,0 +1,37 @@
+// What: assigns each input point to the polygon that contains it.
+// Law:  the result depends on the set of points, alpha and the filter only. A vertex of the solid is in the polygon of
+//       its component; an exact plane sweep decides which other points lie in filled holes.
+// Cost: linear in the complex; if holes were filled, n log n in the boundary and the points outside the solid.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/point.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/plane/outline_polygons.h"
+
+namespace rbpa {
+
+/// Returns for each input point the index of the polygon that contains it, inside or on a ring: the least index if
+/// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the index of the point that
+/// it repeats.
+/// Requires: `points` are those of the complex, and `polygons` is the result of polygons(complex, filter).
+/// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
+                                                                     std::span<const Polygon> polygons,
+                                                                     const PolygonFilter& filter,
+                                                                     std::span<const Point> points,
+                                                                     const std::function<bool()>& go_on = {});
+
+/// Computes the same for a solid complex in arrays, with neighbors, and its list of duplicates.
+RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
+    std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
+    std::span<const Polygon> polygons, const PolygonFilter& filter, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,58 @@
+// What:   locates the pairs of persistence(): each hole as a polygon at its birth and just before its death, each
+//         component by the edge at which it ends.
+// Law:    a hole at a radius is the region that can be reached from its last triangle through triangles and edges that
+//         appear later. Every curve of the complex around the hole encloses these triangles, so none encloses less
+//         area. A function of the set of points alone, except for the edges if radii are equal.
+// Cost:   that of persistence(), and linear in the triangles of the chosen holes.
+// Source: Obayashi, Volume-optimal cycle (2018); docs/explanation/filtration_and_persistence.md, section 5.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/pair_choice.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/persistence.h"
+
+namespace rbpa {
+
+struct Representative {
+  PersistencePair pair = {};
+  /// Dimension 0: the ends, as input indices, of the edge at which it meets an older component; absent if it never
+  /// dies.
+  std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
+  /// Dimension 1: the hole at `birth`, and at the last radius at which it exists. There it is one triangle, or several
+  /// of one circle; representatives of levels may have more. Inner rings surround the parts of the complex within the
+  /// hole.
+  Polygon at_birth = {}, before_death = {};
+};
+
+/// Returns representatives of the chosen pairs, sorted as by persistence().
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
+///           every few milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration,
+                                                     ComplexKind kind = ComplexKind::solid,
+                                                     const PairChoice& choice = {},
+                                                     const std::function<bool()>& go_on = {});
+
+/// Returns the same for the complexes of the given radii only, such as the levels of hrbpa(). A pair is born at the
+/// first radius at which it exists, and dies at the first later one at which it does not, if there is one; a pair that
+/// exists at none of the radii is left out. A hole is a polygon at the first and at the last of the radii at which it
+/// exists.
+/// Requires: radii above 0, ascending, none twice.
+/// Throws:   also ContractViolation on others.
+RBPA_API std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
+                                                           std::span<const double> levels,
+                                                           ComplexKind kind = ComplexKind::solid,
+                                                           const PairChoice& choice = {},
+                                                           const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

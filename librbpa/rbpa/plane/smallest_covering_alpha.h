@@ -1,0 +1,52 @@
+// What:   finds the least alpha at which at most K components contain a given share of the points; outliers do not
+//         decide it.
+// Law:    with share 1 the result equals smallest_covering(filtration, max_components). It grows with the share, and as
+//         fewer components are allowed. Exact; depends on the set of points only.
+// Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
+//         sorts the triangles and spends the logarithm of their number on each.
+// Source: docs/explanation/filtration_and_persistence.md, section 4.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "rbpa/base/api.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/filtration.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+
+namespace rbpa {
+
+struct Covering {
+  double share = 1;  ///< share of the distinct points, 0 < share ≤ 1
+  /// Number of solid components that may hold them; absent: any
+  std::optional<std::size_t> max_components = std::nullopt;
+};
+
+/// Returns whether `count` of `all` is at least this share: the quotient, rounded to double, is not below it. A share
+/// written in decimals is therefore met exactly: 7 of 100 is the share 0.07.
+constexpr bool is_share(std::size_t count, std::size_t all, double share) {
+  return static_cast<double>(count) / static_cast<double>(all) >= share;
+}
+
+/// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
+/// share must also remain when all solid components but the K largest are removed with all their points. The size of a
+/// component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for each
+/// fan. The result is empty if there is no such alpha: there are fewer than three points, the points are on a line, or
+/// K is 0.
+/// Requires: `filtration` is filtration(delaunay).
+/// Throws:   ContractViolation when the filtration is visibly of another triangulation, or the share is out of its
+///           bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
+///           called.
+RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
+                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+/// Computes the same without a filtration: only its radii are computed, in about half the time.
+RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
+                                                 const std::function<bool()>& go_on = {});
+/// Computes the same for triangulate(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
+/// where they are used.
+RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
+                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

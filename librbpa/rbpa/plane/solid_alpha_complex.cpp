@@ -1,0 +1,99 @@
+#include "rbpa/plane/solid_alpha_complex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "rbpa/base/run/input.h"
+#include "rbpa/plane/arrays/boundary_sides.h"
+#include "rbpa/plane/arrays/dangling.h"
+#include "rbpa/plane/arrays/keep_triangles.h"
+#include "rbpa/plane/arrays/linked_triangles.h"
+#include "rbpa/plane/arrays/outlined_triangles.h"
+#include "rbpa/plane/arrays/triangle_list.h"
+#include "rbpa/plane/collinear.h"
+#include "rbpa/plane/divide/small_set.h"
+#include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/patches/find_triangles.h"
+
+namespace rbpa {
+namespace {
+
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
+  return boundary_sides(of, [&ask, t = 0u]() mutable {
+    if (t++ % (1u << 18) == 0 && ask) ask();
+  });
+}
+
+void triangulate_on_tiles(std::span<const Point> points, double alpha, const TriangulationOptions& options,
+                          Triangulation& result) {
+  Threads threads = threads_for(points.size(), options.threads);
+  std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
+  result.distinct = sites->size();
+  result.duplicates = sites->duplicates();
+  const bool are_on_a_line = are_collinear(points);
+  const auto find = [&](auto& list) {
+    if (!are_on_a_line) find_triangles(*sites, Radius::of(alpha), options.progress, threads, list);
+  };
+  const auto sort = [&](auto& list) {
+    const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
+    sites.reset();  // its memory is not needed when the list becomes the result
+    return list.sorted(threads, ask);
+  };
+  if (options.neighbors) {
+    LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
+    find(list);
+    OwnedTriangles sorted = sort(list);
+    result.triangles = std::move(sorted.triangles);
+    result.neighbors = std::move(sorted.neighbors);
+  } else {
+    TriangleList list(sites->size(), sites->input_index(), points.size(), threads);
+    if (options.boundary) {
+      OutlinedTriangles outlined(sites->size(), sites->input_index(), list);
+      find(outlined);
+      result.boundary = outlined.boundary();
+    } else {
+      find(list);
+    }
+    result.triangles = sort(list);
+  }
+  // Without a finite radius, all points are in triangles, if there are any.
+  if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
+}
+
+/// Computes the triangles of a radius, and the isolated points.
+Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+  Triangulation result;
+  if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
+    triangulate_on_tiles(points, alpha, options, result);
+  const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
+  if (options.boundary && result.boundary.empty()) result.boundary = boundary_of(result, ask);
+  if (!options.neighbors) result.neighbors = std::vector<Triangle>();
+  return result;
+}
+
+}  // namespace
+
+Triangulation triangulate(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+  check(points, alpha);
+  if (options.complex == Complex::solid) return solid(points, alpha, options);
+  TriangulationOptions of_delaunay = options;
+  of_delaunay.neighbors = true;
+  of_delaunay.boundary = false;
+  Triangulation result = solid(points, std::numeric_limits<double>::infinity(), of_delaunay);
+  result.edges = dangling_edges(points, alpha, result);
+  keep_within(points, alpha, result);
+  result.isolated = isolated_in(result, points.size());
+  std::vector<std::uint8_t> covered(points.size(), 1);
+  for (const std::uint32_t i : result.isolated) covered[i] = 0;
+  for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
+  result.points = unmarked(covered, result.duplicates);
+  if (options.boundary)
+    result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
+  if (!options.neighbors) result.neighbors = std::vector<Triangle>();
+  return result;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,35 @@
+// What:   the part of the full alpha complex that is not in the solid: triangles in no tetrahedron, edges in no
+//         triangle, points in no edge.
+// Law:    a simplex is in the full alpha complex if a ball of radius at most alpha has its corners on its sphere and no
+//         point inside. Exact, for any finite input.
+// Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 21.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa {
+
+/// The dangling simplices, as ascending input indices in lexicographic order.
+struct DanglingFaces {
+  std::vector<Triangle> triangles;                  ///< in no tetrahedron of the complex
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< in no triangle of the complex
+  std::vector<std::uint32_t> points;                ///< in no edge of the complex
+};
+
+/// Computes the dangling simplices at `alpha`. For an empty triangulation, as of points in a plane, the simplices are
+/// those of solid_filtration(). `threads` is as in SolidOptions.
+/// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0.
+/// Throws:   ContractViolation if radii or neighbors are missing; InvalidInput when alpha is not a valid radius.
+RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
+                                      std::span<const double> radii, double alpha, unsigned threads = 0);
+
+}  // namespace rbpa

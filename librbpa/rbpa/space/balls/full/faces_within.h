@@ -1,0 +1,67 @@
+// What: the triangles and edges of a Delaunay triangulation, of points or of a periodic box, that are in the full alpha
+//       complex.
+// Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point
+//       inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least sphere
+//       through its corners has a radius of at most alpha and no corner of the simplices around it is inside.
+// How:  each tetrahedron is tested where it is, with its own corners: across the side of a periodic box the neighbor
+//       has an image of the common face. Images are exact, so that both get the same answer.
+// Cost: linear in the tetrahedra; exact predicates where neither tetrahedron at a triangle is in the complex.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/balls/full/edges.h"
+#include "rbpa/space/balls/full/triangulated.h"
+
+namespace rbpa::space {
+
+class FacesWithin {
+ public:
+  /// Keeps references. Requires: a Delaunay triangulation with neighbors, and its circumradii; alpha above 0.
+  FacesWithin(const Triangulated& delaunay, std::span<const double> radii, double alpha, Threads& threads,
+              const std::function<bool()>& go_on = {});
+
+  bool has_tetrahedron(std::uint32_t t) const { return radii_[t] <= alpha_; }
+  /// Returns whether the triangle across from corner k of tetrahedron t is in the complex.
+  bool has_triangle(std::uint32_t t, std::size_t k) const { return has_triangle_[4 * std::size_t{t} + k] != 0; }
+  /// Returns the number of tetrahedra of the complex that have the triangle across from corner k of t as a face.
+  unsigned tetrahedra_at(std::uint32_t t, std::size_t k) const {
+    const std::uint32_t beyond = delaunay_.neighbors[t][k];
+    return static_cast<unsigned>(has_tetrahedron(t)) +
+           static_cast<unsigned>(beyond != Solid::none && has_tetrahedron(beyond));
+  }
+  bool is_on_hull(std::uint32_t t, std::size_t k) const { return delaunay_.neighbors[t][k] == Solid::none; }
+  /// Returns whether t is the first tetrahedron at the triangle across from its corner k. Of two tetrahedra at a
+  /// triangle, one is the first.
+  bool is_first(std::uint32_t t, std::size_t k) const {
+    return delaunay_.neighbors[t][k] == Solid::none || t < delaunay_.neighbors[t][k];
+  }
+
+  /// Returns whether the edge with these tetrahedra around it is in the complex: as an edge of a triangle of the
+  /// complex, or by itself.
+  bool has_edge(std::span<const EdgeAt> ring) const { return has_triangle_at(ring) || has_edge_alone(ring); }
+  bool has_triangle_at(std::span<const EdgeAt> ring) const {
+    return std::any_of(ring.begin(), ring.end(), [&](const EdgeAt& at) {
+      const auto [k, l] = others(at);
+      return has_triangle(at.tetrahedron, k) || has_triangle(at.tetrahedron, l);
+    });
+  }
+  /// Returns whether the edge is in the complex by itself. Requires: no triangle at the edge is in the complex.
+  bool has_edge_alone(std::span<const EdgeAt> ring) const { return is_edge_alone(delaunay_, ring, alpha_); }
+
+ private:
+  Triangulated delaunay_;
+  std::span<const double> radii_;
+  double alpha_;
+  std::vector<std::uint8_t> has_triangle_;  // for each tetrahedron, across from each of its four corners
+};
+
+}  // namespace rbpa::space

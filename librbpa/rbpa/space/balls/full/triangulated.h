@@ -1,0 +1,30 @@
+// What: a common view of two kinds of triangulations, of points and of a periodic box, for functions that take either.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/periodic_solid.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa::space {
+
+/// The tetrahedra of a triangulation; corners are vertices. Refers to the arrays that it is made of.
+struct Triangulated {
+  std::span<const Point3> positions;  ///< of the vertices
+  std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
+  std::span<const PeriodicVertex> vertices =
+      {};  ///< in a periodic box, the point and offset of each vertex; otherwise empty: vertices are points
+
+  Triangulated(std::span<const Point3> points, const Solid& solid)
+      : positions(points), simplices(solid.simplices), neighbors(solid.neighbors) {}
+  explicit Triangulated(const PeriodicSolid& solid)
+      : positions(solid.positions), simplices(solid.simplices), neighbors(solid.neighbors), vertices(solid.vertices) {}
+
+  std::uint32_t point(std::uint32_t vertex) const { return vertices.empty() ? vertex : vertices[vertex].point; }
+  const Point3& position(std::uint32_t t, std::size_t k) const { return positions[simplices[t][k]]; }
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,30 @@
+// What: the edge that ends each component, and the point that began it.
+// How:  at the beginning each point is a component. Edges join components in the order of the filtration; where two
+//       meet, the component of the greater point ends.
+// Cost: union–find over the edges.
+// Source: Kruskal (1956).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/run/steps.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+
+namespace rbpa::space {
+
+struct EndedComponent {
+  std::uint32_t point, edge;
+};
+
+struct PersistentComponents {
+  std::vector<EndedComponent> all;  ///< in the order of the filtration
+  std::vector<bool> joins;          ///< for each edge: whether it ends a component; the others make a tunnel
+};
+
+/// Pairs points with edges. `order` has the edges sorted by alpha.
+PersistentComponents find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
+                                     Steps& step);
+
+}  // namespace rbpa::space

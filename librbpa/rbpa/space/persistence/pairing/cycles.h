@@ -1,0 +1,67 @@
+// What: short cycles of edges, one for each tunnel.
+// Law:  consider a cycle whose last edge in the filtration makes a tunnel, and which is a boundary of triangles up to
+//       the one that ends the tunnel. It becomes a boundary exactly then: had it been one before, its last edge would
+//       have been paired before.
+// How:  the column of the reduction is such a cycle. The shortest of all cycles with this last edge is the edge and a
+//       shortest path between its ends among earlier edges; columns decide whether it is a boundary in time. If it is
+//       not, parts of the column's cycle are replaced by shortest paths where the difference is a boundary.
+// Cost: for each cycle, the number of edges in a ball around its ends that is as large as the cycle; where parts are
+//       replaced, several times that number.
+// Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/space/persistence/pairing/pairing.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+
+namespace rbpa::space {
+
+struct Cycle {
+  std::vector<std::uint32_t> edges;  ///< consecutive edges; the first is the one that makes the tunnel
+  double length = 0;
+  bool is_shortest = false;
+};
+
+class Cycles {
+ public:
+  /// Keeps references.
+  Cycles(std::span<const Point3> points, const SolidFiltration& filtration, Pairing& pairing, Steps& step);
+
+  /// Returns a short cycle of the tunnel that an edge makes. Requires: the edge makes a tunnel.
+  Cycle of(std::uint32_t edge);
+
+ private:
+  using Edges = std::vector<std::uint32_t>;
+  struct Arc {
+    std::uint32_t to, edge;
+  };
+  struct Loops {
+    Edges first;                ///< contains the wanted edge, and starts with it
+    std::vector<Edges> others;  ///< edge-disjoint; none visits a point twice
+  };
+
+  double length(std::uint32_t edge) const;
+  double length(std::span<const std::uint32_t> edges) const;
+  std::uint32_t across(std::uint32_t edge, std::uint32_t point) const;
+  Edges with_joining_edges(const Edges& others) const;
+  Loops loops(const Edges& edges, std::uint32_t first) const;
+  void drop_boundaries(Loops& loops, std::uint32_t triangle);
+  std::optional<Edges> shorter_path(std::uint32_t from, std::uint32_t to, std::uint32_t before, double bound);
+  Edges shortened(const Edges& loop, std::uint32_t triangle);
+
+  std::span<const Point3> points_;
+  const SolidFiltration& filtration_;
+  Pairing& pairing_;
+  Steps& step_;
+  std::vector<std::size_t> begin_;  // for each point: the beginning of its arcs
+  std::vector<Arc> arcs_;
+  std::vector<std::uint32_t> parent_edge_, depth_;  // for each point, in the tree of the edges that end components
+};
+
+}  // namespace rbpa::space

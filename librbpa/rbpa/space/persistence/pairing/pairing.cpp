@@ -1,0 +1,34 @@
+#include "rbpa/space/persistence/pairing/pairing.h"
+
+#include <cstddef>
+#include <string>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/arrays/simplices_at.h"
+
+namespace rbpa::space {
+
+void check_filtration(const char* function, const SolidFiltration& filtration) {
+  const auto& [simplices, neighbors, duplicates, isolated, distinct] = filtration.delaunay;
+  const std::size_t triangles = filtration.triangles.size(), edges = filtration.edges.size();
+  const auto require = [&](bool fits) {
+    if (!fits) meshops::require(false, (std::string(function) + ": expected what solid_filtration() returned").c_str());
+  };
+  require(neighbors.size() == simplices.size() && filtration.triangles_of.size() == simplices.size() &&
+          filtration.tetrahedron_alpha.size() == simplices.size() && filtration.triangle_alpha.size() == triangles &&
+          filtration.edges_of.size() == triangles && filtration.edge_alpha.size() == edges);
+  for (std::size_t t = 0; t < simplices.size(); ++t)
+    for (std::size_t k = 0; k < 4; ++k)
+      require(filtration.triangles_of[t][k] < triangles &&
+              (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()));
+  for (const auto& of : filtration.edges_of)
+    for (const std::uint32_t edge : of) require(edge < edges);
+}
+
+void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration) {
+  check_filtration(function, filtration);
+  if (corner_bound<2>(filtration.edges) > points.size())
+    meshops::require(false, (std::string(function) + ": expected the points of the filtration").c_str());
+}
+
+}  // namespace rbpa::space

@@ -1,0 +1,81 @@
+// What: sorts simplices of one dimension in the order of a filtration: by alpha, then by number or volume.
+// How:  radii are at least 0, so that they sort like their bits. Three passes of radix sort use the first bits that
+//       differ; comparisons sort the rest where these bits are equal.
+// Cost: linear where few radii are nearly but not exactly equal; else a sort.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/run/steps.h"
+
+namespace rbpa::space {
+
+/// Returns the numbers of the simplices, sorted by alpha, then by number.
+inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
+  constexpr int digit_bits = 11, digits = 3, key_bits = 32;
+  constexpr std::uint32_t mask = (1u << digit_bits) - 1;
+  struct Keyed {
+    std::uint32_t key, number;
+  };
+  const auto bits = [&](std::size_t i) { return std::bit_cast<std::uint64_t>(alpha[i]); };
+  std::uint64_t least = ~std::uint64_t{0}, greatest = 0;
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    least = std::min(least, bits(i));
+    greatest = std::max(greatest, bits(i));
+  }
+  const int shift = alpha.empty() ? 0 : std::max(0, static_cast<int>(std::bit_width(greatest - least)) - key_bits);
+  meshops::FreshVector<Keyed> keyed(alpha.size()), other(alpha.size());
+  std::array<std::array<std::uint32_t, mask + 1>, digits> place{};
+  for (std::uint32_t i = 0; i < keyed.size(); ++i) {
+    keyed[i] = {static_cast<std::uint32_t>((bits(i) - least) >> shift), i};
+    for (int digit = 0; digit < digits; ++digit)
+      ++place[static_cast<std::size_t>(digit)][keyed[i].key >> digit * digit_bits & mask];
+  }
+  for (int digit = 0; digit < digits; ++digit) {
+    step(keyed.size() / 8);
+    auto& of = place[static_cast<std::size_t>(digit)];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& count : of) sum += std::exchange(count, sum);
+    for (const Keyed& item : keyed) other[of[item.key >> digit * digit_bits & mask]++] = item;
+    keyed.swap(other);
+  }
+  meshops::FreshVector<std::uint32_t> order(keyed.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = keyed[i].number;
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
+    step();
+    return bits(a) != bits(b) ? bits(a) < bits(b) : a < b;
+  };
+  for (std::size_t first = 0, last; shift > 0 && first < order.size(); first = last) {
+    last = first + 1;
+    while (last < order.size() && keyed[last].key == keyed[first].key) ++last;
+    if (last - first > 1) std::sort(&order[first], &order[0] + last, is_before);
+  }
+  return order;
+}
+
+/// Returns the numbers of the simplices, sorted by alpha, then by volume, so that sums of volumes in this order do not
+/// depend on the numbers.
+template <typename Real>
+meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, std::span<const Real> volumes,
+                                                    Steps& step) {
+  auto order = sorted_by_alpha(alpha, step);
+  for (std::size_t first = 0, last; first < order.size(); first = last) {
+    for (last = first + 1; last < order.size() && alpha[order[last]] == alpha[order[first]]; ++last) continue;
+    if (last - first > 1)
+      std::sort(&order[first], &order[0] + last, [&](std::uint32_t a, std::uint32_t b) {
+        step();
+        return volumes[a] < volumes[b];
+      });
+  }
+  return order;
+}
+
+}  // namespace rbpa::space

@@ -1,0 +1,25 @@
+// What: the radius at which each triangle of a Delaunay triangulation enters the full alpha complex.
+// How:  the radius of its own least sphere if no corner across is inside, else the radius of the first tetrahedron at
+//       it; rounded up.
+// Cost: linear; shared among threads.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/persistence/pairing/number_faces.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa::space {
+
+/// Returns the radius of each triangle. Requires: neighbors, the radii of the tetrahedra, and the result of
+/// number_triangles() for them.
+std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
+                                   const NumberedTriangles& triangles, Threads& threads,
+                                   const std::function<bool()>& go_on);
+
+}  // namespace rbpa::space

@@ -1,0 +1,70 @@
+// What: the triangle that ends each tunnel, and the cycle that it turns into a boundary.
+// How:  columns of the boundary matrix, with coefficients in Z/2, are reduced in any order, here along the curve
+//       through space. Where a column has the pivot of a later triangle's column, the two change places, and the
+//       reduction continues with the later one. Columns with two or more triangles in them are kept; any other is the
+//       boundary of its triangle. Edges that end a component cannot be pivots and are left out of all columns: a cycle
+//       is determined by its other edges.
+// Law:  the pairs do not depend on the order, as the reduced matrix has the same pivots in any order. The columns of
+//       the triangles up to a given one span the boundaries of the complex up to it.
+// Cost: nearly linear in practice: most columns are never added to another.
+// Source: de Silva, Morozov, Vejdemo-Johansson, Dualities in persistent (co)homology (2011); Bauer, Kerber,
+//         Reininghaus, Clear and compress (2014).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rbpa/base/run/steps.h"
+#include "rbpa/space/persistence/pairing/column.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+
+namespace rbpa::space {
+
+class Tunnels {
+ public:
+  /// Reduces the matrix. `order` has the edges sorted by alpha; edges in `joins` make no tunnel; triangles in
+  /// `makes_void` end none. Keeps a reference to the filtration.
+  Tunnels(const SolidFiltration& filtration, std::span<const std::uint32_t> order, const std::vector<bool>& joins,
+          const std::vector<bool>& makes_void, Steps& step);
+
+  /// Returns the triangle that ends the tunnel that an edge makes; Solid::none where the edge makes none, or no
+  /// triangle ends it.
+  std::uint32_t ended_by(std::uint32_t edge) const { return owner_[edge]; }
+  /// Returns ended_by() for each edge, and frees all other memory.
+  std::vector<std::uint32_t> all_ended_by() && {
+    Tunnels taken = std::move(*this);
+    return std::move(taken.owner_);
+  }
+  /// Returns whether an edge comes before another in the filtration.
+  bool is_before(std::uint32_t edge, std::uint32_t other) const { return rank_[edge] < rank_[other]; }
+  /// Returns the edges of a cycle that becomes a boundary with the triangle that ends this tunnel, without edges that
+  /// end components.
+  std::vector<std::uint32_t> cycle(std::uint32_t edge) const;
+  /// Returns whether a cycle is a boundary of triangles up to `triangle`. An edge that is given twice is not in the
+  /// cycle.
+  bool is_boundary(std::span<const std::uint32_t> edges, std::uint32_t triangle);
+
+ private:
+  struct Boundary;
+
+  Boundary boundary_of(std::uint32_t triangle) const;
+  bool is_triangle_before(std::uint32_t a, std::uint32_t b) const;
+  void reduce(std::uint32_t triangle);
+  void add_column_of(std::uint32_t edge);
+  void keep(std::uint32_t edge, std::uint32_t triangle, std::vector<ColumnEntry> column);
+  std::vector<ColumnEntry> released(std::uint32_t edge);
+
+  const SolidFiltration& filtration_;
+  std::vector<std::uint32_t> rank_;   // for each edge: from 1
+  std::vector<bool> joins_;           // for each edge: whether it ends a component
+  std::vector<std::uint32_t> owner_;  // for each edge that is a pivot: the triangle
+  // For each such edge: the number of its column, or none where the column is the triangle's boundary
+  std::vector<std::uint32_t> kept_;
+  std::vector<std::vector<ColumnEntry>> columns_;
+  std::vector<std::uint32_t> free_;
+  Column column_;
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,46 @@
+// What:   the alpha complex of points in space at every radius: all simplices of the Delaunay triangulation, their
+//         faces, and the radius at which each appears. For points in a plane or on a line, the triangles and edges are
+//         those of the Delaunay triangulation there.
+// Law:    a simplex is in the full alpha complex of alpha exactly if its radius is at most alpha, for every double
+//         alpha: the radius is rounded up from the exact one. No face of a simplex has a greater radius than the
+//         simplex. A function of the set of points, and of their numbering.
+// Cost:   that of solid(), and about as much again (docs/explanation/filtration_and_persistence.md, sections 9 to 12);
+//         radii are shared among threads.
+// Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4;
+//         docs/explanation/filtration_and_persistence.md, sections 9 to 12.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa {
+
+struct SolidFiltration {
+  /// The tetrahedra of solid() at infinity, with neighbors, along a space-filling curve in place of lexicographic
+  /// order, so that nearby tetrahedra and their faces are near in memory. Positively oriented, from any corner on. None
+  /// if all points are in a plane.
+  Solid delaunay;
+  std::vector<double> tetrahedron_alpha;
+  std::vector<Triangle> triangles;  ///< corners ascending; in the order of their first tetrahedra
+  std::vector<double> triangle_alpha;
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< corners ascending; in the order of their first triangles
+  std::vector<double> edge_alpha;
+
+  /// For each tetrahedron, its triangles across from each corner.
+  std::vector<std::array<std::uint32_t, 4>> triangles_of;
+  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each triangle, its edges likewise
+};
+
+/// Computes the filtration. Options are as in solid(); neighbors are always computed. `progress` is called with all
+/// points once they are triangulated.
+/// Throws: as solid().
+RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options = {});
+
+}  // namespace rbpa

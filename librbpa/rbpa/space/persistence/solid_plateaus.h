@@ -1,0 +1,57 @@
+// What:   finds plateaus of points in space: ranges of alpha, long as a ratio of their ends, over which the parts and
+//         voids of the solid alpha complex hardly change; and recommends an alpha in each.
+// Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
+//         change it in proportion to their share of the points.
+// Cost:   a few sorts of the tetrahedra; the rest is near-linear.
+// Source: docs/explanation/filtration_and_persistence.md, section 8.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa {
+
+/// The range from ≤ alpha < to, and the complex at `alpha`.
+struct SolidPlateau {
+  double from = 0;
+  std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
+  double ratio = 1;  ///< to / from; for the last plateau, half the diagonal of the points' box / from, at least 1
+  double alpha = 0;  ///< the recommended alpha: √(from · to), but at most twice `from`
+  // At `alpha`:
+  std::size_t tetrahedra = 0;
+  std::size_t components = 0;  ///< components of the tetrahedra, connected through points
+  std::size_t covered = 0;     ///< number of distinct points in tetrahedra
+  double volume = 0;           ///< of the tetrahedra
+  double effective_parts = 1;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the points of each component
+  double void_share = 0;       ///< volume of voids / volume of tetrahedra and voids
+  /// Whether several parts, or voids, are of significant size; otherwise nearly all covered points are in one part.
+  bool is_structured = false;
+  bool is_long = false;  ///< whether its ratio is above the one that points without any structure reach by chance
+  friend bool operator==(const SolidPlateau&, const SolidPlateau&) = default;
+};
+
+/// Returns at most eight plateaus, the best first: long structured ones below the first long one in one piece; then
+/// that one, and the long structured ones above it; then all others. Each group is sorted by (ratio − 1) · share of
+/// points covered, descending. A plateau begins where at least half of the points are covered. The result is empty if
+/// there is no tetrahedron.
+///
+/// The *change* of the shape grows by at most a tenth within a plateau. It is the product P · H · E^(1/12), as in
+/// rbpa/plane/plateaus.h:
+///   P  Σ nᵢ², the greatest so far;
+///   H  the product over all steps so far of the factor ≥ 1 by which 1 − void_share rises or falls;
+///   E  the volume of tetrahedra and voids.
+/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii.
+/// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
+///           milliseconds, returns false. Empty: never called.
+RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
+                                                  std::span<const double> radii,
+                                                  const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

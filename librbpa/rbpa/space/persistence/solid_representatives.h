@@ -1,0 +1,50 @@
+// What:   locates the pairs of solid_persistence(): the edge at which a component ends, a cycle of edges around a
+//         tunnel, the triangles around a void with the tetrahedra in it.
+// Law:    a tunnel's cycle is in the complex at its birth, contains the edge that creates the tunnel, and becomes the
+//         boundary of triangles exactly when the tunnel ends. A void's triangles bound its tetrahedra: all of it at its
+//         birth. Every homologous surface there encloses these tetrahedra, so none encloses less volume. A function of
+//         the set of points alone if no radii and lengths are equal.
+// Cost:   that of solid_persistence(); also a search for a shortest path for each tunnel, and linear time in the
+//         tetrahedra of each void.
+// Source: Obayashi, Volume-optimal cycle (2018): voids; Dijkstra (1959), Hart, Nilsson, Raphael (1968): shortest paths;
+//         docs/explanation/filtration_and_persistence.md, section 12.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
+
+namespace rbpa {
+
+struct SolidRepresentative {
+  /// Dimension 0: the edge that ends it; none if it never dies. Dimension 1: the edges of the cycle, one after the
+  /// other, beginning with the one that creates the tunnel; if the cycle has several loops, the others follow.
+  /// Dimension 2: the triangles around the void, ascending.
+  std::vector<std::uint32_t> cells;
+  std::vector<std::uint32_t> tetrahedra;  ///< dimension 2: the tetrahedra in the void, ascending
+  /// Dimension 2: the corners of the triangles in `cells`, in the same order, counter-clockwise seen from outside the
+  /// void.
+  std::vector<Triangle> faces;
+  double length = 0;            ///< sum over the edges
+  double area = 0, volume = 0;  ///< of the triangles, and of the tetrahedra
+  bool is_shortest = false;  ///< dimension 1: whether the cycle is known to be the shortest one for which the law holds
+};
+
+/// Returns one representative for each pair. If a cycle is not known to be the shortest, shorter ones were sought:
+/// shortest paths between its points, half of the cycle apart, a quarter, an eighth and so on, were tried in place of
+/// parts of it. The cycle is never longer than that of the reduction.
+/// Requires: the filtration of these points, and pairs of it.
+/// Throws:   ContractViolation when they visibly are not; Cancelled as solid_persistence().
+RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
+                                                                const SolidFiltration& filtration,
+                                                                std::span<const SolidPair> pairs,
+                                                                const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

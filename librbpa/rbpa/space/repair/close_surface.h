@@ -1,0 +1,43 @@
+// What: closes a surface of points in space by filling every boundary curve, as 3D printing and volumes require.
+// How:  fill_holes() fills all curves. Where some stay open, it removes the triangles around them, then those around
+//       the curves that still stay open, and so on, at most four times, and fills the resulting holes. Triangles around
+//       points at which parts of the surface touch are treated likewise.
+// Law:  the result depends on the points and the triangles only, not on any order. No point is added.
+// Cost: up to five times that of fill_holes().
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+struct ClosedSurface {
+  Surface surface;           ///< without levels; closed where every hole is filled
+  std::vector<bool> is_new;  ///< for each triangle: whether it is new; the others are the kept ones in their old order
+  std::vector<bool> kept;    ///< for each triangle of the given surface: whether it is kept
+  std::vector<HoleFill> holes;  ///< for each curve that was to be filled
+  std::size_t given_up = 0;     ///< number of triangles removed; more than 0 only if the surface is closed
+};
+
+/// Fills all boundary curves. Triangles are removed only if the surface is then closed, or touches itself at fewer
+/// points; at most a twentieth of them are. None are removed where the surface would split into more components, nor
+/// around a curve of more than 256 edges. Islands that are still open then, which are components of less than a
+/// hundredth of the area, are left out.
+/// Requires: an indexable_surface().
+/// Throws:   as fill_holes().
+RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
+                                     const SurfaceOptions& options = {});
+
+/// Returns for each point whether several fans of triangles meet there, so that the surface touches itself.
+/// Throws: as split_fans().
+RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
+                                           const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

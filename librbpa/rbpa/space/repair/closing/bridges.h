@@ -1,0 +1,36 @@
+// What: pairs of edges of two boundary loops. A strip of two triangles between such edges joins the two loops into one.
+// Law:  a function of the points along the loops; it does not depend on where the loops begin.
+// Cost: the product of the numbers of edges.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/repair/closing/work.h"
+
+namespace rbpa::space {
+
+/// A pair of edges, one of each loop, each given by its first corner.
+struct Bridge {
+  std::uint32_t edge, other;
+};
+
+/// Returns at most `most` bridges, those whose corners are nearest to each other, the best first. Returns none where
+/// the work is used up before all pairs are compared.
+/// Requires: both loops have the hole to their left.
+std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
+                                    std::span<const std::uint32_t> other, std::size_t most, Work& work);
+
+/// Returns the two triangles of the strip.
+std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,
+                                                     std::span<const std::uint32_t> other);
+
+/// Returns the boundary of the hole without the strip, which is one loop.
+std::vector<std::uint32_t> joined_loop(const Bridge& bridge, std::span<const std::uint32_t> loop,
+                                       std::span<const std::uint32_t> other);
+
+}  // namespace rbpa::space

@@ -1,0 +1,59 @@
+// What: the chords of a rim that its triangulation may use; the sides of the rim are chords too.
+// Why:  there are n²/2 chords, and n³/6 triangles on them. For a long rim the nearest chords suffice, on each of
+//       several levels: every second corner, every fourth and so on, so that wide parts can be triangulated with long
+//       chords.
+// Law:  a function of the places of the corners and of the corner at which the rim begins.
+// Cost: n² to find the nearest; some tens of chords a corner.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/progress.h"
+#include "rbpa/space/repair/closing/rim.h"
+
+namespace rbpa::space {
+
+/// A chord between corners low < high of a rim.
+using Chord = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Returns all candidate chords and the sides, sorted. Throws: Cancelled.
+std::vector<Chord> candidate_chords(const Rim& rim, meshops::Steps& step);
+
+/// Chords that are numbered in the order of their low, then their high end.
+class Chords {
+ public:
+  /// Keeps the candidates of a rim of `corners` corners, except the forbidden chords. Requires: sorted forbidden
+  /// chords.
+  Chords(std::size_t corners, std::vector<Chord> candidates, std::span<const Chord> forbidden);
+
+  std::size_t size() const { return chords_.size(); }
+  const Chord& operator[](std::size_t number) const { return chords_[number]; }
+  /// Returns whether every chord that is not forbidden is a candidate; is_complete(): whether no chord at all is
+  /// missing.
+  bool are_all() const { return all_; }
+  bool is_complete() const { return chords_.size() == (first_to_.size() - 1) * (first_to_.size() - 2) / 2; }
+  /// Returns the number of the first chord whose low end is `corner`; for the corner after the last one, the number of
+  /// chords.
+  std::uint32_t first_from(std::uint32_t corner) const { return first_from_[corner]; }
+  /// Returns the first place of the chords whose high end is `corner`, in the order by high, then low end.
+  std::uint32_t first_to(std::uint32_t corner) const { return first_to_[corner]; }
+  /// Returns the place of a chord in the order by high, then low end; number_at() is the inverse.
+  std::uint32_t place_to(std::size_t number) const { return place_to_[number]; }
+  std::uint32_t number_at(std::size_t place) const { return numbers_[place]; }
+  /// The high end of each chord by number, and the low end by place.
+  const std::vector<std::uint32_t>& highs() const { return highs_; }
+  const std::vector<std::uint32_t>& lows() const { return lows_; }
+  /// Returns the number of a chord. Requires: it is among the chords.
+  std::uint32_t number_of(const Chord& chord) const;
+
+ private:
+  bool all_;
+  std::vector<Chord> chords_;
+  std::vector<std::uint32_t> first_from_, first_to_, place_to_, numbers_, highs_, lows_;
+};
+
+}  // namespace rbpa::space

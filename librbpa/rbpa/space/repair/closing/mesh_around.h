@@ -1,0 +1,54 @@
+// What: the obstacles of a filling: the triangles of a mesh near the loops to be filled, and the edges between points
+//       of the loops.
+// Law:  exact. A filling that was added counts like the rest of the mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/cells/box_tree.h"
+#include "rbpa/space/predicate/crossing.h"
+#include "rbpa/space/repair/closing/least_triangulation.h"
+#include "rbpa/space/repair/closing/simple_loops.h"
+#include "rbpa/space/repair/closing/work.h"
+
+namespace rbpa::space {
+
+/// The chords and triangles of a rim's filling that are not allowed, by corners of the rim.
+struct Faults {
+  std::vector<Chord> taken;     ///< chords between points that an edge of the mesh joins already
+  std::vector<Chord> crossing;  ///< chords that cross a triangle
+  /// Triangles that a side of a triangle of the mesh, or another new triangle, crosses
+  std::vector<RimTriangle> triangles;
+  bool none() const { return taken.empty() && crossing.empty() && triangles.empty(); }
+};
+
+class MeshAround {
+ public:
+  /// Keeps the spans. `loops` has all loops that may be filled. Throws: Cancelled.
+  MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+             std::span<const SimpleLoop> loops, meshops::Steps& step);
+
+  /// Returns the chords of a loop that are edges of the mesh, sorted.
+  std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
+  Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
+  /// Adds the filling of loop `number` to the mesh.
+  void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);
+
+ private:
+  std::optional<std::uint32_t> place_of(const Point3& p) const;
+
+  std::span<const SimpleLoop> loops_;
+  std::vector<Point3> places_;                          // the points of the loops, sorted
+  std::vector<std::vector<std::uint32_t>> joined_;      // for each place: the places that an edge joins to it
+  std::vector<Corners> triangles_;                      // near the loops
+  std::vector<std::vector<std::uint32_t>> corners_at_;  // for each loop: the places of its corners
+  BoxTree loop_tree_, triangle_tree_;
+  std::vector<std::vector<Corners>> added_;  // for each loop
+};
+
+}  // namespace rbpa::space

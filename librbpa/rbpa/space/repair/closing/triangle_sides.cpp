@@ -1,0 +1,102 @@
+#include "rbpa/space/repair/closing/triangle_sides.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/run/steps.h"
+
+namespace rbpa::space {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+auto key(const TriangleSide& side) { return std::tie(side.from, side.to); }
+
+/// Returns the side between two vertices in this direction, or the end.
+std::vector<TriangleSide>::const_iterator find(const std::vector<TriangleSide>& sides, std::uint32_t from,
+                                               std::uint32_t to) {
+  const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(from, to),
+                                      [](const TriangleSide& side, const auto& wanted) { return key(side) < wanted; });
+  return found != sides.end() && found->from == from && found->to == to ? found : sides.end();
+}
+
+}  // namespace
+
+std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                       const std::vector<bool>& is_wanted, meshops::Steps& step) {
+  std::vector<TriangleSide> sides;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = triangles[t][k], to = triangles[t][(k + 1) % 3];
+      if (is_wanted.empty() || (is_wanted[from] && is_wanted[to]))
+        sides.push_back({from, to, triangles[t][(k + 2) % 3], t});
+    }
+  sort(sides, step, [](const TriangleSide& s, const TriangleSide& t) {
+    return std::tie(s.from, s.to, s.triangle) < std::tie(t.from, t.to, t.triangle);
+  });
+  return sides;
+}
+
+std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
+                                                 meshops::Steps& step) {
+  const std::vector<TriangleSide> sides = sorted_sides(triangles, {}, step);
+  meshops::require(
+      std::adjacent_find(sides.begin(), sides.end(),
+                         [](const TriangleSide& s, const TriangleSide& t) { return key(s) == key(t); }) == sides.end(),
+      "boundary_loops: expected at most one side from a vertex to another");
+  std::uint32_t vertices = 0;
+  for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
+  std::vector<std::uint32_t> next(vertices, none);  // along the boundary, with the triangles to the right
+  for (const TriangleSide& side : sides) {
+    step(2);
+    if (find(sides, side.to, side.from) != sides.end()) continue;
+    meshops::require(next[side.to] == none, "boundary_loops: expected one fan of triangles at each vertex");
+    next[side.to] = side.from;
+  }
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (std::uint32_t start = 0; start < vertices; ++start) {
+    if (next[start] == none) continue;
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (std::uint32_t at = start; next[at] != none;) {
+      loop.push_back(at);
+      at = std::exchange(next[at], none);
+    }
+  }
+  return loops;
+}
+
+BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
+                             std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step) {
+  std::uint32_t vertices = 0;
+  for (const auto& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
+  std::vector<bool> is_wanted(vertices, false);
+  for (const auto& loop : loops) {
+    meshops::require(!loop.empty(), "fill_holes: found an empty loop");
+    for (const std::uint32_t vertex : loop) {
+      meshops::require(vertex < vertices, "fill_holes: expected loops of vertices of these triangles");
+      is_wanted[vertex] = true;
+    }
+  }
+  if (loops.empty()) return;
+  const std::vector<TriangleSide> sides = sorted_sides(triangles, is_wanted, step);
+  std::vector<bool> is_used(sides.size(), false);
+  for (const auto& loop : loops) {
+    std::vector<std::uint32_t>& across = across_.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      step(2);
+      const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
+      const auto side = find(sides, to, from);
+      meshops::require(side != sides.end() && find(sides, from, to) == sides.end(),
+                       "fill_holes: expected loops along the boundary, with the triangles to the right");
+      const auto number = static_cast<std::size_t>(side - sides.begin());
+      meshops::require(!is_used[number], "fill_holes: expected each boundary side in one loop at most");
+      is_used[number] = true;
+      across.push_back(side->across);
+    }
+  }
+}
+
+}  // namespace rbpa::space

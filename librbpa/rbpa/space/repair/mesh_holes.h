@@ -1,0 +1,37 @@
+// What: fills holes of a halfedge mesh in space in place; no new triangle crosses another.
+// Law:  the new triangles are those of fill_holes() of the same triangles (fill_holes.h). Old elements keep their
+//       handles and properties. If a filling merges vertices at one place, all of them but one are marked deleted.
+// Cost: that of fill_holes(), and linear.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/front/boundary_curve.h"
+#include "meshops/stellar/split_hooks.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/surface/surface_mesh.h"
+
+namespace rbpa {
+
+struct FilledMesh {
+  std::vector<HoleFill> holes;       ///< for each given curve
+  std::vector<meshops::Face> faces;  ///< the new faces
+};
+
+/// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.
+/// Requires: the mesh is sound, has status of every kind, triangles only, and a finite place for each vertex, by index;
+///           no two edges join the same vertices; curves of this mesh, none twice.
+/// Throws:   as fill_holes(); the mesh is then unchanged.
+RBPA_API FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
+                               std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options = {});
+template <meshops::HasPoints AnyMesh>
+FilledMesh fill_holes(AnyMesh& mesh, std::span<const meshops::BoundaryCurve> curves,
+                      const SurfaceOptions& options = {}) {
+  return fill_holes(mesh, places_of(mesh), curves, options);
+}
+
+}  // namespace rbpa

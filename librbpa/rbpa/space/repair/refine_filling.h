@@ -1,0 +1,51 @@
+// What:   refines the fillings of holes until they are as fine and as smooth as the surface around them, by adding
+//         points.
+// How:    splits triangles that are large for the edges at their corners, and flips edges until they are Delaunay
+//         (Liepa 2003). Then moves the new points, not the old ones: the mean curvature at them and along the rim is to
+//         be that of the two rings outside, harmonic in between. This is the least sum of squared differences, by up to
+//         twenty rounds of a sparse system.
+// Law:    a function of the points and triangles, not of any order or number of threads. No new triangle crosses
+//         another, which is tested exactly: if one would, the new points of its filling are not moved; if they still
+//         cross then, the filling gets none.
+// Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
+// Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for
+//         free-form surface design (2001).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+struct RefinedSurface {
+  std::vector<Point3> points;  ///< the added points; they are numbered from the number of given points on
+  /// For each added point, the three points between which it was put, all of lower numbers; for interpolation of
+  /// attributes besides coordinates.
+  std::vector<std::array<std::uint32_t, 3>> between;
+  Surface surface;           ///< without levels
+  std::vector<bool> is_new;  ///< for each triangle, whether it fills a hole
+  std::size_t smooth = 0;    ///< number of fillings with new points that were moved
+  std::size_t flat = 0;      ///< number of fillings with new points that were not moved
+  std::size_t coarse = 0;    ///< number of fillings without new points
+};
+
+/// Refines each filling: each connected set of triangles with is_new[t].
+/// Requires: an indexable_surface() of the points; fewer than 2^31 points and triangles, the added ones included.
+/// Throws:   InvalidInput; ContractViolation; Cancelled.
+RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
+                                       const std::vector<bool>& is_new, const SurfaceOptions& options = {});
+
+/// Returns unit normals for the added points: the mean direction of the normals at the three points between which each
+/// was put, or the first of them if they cancel each other.
+/// Requires: normals of the other points, none of length 0.
+RBPA_API std::vector<Point3> normals_between(std::span<const Point3> normals,
+                                             std::span<const std::array<std::uint32_t, 3>> between);
+
+}  // namespace rbpa

@@ -1,0 +1,79 @@
+// What:   the triangles that fill one hole, during their refinement.
+// Law:    a function of the patch as given: of the order of its vertices and triangles.
+// Source: Liepa, Filling holes in meshes (2003).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/progress.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/space/repair/refining/fan_curvature.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa::space {
+
+/// The input of a patch. Its vertices, the rim, are numbered from 0.
+struct FillingRim {
+  std::vector<Vector> places;         ///< of the vertices; all different
+  std::vector<double> scales;         ///< for each vertex: the mean length of its edges outside of the patch
+  std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch
+  /// For each vertex: twice the mean curvature in the two rings of vertices next to it outside; none where no vertex
+  /// there has only triangles outside of the patch around it.
+  std::vector<std::optional<double>> bend;
+  std::vector<bool> is_inner;                               ///< for each vertex: whether triangles are all around it
+  Surface triangles;                                        ///< corners are vertices; glued; least corner first, sorted
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< between vertices, outside of the patch; low < high
+};
+
+class FillingPatch {
+ public:
+  explicit FillingPatch(const FillingRim& rim);
+
+  /// Adds vertices until triangles are about as large as the rim's edges; at most `most` vertices.
+  void refine(std::size_t most, meshops::Steps& step);
+  /// Moves the added vertices so that the surface crosses the rim smoothly and as curved as it is outside; in between
+  /// the curvature is harmonic. Returns false, and moves nothing, where this does not determine the places. Throws:
+  /// Cancelled.
+  bool make_smooth(meshops::Steps& step);
+
+  std::size_t added() const { return between_.size(); }
+  Vector place(std::size_t added) const;
+  /// Returns, for each added vertex, the three vertices between which it was added. Numbers below those of added
+  /// vertices are vertices of the rim.
+  const std::vector<std::array<std::uint32_t, 3>>& between() const { return between_; }
+  std::vector<std::array<std::uint32_t, 3>> triangles() const;
+  /// Returns whether a triangle has no area in double precision.
+  bool is_degenerate() const;
+
+ private:
+  using Vertex = Mesh::VertexHandle;
+  using Edge = Mesh::EdgeHandle;
+  using Halfedge = Mesh::HalfedgeHandle;
+
+  Vector at(Vertex v) const;
+  std::uint32_t name(Vertex v) const { return names_[static_cast<std::size_t>(v.idx())]; }
+  bool split_large(meshops::Steps& step);
+  bool is_large(Mesh::FaceHandle f) const;
+  void flip_all(meshops::Steps& step);
+  std::optional<std::vector<double>> bends() const;
+  std::optional<double> most_bend() const;
+  bool bend_like(const std::vector<double>& bends, meshops::Steps& step, double& farthest);
+  bool is_better_flipped(Edge e) const;
+
+  const FillingRim& rim_;
+  Mesh mesh_;
+  // By mesh vertex: its number in the rim, where several vertices share one number if fans meet; or that of an
+  // added vertex
+  std::vector<std::uint32_t> names_;
+  std::vector<double> scales_;  // by number
+  std::vector<std::array<std::uint32_t, 3>> between_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between numbers: all edges that exist, also outside
+};
+
+}  // namespace rbpa::space

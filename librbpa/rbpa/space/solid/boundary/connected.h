@@ -1,0 +1,56 @@
+// What: connected tetrahedra of a solid, and the check that a boundary belongs to a solid.
+// Cost: linear.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/surface/levels/sub_surface.h"
+
+namespace rbpa::space {
+
+inline constexpr const char* not_its_boundary = "expected a solid of these points with neighbors, and its boundary";
+
+/// Throws ContractViolation unless the boundary is closed, linked, has only corners below `points`, and each of its
+/// triangles names a tetrahedron of the solid.
+inline void require_boundary(std::size_t points, const Solid& solid, const SolidBoundary& boundary) {
+  meshops::require(solid.neighbors.size() == solid.simplices.size() &&
+                       boundary.tetrahedra.size() == boundary.surface.triangles.size(),
+                   not_its_boundary);
+  for (const std::uint32_t t : boundary.tetrahedra) meshops::require(t < solid.simplices.size(), not_its_boundary);
+  require_linked(arrays_of(boundary.surface), points);
+  for (const Triangle& neighbors : boundary.surface.neighbors)
+    for (const std::uint32_t other : neighbors) meshops::require(other != Surface::none, not_its_boundary);
+}
+
+/// Returns the sets of tetrahedra connected through faces. Throws ContractViolation where a neighbor is no tetrahedron
+/// of the solid.
+inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
+  meshops::DisjointSets sets(solid.simplices.size());
+  for (std::uint32_t t = 0; t < solid.neighbors.size(); ++t)
+    for (const std::uint32_t other : solid.neighbors[t]) {
+      if (other < t) sets.join(t, other);
+      meshops::require(other < sets.size() || other == Solid::none, not_its_boundary);
+    }
+  return sets;
+}
+
+/// Joins the sets of tetrahedra that meet in a point. Only points of the boundary matter: around any other point, all
+/// tetrahedra are connected through faces.
+/// Requires: tetrahedra connected through faces are joined already.
+inline void connect_through_points(std::size_t points, const SolidBoundary& boundary, meshops::DisjointSets& sets) {
+  std::vector<std::uint32_t> first(points, Solid::none);  // tetrahedron at each
+  for (std::size_t t = 0; t < boundary.tetrahedra.size(); ++t)
+    for (const std::uint32_t corner : boundary.surface.triangles[t]) {
+      if (first[corner] == Solid::none) first[corner] = boundary.tetrahedra[t];
+      sets.join(first[corner], boundary.tetrahedra[t]);
+    }
+}
+
+}  // namespace rbpa::space

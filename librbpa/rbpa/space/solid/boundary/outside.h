@@ -1,0 +1,45 @@
+// What: components of the outside of a solid, computed from its boundary: the triangles that bound the same component,
+//       and counts.
+// Law:  a function of the tetrahedra; exact.
+// How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of the outside of a
+//       connected complex (Alexander duality). Such a surface passes through triangles that are glued through the
+//       outside, and around a point through all fans in the same region of its link's complement.
+//       docs/explanation/space.md, section 19.
+// Cost: linear; where several fans meet at a point, linear in all tetrahedra around it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/triangle.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+
+namespace rbpa::space {
+
+struct Outside {
+  /// Sets of boundary triangles. Those of one set bound the same component of the outside of their own component of the
+  /// complex.
+  meshops::DisjointSets surfaces;
+  /// Sets of tetrahedra that are connected, also through points alone.
+  meshops::DisjointSets components;
+  /// Sets of tetrahedra that are connected through faces.
+  meshops::DisjointSets solid_components;
+
+  // Points and edges of the boundary.
+  std::size_t points = 0, edges = 0;
+  /// Twice the Euler characteristic of the complex.
+  std::ptrdiff_t twice_euler = 0;
+};
+
+/// Computes the sets and counts.
+/// Requires: a solid of these points with neighbors, and its boundary.
+/// Throws:   ContractViolation where the solid and the boundary visibly do not belong together.
+Outside outside_of(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
+
+}  // namespace rbpa::space

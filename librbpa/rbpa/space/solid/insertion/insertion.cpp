@@ -1,0 +1,314 @@
+#include "rbpa/space/solid/insertion/insertion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "rbpa/base/error.h"
+#include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/outer_faces.h"
+#include "rbpa/space/predicate/sphere.h"
+
+namespace rbpa::space {
+namespace {
+
+constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // so that their faces can be numbered with 32 bits
+
+}  // namespace
+
+Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
+                     std::span<const std::uint32_t> order)
+    : original_(points),
+      points_(spread.is_exact ? scaled : points),
+      spread_(spread),
+      beyond_filter_(spread),
+      index_(order.size() + 1),
+      vertex_(order.size() + 1) {
+  vertex_[at_infinity] = {0, 0, 0};
+  index_[at_infinity] = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Point3& p = scaled[order[i]];
+    index_[i + 1] = order[i];
+    vertex_[i + 1] = {p.x, p.y, p.z};
+  }
+  // The number of tetrahedra of points that fill a volume, including the hull and temporarily deleted ones. Memory that
+  // is not used is not touched.
+  const std::size_t expected = 7 * order.size() + 64;
+  tetrahedra_.reserve(expected);
+  error_.reserve(expected);
+}
+
+bool Insertion::begin() {
+  const auto exchange = [&](Vertex v, Vertex w) {
+    std::swap(index_[v], index_[w]);
+    std::swap(vertex_[v], vertex_[w]);
+  };
+  Vertex third = 3, fourth;
+  while (third <= size() && are_collinear(point(1), point(2), point(third))) ++third;
+  if (third > size()) return false;
+  exchange(3, third);
+  for (fourth = 4; fourth <= size(); ++fourth)
+    if (orientation(point(1), point(2), point(3), point(fourth)) != 0) break;
+  if (fourth > size()) return false;
+  exchange(4, fourth);
+  if (orientation(point(1), point(2), point(3), point(4)) < 0) exchange(1, 2);
+
+  // The faces of (1, 2, 3, 4), as the cavity around vertex 4 has them, and those of the three ghosts at vertex 4.
+  constexpr std::array<std::array<Vertex, 4>, 5> corners = {
+      {{1, 2, 3, 4}, {at_infinity, 3, 2, 4}, {at_infinity, 1, 3, 4}, {at_infinity, 2, 1, 4}, {3, 1, at_infinity, 2}}};
+  const std::uint32_t first = new_tetrahedra(corners.size());
+  const auto across = [&](std::uint32_t t, std::size_t k) {  // the face with the same corners
+    for (std::uint32_t other = 0; other < corners.size(); ++other)
+      for (std::uint32_t j = 0; j < 4; ++j) {
+        std::array<Vertex, 4> mine = corners[t], its = corners[other];
+        mine[k] = its[j] = std::numeric_limits<Vertex>::max();
+        std::sort(mine.begin(), mine.end());
+        std::sort(its.begin(), its.end());
+        if (other != t && mine == its) return 4 * (first + other) + j;
+      }
+    return Face{0};
+  };
+  for (std::uint32_t t = 0; t < corners.size(); ++t) {
+    rim_.clear();
+    spokes_.clear();
+    rim_.make_room(3);
+    spokes_.make_room(3);
+    for (std::size_t k = 0; k < 3; ++k) add_spoke(corners[t][k], vertex_[corners[t][3]]);
+    tetrahedra_[first + t].corner[3] = corners[t][3];
+    make(first + t, {0, 1, 2});
+    for (std::size_t k = 0; k < 4; ++k) tetrahedra_[first + t].neighbor[k] = across(t, k);
+  }
+  start_ = first;
+  return true;
+}
+
+std::size_t Insertion::insert(Vertex v) {
+  find_cavity(locate(v), v);
+  fill_cavity(v);
+  return boundary_.size();
+}
+
+inline Insertion::Estimate Insertion::estimate(std::uint32_t t, const InsertedPoint& q) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  const InsertedPoint& d = vertex_[tetrahedron.corner[3]];
+  const double x = q.x - d.x, y = q.y - d.y, z = q.z - d.z, square = x * x + y * y + z * z;
+  const auto& m = tetrahedron.minor;
+  return {m[0] * x + m[1] * y + m[2] * z + m[3] * square, error_[t].at(square)};
+}
+
+inline bool Insertion::is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+  if (estimate.value > estimate.error) return true;
+  if (estimate.value < -estimate.error) return false;
+  return decide(t, v, estimate);
+}
+
+bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
+  const auto& [a, b, c, d] = tetrahedron.corner;
+  return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
+}
+
+/// A point in the plane of a hull face is beyond it if it is in the circle of the face: in the sphere of the
+/// tetrahedron behind the face.
+bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
+  const auto& corner = ghost.corner;
+  const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
+  const auto& face = outer_faces[k];  // positively oriented with a point on its other side
+  const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
+  if (side != 0) return side < 0;
+  const std::uint32_t behind = ghost.neighbor[k] / 4;
+  if (error_[behind].is_deleted()) return true;  // it is in the cavity
+  return is_inside(behind, v, estimate(behind, vertex_[v]));
+}
+
+/// Walks to a tetrahedron whose sphere contains the point. The powers with respect to the spheres of two neighbors are
+/// equal on the plane of their common face. So the power of the point decreases from a tetrahedron to the neighbor on
+/// the point's side of a face; the walk takes the step of greatest decrease.
+std::uint32_t Insertion::locate(Vertex v) const {
+  const InsertedPoint& q = vertex_[v];
+  std::uint32_t t = start_;
+  const Estimate at_start = estimate(t, q);
+  if (at_start.value > at_start.error) return t;
+  // V is minus the power times six volumes, and minor 3 is six volumes with the opposite sign; for ghosts it is about
+  // 0.
+  const auto power_of = [&](std::uint32_t s, double value) {
+    return tetrahedra_[s].is_ghost() ? std::numeric_limits<double>::infinity() : value / tetrahedra_[s].minor[3];
+  };
+  double power = power_of(t, at_start.value);
+  while (true) {
+    std::uint32_t best = t;
+    for (const Face face : tetrahedra_[t].neighbor) {
+      const std::uint32_t other = face / 4;
+      const Estimate estimated = estimate(other, q);
+      if (estimated.value > estimated.error) return other;
+      const double other_power = power_of(other, estimated.value);
+      if (other_power < power) {
+        power = other_power;
+        best = other;
+      }
+    }
+    if (best == t) return locate_exactly(t, v);  // because of rounded powers, or a tie
+    t = best;
+  }
+}
+
+/// Walks from face to face by exact orientations; ends because the exact power decreases.
+std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
+  while (true) {
+    const Tetrahedron& tetrahedron = tetrahedra_[t];
+    if (tetrahedron.is_ghost()) {
+      if (is_inside(t, v, estimate(t, vertex_[v]))) return t;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (tetrahedron.corner[k] == at_infinity) t = tetrahedron.neighbor[k] / 4;
+      continue;
+    }
+    std::uint32_t next = t;
+    for (std::size_t k = 0; k < 4 && next == t; ++k) {
+      const auto& face = outer_faces[k];
+      const auto& corner = tetrahedron.corner;
+      if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
+        next = tetrahedron.neighbor[k] / 4;
+    }
+    if (next == t) return t;  // the point is in the tetrahedron and no corner of it: inside of the sphere
+    t = next;
+    if (tetrahedra_[t].is_ghost()) return t;  // the point is beyond the face of the ghost
+  }
+}
+
+void Insertion::find_cavity(std::uint32_t first, Vertex v) {
+  const InsertedPoint q = vertex_[v];
+  cavity_.clear();
+  boundary_.clear();
+  level_.clear();
+  cavity_.make_room(1);
+  cavity_.push(first);
+  error_[first] = ErrorBound::deleted();
+  level_.make_room(4);
+  for (const Face face : tetrahedra_[first].neighbor) level_.push(face);
+  while (!level_.empty()) {
+    const std::size_t count = level_.size();
+    estimates_.clear();
+    estimates_.make_room(count);
+    next_level_.clear();
+    next_level_.make_room(3 * count + 3);
+    cavity_.make_room(count + 1);  // one more is written but not counted
+    boundary_.make_room(count + 1);
+    // Independent computations come first, then the dependent ones. About half of the answers are yes, so the code does
+    // not branch on them.
+    for (std::size_t i = 0; i < count; ++i) estimates_.push(estimate(level_[i] / 4, q));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Face face = level_[i];
+      const std::uint32_t t = face / 4;
+      const Estimate& estimated = estimates_[i];
+      const bool is_new = !error_[t].is_deleted();
+      bool is_in = estimated.value > estimated.error;
+      if (!(std::abs(estimated.value) > estimated.error)) [[unlikely]]
+        is_in = is_new && decide(t, v, estimated);
+      const auto& neighbor = tetrahedra_[t].neighbor;
+      const bool is_taken = is_new & is_in;
+      boundary_.push_if(is_new & !is_in, face);
+      cavity_.push_if(is_taken, t);
+      error_[t] = error_[t].deleted_if(is_taken);
+      next_level_.push_if(is_taken, {neighbor[(face + 1) % 4], neighbor[(face + 2) % 4], neighbor[(face + 3) % 4]});
+    }
+    std::swap(level_, next_level_);
+  }
+}
+
+inline void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
+  rim_.push(corner);
+  const InsertedPoint& p = vertex_[corner];
+  spokes_.push(corner == at_infinity ? Spoke::to_infinity() : Spoke::to(p.x - from.x, p.y - from.y, p.z - from.z));
+}
+
+/// Returns the number of a corner among the vertices of the cavity's boundary.
+inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
+  InsertedPoint& p = vertex_[corner];
+  if (p.last_insertion != v) {
+    p.last_insertion = v;
+    p.local = static_cast<std::uint32_t>(rim_.size());
+    add_spoke(corner, vertex_[v]);
+  }
+  return p.local;
+}
+
+/// Makes room for as many tetrahedra as the boundary has faces: reuses those of the cavity, then adds more.
+void Insertion::make_room() {
+  const std::size_t wanted = boundary_.size();
+  if (wanted < cavity_.size()) {
+    free_.make_room(cavity_.size() - wanted);
+    while (cavity_.size() > wanted) free_.push(cavity_.pop());
+    return;
+  }
+  cavity_.make_room(wanted - cavity_.size());
+  while (cavity_.size() < wanted && !free_.empty()) cavity_.push(free_.pop());
+  if (cavity_.size() == wanted) return;
+  for (std::uint32_t t = new_tetrahedra(wanted - cavity_.size()); t < tetrahedra_.size(); ++t) cavity_.push(t);
+}
+
+void Insertion::fill_cavity(Vertex v) {
+  const std::size_t faces = boundary_.size();
+  rim_.clear();
+  spokes_.clear();
+  locals_.clear();
+  rim_.make_room(faces + 2);  // the boundary is a sphere: it has faces / 2 + 2 vertices
+  spokes_.make_room(faces + 2);
+  locals_.make_room(faces);
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto& corner = tetrahedra_[boundary_[i] / 4].corner;
+    const auto& order = outer_faces[boundary_[i] % 4];
+    locals_.push({number_of(corner[order[0]], v), number_of(corner[order[1]], v), number_of(corner[order[2]], v)});
+  }
+  make_room();
+  edges_.begin(rim_.size(), faces);
+  for (std::size_t i = 0; i < faces; ++i) {
+    const auto& [a, b, c] = locals_[i];
+    const Face face = 4 * cavity_[i];
+    edges_.put(b, c, face);
+    edges_.put(c, a, face + 1);
+    edges_.put(a, b, face + 2);
+  }
+  for (std::size_t i = 0; i < faces; ++i) {
+    const std::uint32_t t = cavity_[i];
+    const auto& [a, b, c] = locals_[i];
+    tetrahedra_[t].corner[3] = v;
+    make(t, locals_[i]);
+    tetrahedra_[t].neighbor = {edges_.get(c, b), edges_.get(a, c), edges_.get(b, a), boundary_[i]};
+    tetrahedra_[boundary_[i] / 4].neighbor[boundary_[i] % 4] = 4 * t + 3;
+  }
+  start_ = cavity_[0];
+}
+
+/// Fills in corners 0 to 2, the minors, and their error bound.
+inline void Insertion::make(std::uint32_t t, const Locals& locals) {
+  const Spoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
+  Tetrahedron& tetrahedron = tetrahedra_[t];
+  tetrahedron.minor = sphere_minors(a, b, c);
+  for (std::size_t k = 0; k < 3; ++k) tetrahedron.corner[k] = rim_[locals[k]];
+  const double underflow = spread_.underflow();
+  error_[t] = tetrahedron.is_ghost() ? half_space_error(a, b, c, underflow) : sphere_error(a, b, c, underflow);
+}
+
+std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
+  const std::size_t first = tetrahedra_.size();
+  if (first + count > max_tetrahedra)
+    throw InvalidInput("more than " + std::to_string(max_tetrahedra) + " tetrahedra at a time cannot be numbered");
+  tetrahedra_.resize(first + count);
+  error_.resize(first + count);
+  return static_cast<std::uint32_t>(first);
+}
+
+bool Insertion::is_within(std::uint32_t t, double alpha, double scaled_alpha) const {
+  const Tetrahedron& tetrahedron = tetrahedra_[t];
+  if (spread_.is_exact) {
+    const RadiusSide side = radius_side(tetrahedron.minor, error_[t], scaled_alpha);
+    if (side != RadiusSide::unknown) return side == RadiusSide::within;
+  }
+  const auto original = [&](std::size_t k) { return original_[index_[tetrahedron.corner[k]]]; };
+  return exact::compare_circumradius(original(0), original(1), original(2), original(3), alpha) <= 0;
+}
+
+}  // namespace rbpa::space

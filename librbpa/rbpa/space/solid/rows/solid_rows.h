@@ -1,0 +1,34 @@
+// What: sorts tetrahedra and their neighbors, found in any order, into the canonical order of a Solid.
+// Law:  the result depends on the set of tetrahedra alone.
+// Cost: a sort of the rows, and a pass over the neighbors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa::space {
+
+/// Tetrahedra as a finder numbers the points: positively oriented corners, and across from each corner the number of
+/// the neighboring row, or Solid::none.
+struct SolidRows {
+  std::vector<Row> corners;             ///< the solid's neighbors reuse its memory
+  meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted
+};
+
+/// Throws InvalidInput where the faces of that many tetrahedra cannot be numbered with 32 bits.
+void check_number_of(std::size_t tetrahedra);
+
+/// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the
+/// finder's numbers; all are below `bound`. Calls `ask`, if any, between its steps; it may throw.
+void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
+             const std::function<void()>& ask, Solid& solid);
+
+}  // namespace rbpa::space

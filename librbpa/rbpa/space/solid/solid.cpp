@@ -1,0 +1,192 @@
+#include "rbpa/space/solid/solid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/arrays/distinct.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/parallel/in_order.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/space/cells/cells.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/scaled_points.h"
+#include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid/insertion/insertion.h"
+#include "rbpa/space/solid/insertion/spatial_order.h"
+#include "rbpa/space/solid/rows/solid_rows.h"
+#include "rbpa/space/solid/tiles/find_by_tiles.h"
+#include "rbpa/space/solid/triples/find_by_triples.h"
+#include "rbpa/space/solid/triples/link_faces.h"
+
+namespace rbpa {
+namespace {
+
+/// Returns the selected tetrahedra of a triangulation, as rows.
+space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, double scaled_alpha, bool neighbors,
+                         Threads& threads) {
+  const auto tetrahedra = triangulation.tetrahedra();
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+    if (!triangulation.is_deleted(t) && !tetrahedra[t].is_ghost() &&
+        (std::isinf(alpha) || triangulation.is_within(t, alpha, scaled_alpha)))
+      kept.push_back(t);
+  constexpr std::size_t at_a_time = 1u << 14;
+  space::SolidRows rows;
+  rows.corners.resize(kept.size());
+  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) rows.corners[i] = tetrahedra[kept[i]].corner;
+  });
+  if (!neighbors) return rows;
+  meshops::FreshVector<std::uint32_t> number(tetrahedra.size());
+  for_each_part(threads, number.size(), 1u << 16, [&](std::size_t first, std::size_t last) {
+    std::fill(&number[first], &number[0] + last, Solid::none);
+  });
+  for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<std::uint32_t>(i);
+  rows.neighbors.resize(kept.size());
+  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = 0; k < 4; ++k) rows.neighbors[i][k] = number[tetrahedra[kept[i]].neighbor[k] / 4];
+  });
+  return rows;
+}
+
+/// Finds the tetrahedra from triples of points, where alpha is at most about the spacing and few points are
+/// cospherical:
+///   1. sort the points into cells, and estimate the cost;
+///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
+///   3. find neighbors, and sort.
+/// Returns false, and fills in nothing, if it would cost more than `most_cost` for each point, in units of
+/// triples_cost().
+bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
+               Solid& solid) {
+  constexpr double most_exact = 1.0 / 64;  // fraction of the points
+  constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
+  if (std::isinf(alpha) || points.size() < fewest) return false;
+  Threads threads = threads_for(points.size(), options.threads);
+  const space::ScaledPoints scaled(points, alpha);
+  if (!scaled.fits_double()) return false;
+  const space::Cells cells(scaled.points(), 2 * scaled.radius(), threads);
+  const std::size_t sites = cells.sites().size();
+  if (space::triples_cost(cells) > most_cost * static_cast<double>(sites)) return false;
+
+  std::vector<std::size_t> part_begin;  // first cell of each part
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    if (part_begin.empty() || cells.first_in(cell) - cells.first_in(part_begin.back()) >= sites_in_part)
+      part_begin.push_back(cell);
+  const std::size_t parts = part_begin.size();
+  part_begin.push_back(cells.size());
+  struct Workspace {
+    space::Triples found;
+  };
+  space::SolidRows rows;
+  std::atomic<bool> gave_up = false;
+  in_order<Workspace>(
+      threads, parts,
+      [&](std::size_t part, Workspace& w) {
+        const std::size_t begin = part_begin[part], end = part_begin[part + 1];
+        const auto exact =
+            fewest + static_cast<std::size_t>(most_exact * (cells.first_in(end) - cells.first_in(begin)));
+        if (!gave_up && !space::find_by_triples(cells, scaled.radius(), begin, end, exact, w.found)) gave_up = true;
+      },
+      [&](std::size_t part, Workspace& w) {
+        if (gave_up) return;
+        space::check_number_of(rows.corners.size() + w.found.tetrahedra.size());
+        rows.corners.insert(rows.corners.end(), w.found.tetrahedra.begin(), w.found.tetrahedra.end());
+        if (options.progress && !options.progress({cells.first_in(part_begin[part + 1]), sites})) throw Cancelled();
+      },
+      [](std::size_t, Workspace&) {});
+  if (gave_up) return false;
+  if (options.neighbors) rows.neighbors = space::link_faces(rows.corners, sites, threads);
+  space::fill_in(std::move(rows), cells.input_index(), points.size(), options.neighbors, threads,
+                 asking(options.progress, sites, sites), solid);
+  solid.distinct = sites;
+  solid.duplicates = cells.duplicates();
+  return true;
+}
+
+void list_isolated(std::size_t points, Solid& solid) {
+  std::vector<bool> is_corner(points, false);
+  for (const Row& row : solid.simplices)
+    for (const std::uint32_t corner : row) is_corner[corner] = true;
+  for_each_distinct(points, solid.duplicates, [&](std::uint32_t i) {
+    if (!is_corner[i]) solid.isolated.push_back(i);
+  });
+}
+
+/// Finds the tetrahedra tile by tile, where points fill a volume.
+bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
+  const space::Spread spread = space::spread(points);
+  const double scaled_alpha = std::ldexp(alpha, spread.exponent);
+  if (!spread.is_exact || (std::isinf(alpha) ? false : !std::isnormal(scaled_alpha))) return false;
+  std::vector<Point3> copy;
+  const auto scaled = space::scaled(points, spread, copy);
+  Threads threads = threads_for(points.size(), options.threads);
+  std::function<void(std::size_t, std::size_t)> step;
+  if (options.progress)
+    step = [&](std::size_t done, std::size_t all) {
+      if (!options.progress({done, all})) throw Cancelled();
+    };
+  space::TiledSolid found;
+  if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
+  space::fill_in(std::move(found.rows), found.index, points.size(), options.neighbors, threads,
+                 asking(options.progress, found.distinct, found.distinct), solid);
+  solid.distinct = found.distinct;
+  solid.duplicates = std::move(found.duplicates);
+  return true;
+}
+
+/// Finds the tetrahedra in the triangulation of all points:
+///   1. scale the points by a power of two, and sort them;
+///   2. insert them, one by one;
+///   3. select the tetrahedra of circumradius at most alpha, and number them.
+void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options,
+                const std::function<void()>& ask, Solid& solid) {
+  const space::Spread spread = space::spread(points);
+  std::vector<Point3> copy;
+  const auto scaled = space::scaled(points, spread, copy);
+  space::SpatialOrder sorted = space::spatial_order(points, scaled, ask);
+
+  solid.distinct = sorted.order.size();
+  solid.duplicates = std::move(sorted.duplicates);
+  space::Insertion triangulation(points, scaled, spread, sorted.order);
+  if (triangulation.begin()) {
+    space::Vertex v = 4;
+    const std::function<bool()> go_on = [&] { return !options.progress || options.progress({v, solid.distinct}); };
+    Steps step(go_on);
+    while (v++ < triangulation.size()) step(triangulation.insert(v));
+    Threads threads = threads_for(points.size(), options.threads);
+    const double scaled_alpha = std::ldexp(alpha, spread.exponent);
+    space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), triangulation.index(),
+                   points.size(), options.neighbors, threads, asking(options.progress, solid.distinct, solid.distinct),
+                   solid);
+  }
+}
+
+}  // namespace
+
+Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options) {
+  if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
+  space::check_points(points);
+  const auto ask = asking(options.progress, points.size());
+  if (ask) ask();
+  Solid solid;
+  // Costs for each point in units of triples_cost(), fitted to uniform points, as triples_cost() is.
+  constexpr double by_insertion = 1500, by_tiles = 800;
+  constexpr std::size_t fewest_for_tiles = 20'000;  // with fewer, too many points are at the hull
+  const auto by_triples = [&](double most_cost) { return find_near(points, alpha, most_cost, options, solid); };
+  const bool is_found =
+      points.size() < fewest_for_tiles
+          ? by_triples(by_insertion)
+          : by_triples(by_tiles) || find_in_tiles(points, alpha, options, solid) || by_triples(by_insertion);
+  if (!is_found) insert_all(points, alpha, options, ask, solid);
+  list_isolated(points.size(), solid);
+  return solid;
+}
+
+}  // namespace rbpa

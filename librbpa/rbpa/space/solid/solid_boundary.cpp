@@ -1,0 +1,142 @@
+#include "rbpa/space/solid/solid_boundary.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/predicate/outer_faces.h"
+#include "rbpa/space/solid/boundary/glue_outside.h"
+#include "rbpa/space/solid/boundary/measures.h"
+#include "rbpa/space/solid/boundary/place_of.h"
+#include "rbpa/space/surface/levels/sub_surface.h"
+
+namespace rbpa {
+namespace {
+
+using space::place_of;
+
+constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
+
+/// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face
+/// is identified by 4 t + k: across from corner k of tetrahedron t.
+class OpenFaces {
+ public:
+  explicit OpenFaces(const Solid& solid) : solid_(solid) {
+    meshops::require(solid.neighbors.size() == solid.simplices.size(),
+                     "solid_boundary: expected a solid with neighbors");
+  }
+
+  /// Step 1: finds the faces without a neighbor, in canonical order.
+  void find() {
+    first_.resize(solid_.simplices.size());
+    std::vector<Row> rows;  // corners, and the number of the face
+    std::uint32_t bound = 0;
+    for (std::uint32_t t = 0; t < first_.size(); ++t) {
+      first_[t] = static_cast<std::uint32_t>(rows.size());
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if (solid_.neighbors[t][k] != Solid::none) continue;
+        const Row& corners = solid_.simplices[t];
+        const Triangle triangle = from_least(space::outer_face(corners, k));
+        rows.push_back({triangle[0], triangle[1], triangle[2], 4 * t + k});
+        bound = std::max(bound, triangle[0]);
+      }
+    }
+    Threads one;
+    std::vector<Row> sorted;
+    place_ = sort_rows(rows, std::size_t{bound} + 1, one, sorted);
+    for (const Row& row : sorted) {
+      triangles_.push_back({row[0], row[1], row[2]});
+      faces_.push_back(row[3]);
+    }
+    neighbors_.assign(triangles_.size(), no_neighbors);
+  }
+
+  /// Step 2: glues each side to the one that ends the same wedge of tetrahedra.
+  void glue() {
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+      for (std::uint32_t j = 0; j < 3; ++j)
+        if (neighbors_[i][j] == Surface::none) glue(i, j);
+  }
+
+  SolidBoundary result() && {
+    SolidBoundary result;
+    result.surface.triangles = std::move(triangles_);
+    result.surface.neighbors = std::move(neighbors_);
+    result.surface.duplicates = solid_.duplicates;
+    result.surface.distinct = solid_.distinct;
+    for (std::uint32_t& face : faces_) face /= 4;
+    result.tetrahedra = std::move(faces_);
+    return result;
+  }
+
+ private:
+  /// Passes the tetrahedra around an edge, starting at the triangle. Every neighbor is checked to share its face before
+  /// it is entered; so no two tetrahedra have the same next one, and the walk ends.
+  void glue(std::uint32_t i, std::uint32_t j) {
+    constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";
+    const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];
+    // In each tetrahedron: the corners across from the faces through which the walk enters and leaves.
+    std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
+    for (std::uint32_t next = solid_.neighbors[t][out]; next != Solid::none; next = solid_.neighbors[t][out]) {
+      meshops::require(next < solid_.simplices.size(), not_shared);
+      const Row &corners = solid_.simplices[next], &across = solid_.neighbors[next];
+      const std::uint32_t passed = solid_.simplices[t][in];
+      const std::uint32_t back = place_of(t, across), ahead = place_of(passed, corners);
+      const std::uint32_t at_p = place_of(p, corners), at_q = place_of(q, corners);
+      const bool all_there = across[back] == t && corners[ahead] == passed && corners[at_p] == p && corners[at_q] == q;
+      meshops::require(all_there && (1U << back | 1U << ahead | 1U << at_p | 1U << at_q) == 15, not_shared);
+      t = next;
+      in = back;
+      out = ahead;
+    }
+    std::uint32_t other = first_[t];
+    for (std::uint32_t k = 0; k < out; ++k) other += solid_.neighbors[t][k] == Solid::none;
+    other = place_[other];
+    const std::uint32_t across = place_of(solid_.simplices[t][in], triangles_[other]);
+    meshops::require(triangles_[other][(across + 1) % 3] == q && triangles_[other][(across + 2) % 3] == p,
+                     "solid_boundary: expected positively oriented tetrahedra");
+    neighbors_[i][j] = other;
+    neighbors_[other][across] = i;
+  }
+
+  const Solid& solid_;
+  std::vector<std::uint32_t> first_;           // for each tetrahedron: the number of open faces before its own
+  meshops::FreshVector<std::uint32_t> place_;  // for each open face as found: its canonical place
+  std::vector<Triangle> triangles_, neighbors_;
+  std::vector<std::uint32_t> faces_;
+};
+
+}  // namespace
+
+SolidBoundary solid_boundary(const Solid& solid) {
+  OpenFaces faces(solid);
+  faces.find();
+  faces.glue();
+  return std::move(faces).result();
+}
+
+Surface glued_outside(std::span<const Point3> points, const Surface& boundary) {
+  require_linked(space::arrays_of(boundary), points.size());
+  for (const Triangle& neighbors : boundary.neighbors)
+    for (const std::uint32_t other : neighbors)
+      meshops::require(other != Surface::none, "glued_outside: expected a closed boundary");
+  Surface result = boundary;
+  space::glue_outside(points, result);
+  return result;
+}
+
+BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary) {
+  if (boundary.triangles.empty()) return {};
+  for (const Triangle& t : boundary.triangles)
+    meshops::require(std::max({t[0], t[1], t[2]}) < points.size(), "measure: expected a boundary of these points");
+  std::vector<std::uint32_t> all(boundary.triangles.size());
+  std::iota(all.begin(), all.end(), std::uint32_t{0});
+  const space::ClosedMeasures of = space::Measures(points).of(boundary.triangles, all);
+  return {of.volume, of.area};
+}
+
+}  // namespace rbpa

@@ -1,0 +1,43 @@
+// What: the components of a solid with their sizes.
+// Law:  all numbers are functions of the set of points: the same to the last bit in any order of them.
+// Cost: union–find over the tetrahedra, and the measures of their boundary.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+
+namespace rbpa {
+
+/// The relation that connects tetrahedra to components.
+enum class Connection {
+  triangles,  ///< a common triangle: solid components, bodies whose interior is connected
+  points,     ///< a common point, edge or triangle: components of the union as a topological space
+};
+
+struct SolidComponent {
+  std::size_t tetrahedra = 0;
+  std::size_t boundary_triangles = 0;
+  double volume = 0, area = 0;  ///< with the accuracy of measure() of a boundary
+  Point3 low, high;             ///< opposite corners of its box
+};
+
+struct SolidComponents {
+  /// The components, the largest volume first; of equal ones the one with the lexicographically least triangle first.
+  std::vector<SolidComponent> all;
+  std::vector<std::uint32_t> number;  ///< for each tetrahedron, its component in `all`
+};
+
+/// Computes the components of a solid.
+/// Requires: a solid of these points with neighbors, and its boundary.
+/// Throws:   ContractViolation when they visibly are not.
+RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,
+                                          const SolidBoundary& boundary, Connection through = Connection::triangles);
+
+}  // namespace rbpa

@@ -1,0 +1,56 @@
+// What:   finds the tetrahedron of a Delaunay triangulation that contains a point.
+// Law:    exact, and a function of the point and the triangulation: of several tetrahedra that share the face, edge or
+//         corner on which the point lies, the first is found.
+// How:    a walk from tetrahedron to tetrahedron toward the point, from one at an input point in the same cell of a
+//         grid. Such a walk ends in every Delaunay triangulation.
+// Cost:   a SolidLocator takes linear time in the tetrahedra; a query takes a few steps where the points are dense.
+// Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa {
+
+struct SolidLocateOptions {
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
+  unsigned threads = 0;
+  /// Called repeatedly, one call at a time but from any thread; returning false cancels the work. Empty: never called.
+  std::function<bool()> go_on = {};
+};
+
+class RBPA_API SolidLocator {
+ public:
+  /// Prepares queries in a triangulation. Keeps the spans.
+  /// Requires: finite points, and all tetrahedra of their Delaunay triangulation with neighbors, as solid() returns
+  ///           them at infinity.
+  /// Throws:   ContractViolation when a corner or a neighbor does not exist.
+  SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
+               std::span<const std::array<std::uint32_t, 4>> neighbors);
+
+  /// Returns for each query the first tetrahedron that contains it, faces, edges and corners included, or Solid::none
+  /// if there is none or the query is not finite.
+  /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
+  std::vector<std::uint32_t> find(std::span<const Point3> queries, const SolidLocateOptions& options = {}) const;
+
+ private:
+  struct Walk;
+  std::size_t cell_of(const Point3& p) const;
+  std::uint32_t find(const Point3& query, Walk& walk) const;
+
+  std::span<const Point3> points_;
+  std::span<const std::array<std::uint32_t, 4>> simplices_, neighbors_;
+  Point3 low_, high_;
+  std::array<std::size_t, 3> cells_{1, 1, 1};
+  std::vector<std::uint32_t> start_;  // for each cell, the tetrahedron at which a walk begins
+};
+
+}  // namespace rbpa

@@ -1,0 +1,37 @@
+// What: counts of a solid as a topological space: its simplices, components, tunnels and voids.
+// Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Exact; a
+//       function of the set of points and alpha. docs/explanation/space.md, section 18.
+// Cost: union–find over the tetrahedra; the rest is linear in the boundary, and in the tetrahedra around points where
+//       it touches itself.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/solid.h"
+#include "rbpa/space/solid/solid_boundary.h"
+
+namespace rbpa {
+
+/// Counts of the union of the tetrahedra. Points in no tetrahedron are not part of it.
+struct SolidCounts {
+  std::size_t points = 0;  ///< distinct points that are corners
+  std::size_t edges = 0;
+  std::size_t triangles = 0;
+  std::size_t tetrahedra = 0;
+  std::size_t boundary_triangles = 0;  ///< triangles of one tetrahedron only
+  std::size_t solid_components = 0;    ///< components connected through triangles
+  std::size_t components = 0;          ///< components connected through points: b₀
+  std::size_t tunnels = 0;             ///< b₁
+  std::size_t voids = 0;               ///< bounded components of the complement: b₂
+  friend bool operator==(const SolidCounts&, const SolidCounts&) = default;
+};
+
+/// Counts the simplices and the Betti numbers of a solid.
+/// Requires: a solid of these points with neighbors, and its boundary.
+/// Throws:   ContractViolation when they visibly are not.
+RBPA_API SolidCounts count(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
+
+}  // namespace rbpa

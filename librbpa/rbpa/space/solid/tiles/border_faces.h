@@ -1,0 +1,43 @@
+// What: faces of tetrahedra whose neighbor is unknown; finds pairs of them that are the same face.
+// How:  in buckets by their first corner.
+// Cost: linear, where few have the same first corner.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/space/predicate/outer_faces.h"
+
+namespace rbpa::space {
+
+struct BorderFace {
+  std::array<std::uint32_t, 3> corners;  ///< ascending
+  std::uint32_t face;                    ///< 4 · (tetrahedron) + (the corner across)
+};
+
+/// Returns the face of a tetrahedron across from corner k.
+inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std::size_t k) {
+  std::array<std::uint32_t, 3> face = {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
+  if (face[0] > face[1]) std::swap(face[0], face[1]);
+  if (face[1] > face[2]) std::swap(face[1], face[2]);
+  if (face[0] > face[1]) std::swap(face[0], face[1]);
+  return {face, 4 * tetrahedron + static_cast<std::uint32_t>(k)};
+}
+
+/// Returns whether the corners of the face, in ascending order, are counter-clockwise seen from outside of the
+/// tetrahedron.
+inline bool is_ascending_outside(const Row& corners, std::size_t k) {
+  const auto& outer = outer_faces[k];
+  const std::uint32_t a = corners[outer[0]], b = corners[outer[1]], c = corners[outer[2]];
+  return ((a < b) + (b < c) + (c < a)) == 2;
+}
+
+/// Links the tetrahedra on both sides of faces that occur twice. Requires: all corners are below `bound`.
+void link_border_faces(std::span<const BorderFace> faces, std::size_t bound, meshops::FreshVector<Row>& neighbors);
+
+}  // namespace rbpa::space

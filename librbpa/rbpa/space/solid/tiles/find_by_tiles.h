@@ -1,0 +1,45 @@
+// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Those at points that no tile settles
+//       come from a triangulation of these points and their neighbors.
+// Law:  exact and complete; each tetrahedron once (docs/explanation/space.md, sections 11 to 15).
+// Cost: about a microsecond a point, for points that fill a volume.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/duplicate.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid/rows/solid_rows.h"
+
+namespace rbpa::space {
+
+struct TiledSolid {
+  SolidRows rows;                             ///< corners are places
+  meshops::FreshVector<std::uint32_t> index;  ///< of each place, the input index
+  std::vector<Duplicate> duplicates;
+  std::size_t distinct = 0;
+};
+
+/// Limits beyond which find_by_tiles() gives up; tests set others.
+struct TileLimits {
+  std::size_t points_in_leaf = 8192;
+  double most_crowded = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
+  // Fractions of the points. More are allowed at first, when most of the tiles so far may be at the hull.
+  double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
+  double most_exact = 8;  ///< exact decisions for each point
+};
+
+/// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each
+/// tile, from any thread; it may throw.
+/// Returns false if it gave up, as too many points are at the hull or have balls larger than tiles.
+bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,
+                   const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
+                   const TileLimits& limits = {});
+
+}  // namespace rbpa::space

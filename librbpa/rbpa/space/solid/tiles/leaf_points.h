@@ -1,0 +1,73 @@
+// What: the points of a leaf and those around it, in the leaf's cells: sufficient to find the tetrahedra at the leaf's
+//       points, unless their balls are large.
+// Law:  a point is in the tile if and only if its cell is within the tile's cells. So a point of the leaf that is far
+//       from most of the leaf may be outside. Points are in the order of cells.
+// Cost: some nanoseconds for each point visited; three times as many as the leaf has, where points are spread evenly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/space/solid/tiles/leaves.h"
+
+namespace rbpa::space {
+
+class Tile {
+ public:
+  /// A position among the tile's points.
+  using Local = std::uint32_t;
+  static constexpr std::size_t most_points = 1u << 16;
+  /// Number of layers of cells around those of the leaf.
+  static constexpr int margin = 3;
+
+  /// Replaces the points. Returns false if there are too many, or the cells are too small for their coordinates.
+  bool gather(const Leaves& leaves, std::size_t leaf);
+
+  std::size_t size() const { return size_; }
+  double x(Local i) const { return x_[i]; }
+  double y(Local i) const { return y_[i]; }
+  double z(Local i) const { return z_[i]; }
+  /// Returns the coordinates, readable up to one register beyond the end.
+  const double* x() const { return x_.data(); }
+  const double* y() const { return y_.data(); }
+  const double* z() const { return z_.data(); }
+  Place place(Local i) const { return place_[i]; }
+  bool is_own(Local i) const { return place_[i] - first_own_ < own_; }
+  Place first_own() const { return first_own_; }
+
+  /// Returns the number of cells along each axis. Cells are numbered from 0; consecutive numbers are neighbors along z.
+  const std::array<int, 3>& cells() const { return cells_; }
+  std::size_t cell(int x, int y, int z) const {
+    return (static_cast<std::size_t>(x) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(cells_[2]) +
+           static_cast<std::size_t>(z);
+  }
+  Local first_in(std::size_t cell) const { return start_[cell]; }
+
+  /// A range of cells along an axis, from `low` to `high`.
+  struct Range {
+    int low, high;
+  };
+  /// Finds the cells that a box meets, as far as they may contain points. Returns false if it meets cells that may
+  /// contain points outside of the tile.
+  bool ranges(const Box3& box, std::array<Range, 3>& of) const;
+
+ private:
+  CellGrid grid_;
+  std::array<int, 3> cells_{};
+  std::array<Range, 3> filled_{};  // by the box of all points
+  std::size_t size_ = 0;
+  Place first_own_ = 0;
+  std::size_t own_ = 0;
+  std::vector<double> x_, y_, z_;
+  std::vector<Place> place_;
+  std::vector<Local> start_;
+  // The points before sorting.
+  std::vector<Place> unsorted_;
+  std::vector<std::uint32_t> cell_of_;
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,49 @@
+// What: the Delaunay tetrahedra at the points of a tile, star by star.
+// Law:  exact: a tetrahedron is found only if no other point is in its sphere, with rounding considered and ties
+//       perturbed. A point is settled if all tetrahedra at it are found. Where a ball is too large for the tile, and at
+//       the hull, points stay unsettled.
+// How:  points are completed in their order. A face with a tetrahedron on one side waits at the first of its corners
+//       that is not completed. There the tetrahedron on the other side is found; each of its faces closes a waiting
+//       face or waits. docs/explanation/space.md, sections 11 to 15.
+// Cost: about a tenth of a microsecond for each tetrahedron.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rbpa/base/sort/canonical_rows.h"
+#include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid/tiles/border_faces.h"
+#include "rbpa/space/solid/tiles/leaf_points.h"
+
+namespace rbpa::space {
+
+struct Stars {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::vector<Row> tetrahedra;  ///< positively oriented; corners are places, the least one a settled place of the leaf
+  std::vector<std::uint8_t> is_within;  ///< for each: whether its circumradius is at most alpha
+  std::vector<Row> neighbors;           ///< numbers of tetrahedra, or none
+  std::vector<BorderFace> border;       ///< faces without a neighbor
+  std::vector<Place> unsettled;         ///< the unsettled places of the leaf
+  /// Other tetrahedra with a corner in the leaf. The leaf contributes one if its corner is the first settled one.
+  std::vector<Row> shared;
+  std::vector<std::uint8_t> shared_is_within;
+  std::size_t exact = 0;  ///< number of decisions that needed more than a filter
+};
+
+/// Finds the tetrahedra of leaves, one leaf after the other. A finder is used by one thread at a time.
+class StarFinder {
+ public:
+  virtual ~StarFinder() = default;
+  /// Replaces `found` by the tetrahedra of the leaf.
+  virtual void find(std::size_t leaf, Stars& found) = 0;
+};
+
+/// Makes a finder, which keeps a reference to the leaves. Requires: leaves of scaled points with an exact spread; alpha
+/// in the same scale, possibly infinite.
+std::unique_ptr<StarFinder> star_finder(const Leaves& leaves, const Spread& spread, double alpha);
+
+}  // namespace rbpa::space

@@ -1,0 +1,31 @@
+// What: finds the tetrahedra that tiles have not found: those whose corners are all unsettled.
+// How:  each of them is also Delaunay among the unsettled points. To leave out the other tetrahedra of that
+//       triangulation, the search starts across the faces with a known tetrahedron on one side only, continues to
+//       neighbors, and never crosses such a face.
+// Cost: that of inserting the unsettled points.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid/rows/solid_rows.h"
+#include "rbpa/space/solid/tiles/border_faces.h"
+#include "rbpa/space/solid/tiles/leaves.h"
+
+namespace rbpa::space {
+
+/// Tetrahedra found, with places as corners, each once.
+struct FoundRows {
+  SolidRows rows;
+  meshops::FreshVector<std::uint8_t> is_within;  ///< for each: whether its circumradius is at most alpha
+  meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was unknown when they were found
+};
+
+/// Appends the missing tetrahedra. Requires: `found` has all tetrahedra with a settled corner, linked; `spread` of the
+/// leaves' points.
+void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, const std::vector<Place>& unsettled,
+                   FoundRows& found);
+
+}  // namespace rbpa::space

@@ -1,0 +1,61 @@
+// What: the boundary curves of a surface of points in space, with the reason for each edge why the surface ends there.
+// Law:  a function of the points, their normals and the radii. The exposed triangles form a closed surface, so the ball
+//       always rolls to some exposed triangle: a side is boundary because that triangle is not in the surface.
+//       docs/explanation/surfaces.md, section 5.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+/// The reason why the surface ends at an edge of its rim, over which the ball rolls.
+enum class RimCause : std::uint8_t {
+  /// The ball rolls to the back: to the same three points, or to a triangle with which no normal agrees.
+  nothing_within_reach,
+  normals_disagree,  ///< the ball rolls to a triangle with which normals at some corners disagree, and at others agree
+  blocked,  ///< the ball rolls to a triangle that agrees, and touches the interior of the surface of smaller radii
+};
+
+/// A boundary side of a triangle, and the triangle to which the ball rolls over it.
+struct RimEdge {
+  std::uint32_t from = 0, to = 0;  ///< input indices, with the triangle to the right
+  std::uint32_t triangle = 0;      ///< its number in the surface
+  std::uint32_t level = 0;         ///< number of the largest radius whose ball rests on the triangle
+  RimCause cause = RimCause::nothing_within_reach;
+  std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which that ball rolls, least index first
+  /// For each corner of `next`: whether a normal there disagrees; or, when blocked, whether it is an interior point of
+  /// the smaller radii.
+  std::array<bool, 3> corners = {};
+  /// For the side of `next` across from each corner, when blocked: whether it is an interior edge of the smaller radii,
+  /// though its ends are not interior points.
+  std::array<bool, 3> sides = {};
+  friend bool operator==(const RimEdge&, const RimEdge&) = default;
+};
+
+/// A boundary curve: around a hole, or the outer rim.
+struct Hole {
+  std::vector<RimEdge> edges;  ///< end to end, beginning with the least (from, to, triangle)
+  double length = 0;           ///< sum over the edges
+  friend bool operator==(const Hole&, const Hole&) = default;
+};
+
+/// Returns all boundary curves, sorted by their first edges. At a point with several fans of triangles, a curve stays
+/// at its fan.
+/// Requires: the surface() of these points, normals and radii.
+/// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly another one; Cancelled.
+/// Cost:     for each radius, that of the exposed triangles of the points near the boundary.
+RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
+                                 std::span<const double> radii, const Surface& surface,
+                                 const SurfaceOptions& options = {});
+RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, double radius,
+                                 const Surface& surface, const SurfaceOptions& options = {});
+
+}  // namespace rbpa

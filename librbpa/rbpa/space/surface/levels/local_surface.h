@@ -1,0 +1,44 @@
+// What: the part of a surface near some of its points, as a surface of its own points.
+// Law:  a wanted point has all its triangles in the part, glued as in the whole.
+// Cost: linear in the surface once; then linear in the part, times a logarithm.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/arrays/simplices_at.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa::space {
+
+struct LocalSurface {
+  std::vector<std::uint32_t> input;  ///< input index of each point, ascending
+  std::vector<Point3> points, normals;
+  Surface surface;  ///< of these points; with levels
+
+  /// Returns the number in the part of an input point. Requires: the point is in the part.
+  std::uint32_t number_of(std::uint32_t input_index) const;
+};
+
+class LocalSurfaces {
+ public:
+  /// Keeps the spans and the surface. Requires: triangles and normals of the points.
+  LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface);
+
+  /// Returns the part around `points`: these points, the triangles with a corner among them, and the corners of these
+  /// triangles.
+  /// Requires: ascending indices; equal points are all given or none of them.
+  LocalSurface at(std::span<const std::uint32_t> points) const;
+
+  const std::array<std::uint32_t, 3>& corners_of(std::uint32_t triangle) const { return surface_.triangles[triangle]; }
+
+ private:
+  std::span<const Point3> points_, normals_;
+  const Surface& surface_;
+  TrianglesAt triangles_at_;
+};
+
+}  // namespace rbpa::space

@@ -1,0 +1,53 @@
+// What: the plane that fits a point and its nearest others, by the eigenvectors of their covariance (Eigen).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/normals/find_nearest.h"
+
+namespace rbpa::space {
+
+struct Plane {
+  Point3 normal;
+  /// Roundness of the points along the plane: 1 in a disc, 0 on a line; the ratio of the two greater eigenvalues
+  double roundness;
+  /// Confidence in the plane: 1 in a plane, 0 in a ball or on a line; 1 − the ratio of the two smaller eigenvalues
+  double flatness;
+
+  /// Returns whether the points determine the plane. At the straight rim of a sheet roundness is 0.28; on scan lines
+  /// that are farther from each other than eight points along them it is about 0.
+  bool is_certain() const { return roundness >= 0.03; }
+};
+
+/// Fits a plane to point i and its neighbors: through their centroid, with the least sum of squared distances. The
+/// normal has unit length and points to either side. Where the points are on a line within the precision of double, the
+/// normal is the direction across the line nearest to +z, or to +y if the line is parallel to z; for one point it is
+/// +z. Differences are of type Real.
+template <typename Real>
+Plane fit_plane(const Neighborhoods& points, std::size_t i);
+
+struct PlanesOfPoints {
+  Neighborhoods near;
+  std::vector<Point3> normals;   ///< of fit_plane(), by positions in `near`
+  std::vector<double> flatness;  ///< of each point, by positions in `near`
+};
+
+/// Fits planes to the points and their `count` nearest others. Where `count` is 8 or more and the nearest are nearly on
+/// a line, wider neighborhoods are used (find_nearest()); fewer than 8 are often on a line, and are kept. Requirements
+/// and calls of go_on() are those of find_nearest().
+template <typename Real>
+PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads,
+                          const std::function<void()>& go_on);
+
+extern template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
+extern template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
+extern template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&,
+                                                  const std::function<void()>&);
+extern template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&,
+                                                       const std::function<void()>&);
+
+}  // namespace rbpa::space

@@ -1,0 +1,149 @@
+#include "rbpa/space/surface/outer_shells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "meshops/core/contract.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/ray_along_x.h"
+#include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/surface/levels/sub_surface.h"
+
+namespace rbpa {
+namespace {
+
+using Real = long double;  // products of coordinates in double do not overflow it
+using Vector = space::Vector3<Real>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A triangle, and the ball of the radius that rests on it.
+class RestingBall {
+ public:
+  RestingBall(std::span<const Point3> points, const Triangle& triangle, Real radius) : a_(points[triangle[0]]) {
+    const Point3 &b = points[triangle[1]], &c = points[triangle[2]];
+    const Vector u = space::from<Real>(a_, b), v = space::from<Real>(a_, c), w = space::from<Real>(b, c);
+    const Real uu = space::dot(u, u), vv = space::dot(v, v);
+    normal_ = space::cross(u, v);
+    const Real nn = space::dot(normal_, normal_);
+    const Vector to_u = space::cross(v, normal_), to_v = space::cross(normal_, u);
+    circumcentre_ = {(uu * to_u.x + vv * to_v.x) / (2 * nn), (uu * to_u.y + vv * to_v.y) / (2 * nn),
+                     (uu * to_u.z + vv * to_v.z) / (2 * nn)};
+    // The height of the center above the triangle, in units of the length of the normal.
+    height_ = std::sqrt(std::max(radius * radius - uu * vv * space::dot(w, w) / (4 * nn), Real(0)) / nn);
+    clearance_ = height_ * std::sqrt(nn);
+    const Vector to_centre = {circumcentre_.x + height_ * normal_.x, circumcentre_.y + height_ * normal_.y,
+                              circumcentre_.z + height_ * normal_.z};
+    for (const Vector& side : {Vector{0, 0, 0}, u, v}) {
+      const Vector d = {to_centre.x - side.x, to_centre.y - side.y, to_centre.z - side.z};
+      error_ = std::max(error_, std::abs(std::sqrt(space::dot(d, d)) - radius));
+    }
+  }
+
+  /// Returns the distance from the triangle to the center, less the possible rounding error: the center of a nearly
+  /// degenerate triangle may be anywhere.
+  Real clearance() const { return clearance_ - 1000 * error_; }
+  Point3 centre() const {
+    const auto sum = [&](double from, Real at, Real along) { return static_cast<double>(from + at + height_ * along); };
+    return {sum(a_.x, circumcentre_.x, normal_.x), sum(a_.y, circumcentre_.y, normal_.y),
+            sum(a_.z, circumcentre_.z, normal_.z)};
+  }
+
+ private:
+  Point3 a_;
+  Vector normal_{}, circumcentre_{};
+  Real height_ = 0, clearance_ = 0, error_ = 0;
+};
+
+/// Calls visit(component, i) for each component that winds around place i. A triangle is only compared with the places
+/// within its range of y. Requires: coordinates of places within the range of the points' coordinates.
+template <typename Visit>
+void for_each_enclosed(std::span<const Point3> points, const Surface& shells, const SurfaceComponents& components,
+                       std::span<const Point3> places, Steps& step, const Visit& visit) {
+  std::vector<std::uint32_t> by_y(places.size()), by_shell(shells.triangles.size());
+  std::iota(by_y.begin(), by_y.end(), std::uint32_t{0});
+  std::sort(by_y.begin(), by_y.end(), [&](std::uint32_t i, std::uint32_t j) { return places[i].y < places[j].y; });
+  std::iota(by_shell.begin(), by_shell.end(), std::uint32_t{0});
+  sort(by_shell, step, [&](std::uint32_t t, std::uint32_t u) {
+    const std::uint32_t c = components.number[t], d = components.number[u];
+    return c != d ? c < d : t < u;
+  });
+  std::vector<int> winding(places.size(), 0);
+  std::vector<std::uint32_t> crossed;
+  for (std::size_t first = 0, last = 0; first < by_shell.size(); first = last) {
+    const std::uint32_t shell = components.number[by_shell[first]];
+    crossed.clear();
+    for (; last < by_shell.size() && components.number[by_shell[last]] == shell; ++last) {
+      const Triangle& triangle = shells.triangles[by_shell[last]];
+      const std::array corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+      const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+      const auto [low_z, high_z] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+      auto near =
+          std::lower_bound(by_y.begin(), by_y.end(), low_y, [&](std::uint32_t i, double y) { return places[i].y < y; });
+      for (step(); near != by_y.end() && places[*near].y <= high_y; ++near) {
+        step();
+        if (places[*near].z < low_z || places[*near].z > high_z) continue;
+        const int turn = space::crossing(corners, places[*near]);
+        if (turn == 0) continue;
+        winding[*near] += turn;
+        crossed.push_back(*near);
+      }
+    }
+    for (const std::uint32_t i : crossed)
+      if (std::exchange(winding[i], 0) != 0) visit(shell, i);
+  }
+}
+
+void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
+  meshops::require(components.number.size() == surface.triangles.size(),
+                   "outer_shells: expected the components of this surface");
+  require_linked(space::arrays_of(surface), points.size());
+  for (const std::uint32_t c : components.number)
+    meshops::require(c < components.all.size(), "outer_shells: expected the components of this surface");
+}
+
+}  // namespace
+
+std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
+                               const SurfaceComponents& components, const std::function<bool()>& go_on) {
+  space::check_radius(radius);
+  const std::size_t count = components.all.size();
+  require_components(points, shells, components);
+  for (const SurfaceComponent& component : components.all)
+    meshops::require(component.is_closed(), "outer_shells: expected exposed triangles, which are closed");
+
+  // For each shell, the ball with the center highest above its triangle, where rounding of the center matters least.
+  Steps step(go_on);
+  std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
+  std::vector<Point3> centre(count);
+  for (std::size_t t = 0; t < shells.triangles.size(); ++t) {
+    step(4);
+    const std::uint32_t c = components.number[t];
+    const RestingBall ball(points, shells.triangles[t], radius);
+    if (!(ball.clearance() > clearance[c])) continue;
+    clearance[c] = ball.clearance();
+    centre[c] = ball.centre();
+  }
+  std::vector<bool> outer(count, true);
+  for_each_enclosed(points, shells, components, centre, step,
+                    [&](std::uint32_t, std::uint32_t c) { outer[c] = false; });
+  return outer;
+}
+
+std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
+                                        const SurfaceComponents& components, const std::function<bool()>& go_on) {
+  require_components(points, surface, components);
+  std::vector<std::vector<Triangle>> closed(components.all.size());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (const std::uint32_t c = components.number[t]; components.all[c].is_closed())
+      closed[c].push_back(surface.triangles[t]);
+  return nesting_depths(points, closed, go_on);
+}
+
+}  // namespace rbpa

@@ -1,0 +1,48 @@
+// What: decides which shells the ball touches from the outside of everything, and how deep closed surfaces are nested.
+// Law:  a shell is outer if no shell winds around the center of a ball that rests on it, which is at least the radius
+//       away from all points. Exact except for the rounding of that center: if the radius is above 10⁻⁹ of the
+//       coordinates, only triangles whose circumcircle is nearly a great circle of the ball are in doubt.
+//       docs/explanation/surfaces.md, section 21.
+// Cost: a sort of the shells, and for each triangle a search among them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_components.h"
+
+namespace rbpa {
+
+/// Returns for each component whether it is outer: neither another component nor it itself encloses the ball that rolls
+/// on it. A scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
+/// Requires: the exposed_triangles() of these points and radius, and its components.
+/// Throws:   ContractViolation on others; Cancelled when `go_on`, which is called every few milliseconds, returns
+///           false.
+RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
+                                        const SurfaceComponents& components, const std::function<bool()>& go_on = {});
+
+/// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a
+/// cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner that is
+/// on no other surface. A surface without a triangle lies in none. A surface with every corner on another one does not
+/// lie in that one.
+/// Requires: triangles that close each surface.
+/// Throws:   as outer_shells().
+/// Cost:     for each triangle, the rays that begin behind it; n log n if surfaces hide few others.
+RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
+                                                 std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
+                                                 const std::function<bool()>& go_on = {});
+/// Returns the same for each component of a surface; 0 for components that are not closed.
+/// Requires: a surface of these points, and its components.
+/// Throws:   as outer_shells().
+RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
+                                                 const SurfaceComponents& components,
+                                                 const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,29 @@
+// What: the exposed triangles at some of many points.
+// Law:  exposed_triangles() returns the same triangles, with the same rolls between them.
+// Cost: that of the rings of these points, and of the cells of all points.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa::space {
+
+/// An exposed triangle (at, second, third), counter-clockwise. Over its side from `third` to `at` the ball rolls to the
+/// triangle (at, third, beyond).
+struct ExposedAt {
+  std::uint32_t at, second, third, beyond;
+  friend auto operator<=>(const ExposedAt&, const ExposedAt&) = default;
+};
+
+/// Returns the exposed triangles at points with wanted[i] != 0, sorted. Of equal points the lowest index decides and
+/// represents them.
+/// Requires: as exposed_triangles(). Throws: Cancelled.
+std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
+                                  const std::vector<std::uint8_t>& wanted, const SurfaceOptions& options);
+
+}  // namespace rbpa::space

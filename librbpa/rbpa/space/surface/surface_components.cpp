@@ -1,0 +1,166 @@
+#include "rbpa/space/surface/surface_components.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/arrays/boundary_walk.h"
+#include "rbpa/base/arrays/components.h"
+#include "rbpa/base/arrays/fans.h"
+#include "rbpa/base/arrays/grouped.h"
+#include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/run/steps.h"
+#include "rbpa/base/triangle_arrays.h"
+#include "rbpa/space/cells/box_scale.h"
+#include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/surface/levels/sub_surface.h"
+
+namespace rbpa {
+namespace {
+
+using Corners = std::array<Point3, 3>;
+using Vector = space::Vector3<double>;
+
+/// Returns the corners of a triangle, the least point first: the first index of a triangle depends on the numbers of
+/// points.
+Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
+  Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+/// A component, and the tie-breaker between equal components.
+struct Measured : SurfaceComponent {
+  Corners least{};  ///< triangle; no other component has the same, as triangles are oriented
+};
+
+/// Measures a component. Requires: at least one triangle.
+Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles,
+                 Steps& step) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Measured result;
+  result.triangles = triangles.size();
+  result.low = {infinity, infinity, infinity};
+  result.high = {-infinity, -infinity, -infinity};
+  result.least = corners_of(points, surface.triangles[triangles.front()]);
+  for (const std::uint32_t t : triangles) {
+    step();
+    for (const std::uint32_t other : surface.neighbors[t]) result.boundary_sides += other == Surface::none;
+    const auto& triangle = surface.triangles[t];
+    bool may_be_least = false;
+    for (const std::uint32_t corner : triangle) {
+      const Point3& p = points[corner];
+      may_be_least |= !(result.least.front() < p);
+      result.low = {std::min(result.low.x, p.x), std::min(result.low.y, p.y), std::min(result.low.z, p.z)};
+      result.high = {std::max(result.high.x, p.x), std::max(result.high.y, p.y), std::max(result.high.z, p.z)};
+    }
+    if (may_be_least) result.least = std::min(result.least, corners_of(points, triangle));
+  }
+
+  const space::BoxScale scale(result.low, result.high);
+  const auto minus = [](const Vector& v, const Vector& u) { return Vector{v.x - u.x, v.y - u.y, v.z - u.z}; };
+  ExactSum areas, volumes;  // exact, so that the order of the triangles does not matter
+  for (const std::uint32_t t : triangles) {
+    step();
+    const Corners corners = corners_of(points, surface.triangles[t]);
+    const Vector a = scale.place(corners[0]), b = scale.place(corners[1]), c = scale.place(corners[2]);
+    const Vector normal = space::cross(minus(b, a), minus(c, a));
+    areas.add(std::hypot(normal.x, normal.y, normal.z) / 2);
+    if (result.is_closed()) volumes.add(space::dot(a, normal) / 6);
+  }
+  result.area = areas.rounded(2 * scale.exponent());
+  result.volume = volumes.rounded(3 * scale.exponent());
+  return result;
+}
+
+/// Returns whether the numbers of components fit the surface.
+bool are_of(const SurfaceComponents& components, const Surface& surface) {
+  return components.number.size() == surface.triangles.size() &&
+         std::all_of(components.number.begin(), components.number.end(),
+                     [&](std::uint32_t c) { return c < components.all.size(); });
+}
+
+}  // namespace
+
+SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
+                                     const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), points.size(), go_on);
+  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
+  Steps step(go_on);
+  meshops::DisjointSets sets = components_of(space::arrays_of(surface), step);
+
+  const space::Grouped grouped(count, count, [&](std::uint32_t t) { return sets.find(t); });
+
+  SurfaceComponents result;
+  result.number = grouped.number();
+  std::vector<std::size_t> curves(grouped.size(), 0);
+  BoundaryWalk walk(space::arrays_of(surface));
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!walk.is_new({t, k})) continue;
+      walk.walk_from({t, k}, [](const BoundarySide&) {});
+      ++curves[result.number[t]];
+    }
+  std::vector<Measured> measured;
+  for (std::size_t c = 0; c < grouped.size(); ++c) {
+    measured.push_back(measure(points, surface, grouped.items(c), step));
+    measured.back().boundary_curves = curves[c];
+  }
+  std::vector<std::uint32_t> order(measured.size()), place(measured.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  sort(order, step, [&](std::uint32_t i, std::uint32_t j) {
+    const Measured &c = measured[i], &d = measured[j];
+    if (c.area != d.area) return c.area > d.area;
+    if (c.volume != d.volume) return c.volume > d.volume;
+    return c.least < d.least;
+  });
+  for (const std::uint32_t c : order) {
+    place[c] = static_cast<std::uint32_t>(result.all.size());
+    result.all.push_back(measured[c]);
+  }
+  for (std::uint32_t& number : result.number) number = place[number];
+  return result;
+}
+
+std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
+                                  const std::function<bool()>& go_on) {
+  require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
+  meshops::require(are_of(components, surface), "genus_of: expected the components of this surface");
+  std::vector<std::size_t> genus;  // at first the number of vertices
+  genus.resize(components.all.size(), 0);
+  Steps step(go_on);
+  const meshops::DisjointSets fans = fans_of(space::arrays_of(surface), step);
+  for (std::uint32_t corner = 0; corner < fans.size(); ++corner)
+    if (fans.is_least(corner)) ++genus[components.number[corner / 3]];
+  for (std::size_t c = 0; c < genus.size(); ++c) {
+    const SurfaceComponent& component = components.all[c];
+    // 2 − 2 genus − curves = vertices − edges + triangles.
+    const std::size_t edges = (3 * component.triangles + component.boundary_sides) / 2;
+    genus[c] = (2 + edges - component.triangles - genus[c] - component.boundary_curves) / 2;
+  }
+  return genus;
+}
+
+Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
+  meshops::require(are_of(components, surface) && kept.size() == components.all.size(),
+                   "keep_components: expected the components of this surface, and for each of them whether it is kept");
+  std::vector<bool> triangles;
+  triangles.reserve(surface.triangles.size());
+  for (const std::uint32_t c : components.number) triangles.push_back(kept[c]);
+  return keep_triangles(surface, triangles);
+}
+
+Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept) {
+  meshops::require(kept.size() == surface.triangles.size(),
+                   "keep_triangles: expected for each triangle whether it is kept");
+  Surface result = space::part_of(surface, [&](std::size_t t) { return kept[t]; });
+  result.duplicates = surface.duplicates;
+  result.distinct = surface.distinct;
+  return result;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,60 @@
+// What: the components of a surface with their sizes and genus, and the surface without some of them.
+// Law:  a component is connected through glued sides; pieces that only touch are two components. All numbers are
+//       functions of the triangles as sets of points and of their gluing: the same to the last bit in any order of the
+//       points.
+// Cost: linear, and a sort of the components.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+struct SurfaceComponent {
+  std::size_t triangles = 0;
+  std::size_t boundary_sides = 0;  ///< number of sides without a neighbor; 0 if the component is closed
+  std::size_t boundary_curves = 0;
+  double area = 0;    ///< in squared units of the points
+  double volume = 0;  ///< of a closed component, negative if the triangles face the enclosed space; otherwise 0
+  Point3 low, high;   ///< opposite corners of its box
+
+  bool is_closed() const { return boundary_sides == 0; }
+};
+
+struct SurfaceComponents {
+  std::vector<SurfaceComponent> all;  ///< the largest area first; of equal ones the largest volume
+  std::vector<std::uint32_t> number;  ///< for each triangle, its component in `all`
+};
+
+/// Computes the components of a surface.
+/// Requires: a surface of these points.
+/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor;
+///           Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
+                                              const std::function<bool()>& go_on = {});
+
+/// Returns the genus of each component, the number of its handles, with a vertex for each fan of triangles.
+/// Requires: the components of this surface.
+/// Throws:   ContractViolation on other sizes, and as split_fans().
+/// Cost:     that of split_fans().
+RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
+                                           const std::function<bool()>& go_on = {});
+
+/// Returns the triangles of the components that are kept, glued as they were, in the same order.
+/// Requires: the components of this surface, and for each whether it is kept.
+/// Throws:   ContractViolation on other sizes.
+RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
+                                 const std::vector<bool>& kept);
+
+/// Returns the triangles that are kept, in the same order; their sides at other triangles become boundary.
+/// Throws: ContractViolation on another size.
+RBPA_API Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept);
+
+}  // namespace rbpa

@@ -1,0 +1,27 @@
+// What:   the surface of points in space by several radii: a larger radius closes gaps that the smaller ones left open.
+// Law:    a function of the set of points, their normals and the radii, not of any order or thread. An oriented
+//         2-manifold with boundary, each fan with a vertex of its own; its triangles never cross. A radius adds
+//         triangles and removes none, and changes no gluing between earlier ones. docs/explanation/surfaces.md, section
+//         17.
+// Source: Bernardini et al., section 4.4, use radii in ascending order; the rule here differs from theirs.
+#pragma once
+
+#include <span>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+/// Computes the surface() of the first radius; then adds, for each further radius, those triangles of its surface that
+/// touch no interior point and no interior edge of the surface so far. Surface::levels holds the number of the radius
+/// that created each triangle.
+/// Requires: as surface(); at least one radius, ascending.
+/// Throws:   as surface().
+/// Cost:     that of surface() for the first radius; for each further one, that of the points near those that are not
+///           interior.
+RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
+                         const SurfaceOptions& options = {});
+
+}  // namespace rbpa

@@ -1,0 +1,58 @@
+// What: converts a surface of points in space to a halfedge mesh, and a halfedge mesh to a surface.
+// Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex
+//       of its own. The surface of a mesh is glued as the mesh is: its surface_mesh() is the mesh again, up to handles.
+// Cost: linear, and a sort of the vertices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/live_range.h"
+#include "meshops/stellar/split_hooks.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_of.h"
+
+namespace rbpa {
+
+struct SurfaceMesh {
+  Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
+  std::vector<std::uint32_t> input_index;  ///< the input point of each vertex; ascending
+};
+
+/// Builds the halfedge mesh of a surface.
+/// Requires: a surface of these points.
+/// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
+///           ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
+RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
+/// Builds the same from a surface that is no longer needed, whose memory is freed on the way.
+RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
+
+/// Returns the place of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
+template <meshops::HasPoints AnyMesh>
+std::vector<Point3> places_of(const AnyMesh& mesh) {
+  std::vector<Point3> places(mesh.n_vertices());
+  for (const meshops::Vertex v : meshops::live_vertices(mesh)) {
+    const auto& p = mesh.point(v);
+    places[static_cast<std::size_t>(v.idx())] = {static_cast<double>(p[0]), static_cast<double>(p[1]),
+                                                 static_cast<double>(p[2])};
+  }
+  return places;
+}
+
+/// Returns the triangles of a mesh as a surface; its points are the vertices, by index, and `given` holds the faces, by
+/// index. Vertices at one place become the lowest of them, glued or not.
+/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; the corners of a face at different
+///           places.
+/// Throws:   ContractViolation on other faces or fewer places; InvalidInput as surface_of() of triangles.
+RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);
+template <meshops::HasPoints AnyMesh>
+SurfaceOfTriangles surface_of(const AnyMesh& mesh) {
+  return surface_of(mesh, places_of(mesh));
+}
+
+}  // namespace rbpa

@@ -1,0 +1,43 @@
+// What: makes a Surface of triangles from any source, for the functions on surfaces: surface_components(),
+//       fill_holes(), close_surface(), refine_filling() and so on. For halfedge meshes see surface_mesh.h.
+// Law:  a function of the points and the set of triangles. Two triangles are glued along an edge if they run along it
+//       in opposite directions and no other triangle has it. At an edge of more triangles, sides that face each other
+//       are glued, as a ball rolls over them (facing_sides.h; indexable_surface() separates bodies that touch along an
+//       edge). Sides of triangles that lie on each other, or have no area, stay open. Exact.
+// Cost: a sort of the points, the sides and the triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+/// A surface in canonical order, without levels.
+struct SurfaceOfTriangles : Surface {
+  std::vector<std::uint32_t> given;  ///< for each triangle, its number among the given triangles
+};
+
+/// Glues triangles to a surface. Corners on equal points become the lowest of them. Triangles are neither reversed nor
+/// dropped: those that run along an edge in the same direction are not glued there (meshops::repair() makes a manifold
+/// of any).
+/// Requires: finite points, fewer than 2^32 − 1; the corners of each triangle are three of the points, at different
+///           places; fewer than 2^32 corners.
+/// Throws:   InvalidInput that names the violated requirement.
+RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
+                                       std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Makes the same surface, glued as `neighbors` specifies: number k of a triangle is the triangle across from its
+/// corner k, or Surface::none.
+/// Requires: also that each triangle is a neighbor of its neighbors, across the side between the same corners.
+/// Throws:   also ContractViolation.
+RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
+                                       std::span<const std::array<std::uint32_t, 3>> triangles,
+                                       std::span<const std::array<std::uint32_t, 3>> neighbors);
+
+}  // namespace rbpa

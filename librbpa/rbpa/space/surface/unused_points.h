@@ -1,0 +1,41 @@
+// What: the points that are in no triangle of a surface, and the reason for each.
+// Law:  a function of the set of points, their normals and the radii; exact. docs/explanation/surfaces.md, section 6.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+enum class UnusedCause : std::uint8_t {
+  no_ball_rests,  ///< empty balls touch the point, but none touches two others as well: they are too far, or on a line
+  hidden,         ///< every ball of the largest radius that touches the point contains another point
+  normals_disagree,  ///< the point is on exposed triangles, but none agrees with the normals at all its corners
+  blocked,           ///< an exposed triangle agrees, but touches the interior of the surface of smaller radii
+};
+
+struct UnusedPoint {
+  std::uint32_t index;  ///< input index; of equal points the lowest
+  UnusedCause cause;
+  friend bool operator==(const UnusedPoint&, const UnusedPoint&) = default;
+};
+
+/// Returns the distinct points that are in no triangle, ascending; Surface::duplicates lists the points equal to them.
+/// If radii give several causes, the last one in the list above is returned.
+/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one
+///           radius.
+/// Throws:   InvalidInput as they do; ContractViolation when a corner is none of the points; Cancelled.
+/// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
+RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
+                                                std::span<const double> radii, const Surface& surface,
+                                                const SurfaceOptions& options = {});
+RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
+                                                double radius, const Surface& surface,
+                                                const SurfaceOptions& options = {});
+
+}  // namespace rbpa
