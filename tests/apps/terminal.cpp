@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "cli/progress.h"
+#include "shared/progress.h"
 #include "support/child.h"
 #include "support/mesh_files.h"
 #include "support/program.h"

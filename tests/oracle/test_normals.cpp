@@ -37,7 +37,7 @@ Points3 distinct(SpaceKind kind, std::size_t count, std::uint64_t seed) {
 }  // namespace
 
 // The sets have no equal distances and no two directions that fit equally well. CGAL's own iteration ends when it is
-// near; tests/rbpa/space/normals/fit_plane.cpp is exact.
+// near; tests/rbpa/space/surface/normals/fit_plane.cpp is exact.
 TEST_CASE("the fitted planes are those of CGAL") {
   for (const std::size_t neighbors : {6u, 16u, 40u}) {
     CAPTURE(neighbors);

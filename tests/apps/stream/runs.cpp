@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/verbs.h"
 #include "io/bytes/number.h"
+#include "shared/verbs.h"
 
 namespace stream_test {
 

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/shape_files.h"
+#include "io/sort.h"
+#include "plane/named_groups.h"
+#include "shared/arguments.h"
+#include "shared/run.h"
+#include "shared/stats.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+struct Box {
+  Point least, greatest;
+};
+
+struct Info {
+  std::size_t points = 0;
+  std::size_t distinct = 0;
+  std::optional<Box> box = std::nullopt;  ///< absent if there are no points
+  std::optional<Crs> crs = std::nullopt;
+  bool flattened = false;                        ///< heights that differ were dropped
+  std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); absent if the area is 0
+};
+
+Info examine(std::vector<Point> points, const RunOptions& run) {
+  const ProgressLine line = run.line("sorting " + short_number(static_cast<double>(points.size())) + " points");
+  Info info{.points = points.size()};
+  if (points.empty()) return info;
+  sort(points);
+  info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+  Box box{points.front(), points.front()};
+  for (std::size_t i = 0; i < info.distinct; ++i) {
+    const Point& p = points[i];
+    box = {{std::min(box.least.x, p.x), std::min(box.least.y, p.y)},
+           {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
+  }
+  info.box = box;
+  // Half the width, and roots before products: nothing overflows.
+  const double half_width = box.greatest.x / 2 - box.least.x / 2, half_height = box.greatest.y / 2 - box.least.y / 2;
+  const double spacing =
+      2 * std::sqrt(half_width) * (std::sqrt(half_height) / std::sqrt(static_cast<double>(info.distinct)));
+  if (spacing > 0) info.spacing = spacing;
+  return info;
+}
+
+std::string for_people(const Info& info) {
+  std::string text = "points      " + std::to_string(info.points) + "\n";
+  text += "distinct    " + std::to_string(info.distinct) + "\n";
+  text += "duplicates  " + std::to_string(info.points - info.distinct) +
+          (info.flattened && info.points > info.distinct ? "  (of x and y; z was ignored)\n" : "\n");
+  if (info.crs) text += "crs         " + info.crs->text() + "\n";
+  if (info.box) {
+    text += "box         x " + text_of(info.box->least.x) + " .. " + text_of(info.box->greatest.x) + "\n";
+    text += "            y " + text_of(info.box->least.y) + " .. " + text_of(info.box->greatest.y) + "\n";
+  } else {
+    text += "box         none\n";
+  }
+  return text + "spacing     " + (info.spacing ? rounded(*info.spacing, 4) : "none") +
+         "  (square root of box area / distinct points)\n";
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Info& info) {
+  Json box = nullptr;
+  if (info.box)
+    box = {{"min", Json::array({info.box->least.x, info.box->least.y})},
+           {"max", Json::array({info.box->greatest.x, info.box->greatest.y})}};
+  return {{"points", info.points},
+          {"distinct", info.distinct},
+          {"duplicates", info.points - info.distinct},
+          {"box", box},
+          {"spacing", info.spacing ? Json(*info.spacing) : Json(nullptr)}};
+}
+
+std::string as_json(const Info& info) {
+  Json report = json_of(info);
+  if (info.crs) report["crs"] = info.crs->text();
+  return report.dump(2) + "\n";
+}
+
+/// Writes a line for each group.
+void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
+  char line[160];
+  const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,
+                       const std::string& x, const std::string& y) {
+    std::snprintf(line, sizeof line, "%9s %9s %10s  %-23s %-23s  ", points.c_str(), distinct.c_str(), spacing.c_str(),
+                  x.c_str(), y.c_str());
+    out.write(line);
+  };
+  const auto range = [](double least, double greatest) { return rounded(least, 8) + " .. " + rounded(greatest, 8); };
+  if (json) {
+    out.write("[");
+  } else {
+    row("points", "distinct", "spacing", "x", "y");
+    out.write("group\n");
+  }
+  for (std::size_t g = 0; g < named.groups.size(); ++g) {
+    if (g % 256 == 0) stop_if_interrupted();
+    std::vector<Point> points;
+    for (const std::uint32_t i : named.groups[g]) points.push_back(named.file.points[i]);
+    const Info info = examine(std::move(points), {.quiet = true});
+    if (json) {
+      const std::string facts = json_of(info).dump();
+      out.write((g == 0 ? "\n{\"group\":" : ",\n{\"group\":") + json_name(named.names[g], named.are_numbers) + "," +
+                facts.substr(1));
+      continue;
+    }
+    row(std::to_string(info.points), std::to_string(info.distinct), info.spacing ? rounded(*info.spacing, 4) : "none",
+        info.box ? range(info.box->least.x, info.box->greatest.x) : "none",
+        info.box ? range(info.box->least.y, info.box->greatest.y) : "none");
+    out.write(printable(named.names[g]) + "\n");
+  }
+  if (json) out.write("\n]\n");
+}
+
+void run_group_info(const InfoArguments& arguments) {
+  if (arguments.stats) throw WrongUsage("--stats cannot be combined with groups");
+  const GroupSources sources = parse_group_sources(arguments, arguments);
+  require_different({"-"}, sources);
+  Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), {"-"},
+          {.quiet = arguments.quiet});
+  const NamedGroups named = read_groups(run, sources);
+  run.add("-", [&](OutputFile& out) { write_groups(out, named, arguments.json); });
+  run.publish();
+}
+
+}  // namespace
+
+void run_info(const InfoArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_info(arguments);
+  const PointSource source = parse_source(arguments);
+  std::vector<std::string> outputs = given({"-", arguments.stats});
+  require_different(outputs, arguments.points, "points");
+  Run run(arguments.points, outputs, {.quiet = arguments.quiet});
+  PointFile file = run.read_points(source);
+  Stats stats{.read_seconds = run.lap()};
+  Info info = examine(std::move(file.points), run.options());
+  info.crs = file.crs;
+  info.flattened = file.heights.differ();
+
+  if (arguments.stats) {
+    stats.points = info.points;
+    stats.distinct = info.distinct;
+    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
+  }
+  run.add("-", [&](OutputFile& out) { out.write(arguments.json ? as_json(info) : for_people(info)); });
+  run.publish();
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,111 @@
+// What: the program `rbpa`: reads the command line and runs a verb.
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/bytes/descriptor.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "program/exit_code.h"
+#include "program/manual.h"
+#include "program/narrow_help.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr const char* program = "rbpa";
+
+/// Returns "rbpa mesh", or "rbpa" if no verb was given.
+std::string asked_for(const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
+}
+
+std::string unexpected(const std::string& word, const CLI::App& app) {
+  const std::string found = "found " + in_quotes(word) + ", expected ";
+  if (app.get_subcommands().empty())
+    return found + "mesh, alpha, shape, fill, surface, solid, stream, info or report (see rbpa --help)";
+  const std::string verb = asked_for(app);
+  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
+         " --help)";
+}
+
+/// Returns the command, last word first, as CLI takes it. "help VERB" becomes "VERB --help".
+std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    const auto is_asked_for = [&](const CLI::App* verb) { return verb->check_name(words[0]); };
+    if (words.empty() || !app.get_subcommands(is_asked_for).empty()) words.push_back("--help");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+int main(int argc, char** argv) {
+  occupy_standard_streams();
+  catch_interrupts();
+  CLI::App app("Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting", "rbpa");
+  app.formatter(std::make_shared<NarrowHelp>());
+  app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  rbpa info points.xy\n"
+      "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
+      "\n"
+      "See `rbpa help VERB` for each verb.");
+  MeshArguments mesh;
+  ShapeArguments shape;
+  StreamArguments stream;
+  InfoArguments info;
+  AlphaArguments alpha;
+  ReportArguments report_page;
+  FillArguments fill;
+  SurfaceArguments surface;
+  SolidArguments solid;
+  struct Verb {
+    const CLI::App* declared;
+    std::function<void()> run;
+  };
+  const std::vector<Verb> verbs = {{add_mesh(app, mesh), [&] { run_mesh(mesh); }},
+                                   {add_alpha(app, alpha), [&] { run_alpha(alpha); }},
+                                   {add_shape(app, shape), [&] { run_shape(shape); }},
+                                   {add_fill(app, fill), [&] { run_fill(fill); }},
+                                   {add_surface(app, surface), [&] { run_surface(surface); }},
+                                   {add_solid(app, solid), [&] { run_solid(solid); }},
+                                   {add_stream(app, stream), [&] { run_stream(stream); }},
+                                   {add_info(app, info), [&] { run_info(info); }},
+                                   {add_report(app, report_page), [&] { run_report(report_page); }}};
+  add_manual(app, std::string("rbpa ") + RBPA_VERSION);
+  try {
+    app.parse(words_of(app, argc, argv));
+  } catch (const CLI::Success& e) {  // help or version
+    std::ostringstream text, nothing;
+    app.exit(e, text, nothing);
+    return run(program, [&] { print(text.str()); });
+  } catch (const CLI::ParseError& e) {
+    // A required option may be missing because its name is misspelled.
+    const std::vector<std::string> unknown = app.remaining(true);
+    if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
+    return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
+  }
+  const auto chosen =
+      std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
+  return run(program, chosen->run);  // never null: a verb is required
+}
+
+}  // namespace
+}  // namespace rbpa::app
+
+int main(int argc, char** argv) {
+  int code = 0;
+  // Memory may run out while options are declared.
+  const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
+  return failed != 0 ? failed : code;
+}

@@ -1,0 +1,215 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/bytes/available_memory.h"
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/write_triangles.h"
+#include "io/polygon/read_polygons.h"
+#include "picture/picture.h"
+#include "plane/triangle_outputs.h"
+#include "plane/valid_features.h"
+#include "rbpa/base/error.h"
+#include "rbpa/fill.h"
+#include "rbpa/fill/filling_values.h"
+#include "shared/arguments.h"
+#include "shared/progress.h"
+#include "shared/run.h"
+#include "shared/stats.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+double parse_positive(const std::string& option, const std::string& text, const std::string& what) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || !(number.value > 0))
+    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected " + what + ": a number above 0");
+  return number.value;
+}
+
+/// The command line, parsed.
+struct FillRequest {
+  std::string path;
+  Format format;
+  double size;
+  std::optional<std::string> size_at;
+  std::optional<double> grade;
+  std::vector<Target> targets;
+  int width;
+};
+
+FillRequest parse(const FillArguments& arguments) {
+  FillRequest request{
+      .path = arguments.polygons,
+      .format = parse_format(Use::polygons, arguments.polygons, arguments.format, polygon_formats, "POLYGON"),
+      .size = arguments.size == "inf"
+                  ? std::numeric_limits<double>::infinity()
+                  : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
+      .size_at = arguments.size_at,
+      .grade = {},
+      .targets = {},
+      .width = parse_width(arguments.width)};
+  if (arguments.grade)
+    request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
+  if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
+    throw WrongUsage("--size inf cannot be combined with " + std::string(arguments.grade ? "--grade" : "--size-at") +
+                     ", as it adds no point");
+  request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
+  if (request.size_at) {
+    if (*request.size_at == "-" && request.path == "-")
+      throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them as a file");
+    std::vector<std::string> files = given({arguments.stats});
+    for (const Target& target : request.targets) files.push_back(target.path);
+    require_different(files, *request.size_at, "sizes");
+  }
+  return request;
+}
+
+/// Peak memory of a run of a million triangles, for each of them: docs/explanation/plane.md, Triangles of a given size.
+constexpr double bytes_a_triangle = 320;
+
+/// Throws BadInput if so many triangles would take more memory than is available.
+void require_memory(const std::string& name, double triangles) {
+  const std::optional<double> there = available_memory();
+  const double wanted = bytes_a_triangle * triangles;
+  if (there && wanted > *there)
+    throw BadInput(name + ": found sizes at which about " + short_number(triangles) +
+                   " triangles would be made, which take about " + bytes_text(wanted) +
+                   " of memory, expected larger sizes, as " + bytes_text(*there) + " are available");
+}
+
+ValidFeatures check(const Run& run, const PolygonFile& file, bool skip_invalid) {
+  ValidFeatures valid = valid_features(file, run.input(), skip_invalid);
+  const std::vector<std::string>& why = valid.why_left_out;
+  if (!why.empty())
+    run.remark(counted(why.size(), "feature") + " of " + std::to_string(file.features) +
+               (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
+               why.front());
+  return valid;
+}
+
+Filling make(const Run& run, const FillRequest& request, const PolygonFile& file, const ValidFeatures& valid,
+             std::span<const SizeAt> sizes, bool keep_boundary) {
+  double expected = 0;
+  TriangleProgress progress(!run.options().quiet, "filling", [&](const Progress& made, double seconds) {
+    const auto done = static_cast<double>(made.triangles);
+    const std::string text = short_number(done) + " of about " + short_number(expected) + " triangles";
+    return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+  });
+  try {
+    return fill(file.vertices.points, valid.polygons,
+                {.size = request.size,
+                 .grade = request.grade,
+                 .sizes = sizes,
+                 .keep_boundary = keep_boundary,
+                 .groups = valid.groups,
+                 .progress = progress.watch(),
+                 .estimated = [&](double triangles) {
+                   require_memory(run.input(), triangles);
+                   expected = triangles;
+                   progress.say("about " + short_number(triangles) + " triangles");
+                 }});
+  } catch (const InvalidInput& e) {
+    throw BadInput(run.input() + ": " + e.what());
+  }
+}
+
+/// Returns the feature of each triangle, with its numeric properties.
+TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
+  TriangleFeatures features;
+  for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
+  for (const NumberProperty& property : file.properties) features.numbers.push_back({property.name, property.values});
+  return features;
+}
+
+/// Returns the heights of the points of the filling; empty unless polygons have heights and a target keeps them.
+std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
+                               const Filling& filling, const ValidFeatures& valid) {
+  std::vector<double> z = file.vertices.z;
+  if (!any_has_vertices(request.targets)) return {};
+  run.complete_heights(z);
+  return z.empty() ? z : values_on_filling(filling, z, valid.groups, until_interrupted());
+}
+
+/// Returns the filling in the form that pictures and counts take.
+Triangulation arrays_of(const Filling& filling) {
+  Triangulation arrays{.triangles = filling.triangles,
+                       .neighbors = filling.neighbors,
+                       .boundary = {},
+                       .isolated = {},
+                       .duplicates = {},
+                       .distinct = filling.points.size(),
+                       .edges = {},
+                       .points = {}};
+  std::vector<bool> is_used(filling.points.size(), false);
+  for (const Triangle& triangle : filling.triangles)
+    for (const std::uint32_t i : triangle) is_used[i] = true;
+  for (std::uint32_t i = 0; i < is_used.size(); ++i)
+    if (!is_used[i]) arrays.isolated.push_back(i);
+  return arrays;
+}
+
+}  // namespace
+
+void run_fill(const FillArguments& arguments) {
+  const FillRequest request = parse(arguments);
+  Run run(request.path, arguments.outputs, {.quiet = arguments.quiet});
+  const PolygonFile file = run.read([&] { return read_polygons(request.path, request.format); });
+  run.remark(file.vertices.remarks);
+  std::vector<SizeAt> sizes;
+  if (request.size_at) sizes = read_sizes(*request.size_at);
+  Stats stats{.points = file.vertices.points.size(), .read_seconds = run.lap()};
+  const ValidFeatures valid = check(run, file, arguments.skip_invalid);
+  const Filling filling = make(run, request, file, valid, sizes, arguments.keep_boundary);
+  const Triangulation arrays = arrays_of(filling);
+  stats.build_seconds = run.lap();
+
+  const TriangleFeatures features = features_of(filling, valid, file);
+  const std::vector<double> z = heights_of(run, request, file, filling, valid);
+  {
+    const ProgressLine line = run.writing();
+    for (const Target& target : request.targets) {
+      if (is_picture(target.format))
+        run.add(target.path, [&](OutputFile& out) {
+          write_picture(out, target.format, drawing_of(filling.points, arrays, Complex::solid), request.width);
+        });
+      else
+        add_triangles(run, target, {filling.points, filling.triangles, {}, {}, &features, {}, z}, file.vertices);
+    }
+  }
+  stats.write_seconds = run.lap();
+  const PolygonTotals totals = total(filling.polygons);
+  if (arguments.stats) {
+    stats.distinct = filling.points.size();
+    stats.isolated = arrays.isolated.size();
+    stats.counts = count(filling.points, arrays, Complex::solid, until_interrupted());
+    stats.count_seconds = run.lap();
+    stats.method = "fill";
+    stats.polygons = filling.polygons.size();
+    stats.of_polygons = totals;
+    stats.fill = FillStats{.on_boundary = filling.boundary_points - file.vertices.points.size(),
+                           .inside = filling.points.size() - filling.boundary_points,
+                           .retreats = filling.retreats,
+                           .features = file.features,
+                           .left_out = valid.why_left_out.size()};
+    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
+  }
+  run.publish();
+  caution(request.targets, filling.points, file.vertices);
+
+  if (filling.triangles.empty()) say("rbpa", "there is no triangle: there is no polygon");
+  const std::string left_out =
+      valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
+  run.summarize(text_of_polygons(filling.polygons.size(), totals.holes) + ", " + left_out + "area " +
+                rounded(totals.area, 6) + ", " + counted(filling.triangles.size(), "triangle") + " on " +
+                counted(filling.points.size(), "point") + list_of(request.targets));
+}
+
+}  // namespace rbpa::app

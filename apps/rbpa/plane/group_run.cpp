@@ -1,0 +1,98 @@
+#include "plane/group_run.h"
+
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "rbpa/rbpa.h"
+#include "shared/arguments.h"
+
+namespace rbpa::app {
+
+GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets) {
+  const AlphaChoice choice = parse_alpha(arguments.radius, ChosenFor::groups);
+  const std::optional<std::string> column =
+      choice.rule == AlphaRule::column ? std::optional(choice.column) : std::nullopt;
+  const GroupSources sources = parse_group_sources(arguments, arguments, column);
+  const GroupRequest request{
+      .complex = parse_request(arguments, ChosenFor::groups), .sources = sources, .targets = targets};
+  std::vector<std::string> outputs = given({arguments.stats});
+  for (const Target& target : targets) outputs.push_back(target.path);
+  require_different(outputs, request.sources);
+  return request;
+}
+
+namespace {
+
+/// Returns how each group finds its radius. The result keeps spans of both arguments.
+GroupAlpha group_alpha(const AlphaChoice& choice, const NamedGroups& named) {
+  GroupAlpha alpha;
+  if (choice.rule == AlphaRule::given) alpha.given = {&choice.radius, 1};
+  if (choice.rule == AlphaRule::column) alpha.given = named.radii;
+  alpha.covering = {.share = choice.cover};
+  if (choice.rule == AlphaRule::automatic) alpha.covering.max_components = choice.max_components;
+  if (choice.rule == AlphaRule::plateau) alpha.plateau = choice.rank;
+  return alpha;
+}
+
+/// Replaces the problems of groups without a radius by the reason for that.
+void explain_radii(const NamedGroups& named, GroupShapes& shapes) {
+  if (named.radius_problems.empty()) return;
+  for (GroupProblem& problem : shapes.problems)
+    if (!named.radius_problems[problem.group].empty()) problem.what = named.radius_problems[problem.group];
+}
+
+}  // namespace
+
+GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options)
+    : Run(wanted.sources.files.size() == 1 ? arguments.points : counted(wanted.sources.files.size(), "file"),
+          arguments.outputs, wanted.complex.options),
+      request(wanted),
+      stats_file(arguments.stats),
+      named(read_groups(*this, request.sources)) {
+  complete_heights(named.file.z);
+  stats.points = named.file.points.size();
+  stats.read_seconds = lap();
+  {
+    const ProgressLine line = options().line("shapes of groups");
+    shape_options.threads = options().threads;
+    shape_options.go_on = [go_on = until_interrupted()](std::size_t) { return go_on(); };
+    shapes =
+        shapes_of_groups(named.file.points, named.groups, group_alpha(request.complex.alpha, named), shape_options);
+  }
+  explain_radii(named, shapes);
+  stats.build_seconds = lap();
+  for (std::size_t g = 0; g < named.groups.size(); ++g) sizes.push_back(named.groups[g].size());
+}
+
+NamedShapes GroupRun::named_shapes() const {
+  return {named.file.points, named.names, named.are_numbers, sizes, shapes, named.file.crs, named.file.degrees};
+}
+
+void GroupRun::finish() {
+  const AlphaChoice& choice = request.complex.alpha;
+  if (stats_file) {
+    stats.write_seconds = lap();
+    stats.threads = threads_used(named.file.points.size(), options().threads);
+    stats.alpha_rule = name_of(choice);
+    if (choice.rule == AlphaRule::given) stats.alpha = choice.radius;
+    stats.groups = GroupStats{named.names.size(), shapes.problems.size(), triangles()};
+    stats.polygons = shapes.polygons.size();
+    stats.of_polygons = total(shapes.polygons);
+    add(*stats_file, [&](OutputFile& out) { write_stats(out, stats); });
+  }
+  publish();
+  if (shapes.problems.empty()) return;
+  const GroupProblem& first = shapes.problems.front();
+  remark(counted(shapes.problems.size(), "group") +
+         " without a polygon: " + (shapes.problems.size() == 1 ? "" : "the first is ") +
+         in_quotes(named.names[first.group]) + ", " + first.what);
+}
+
+void GroupRun::summarize(const std::string& made) const {
+  Run::summarize(counted(named.file.points.size(), "point") + ", " + counted(named.names.size(), "group") + ", " +
+                 made + list_of(request.targets));
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,50 @@
+// What: a run on groups of points: from the command line to a complex of each group.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/polygon/shape_files.h"
+#include "plane/named_groups.h"
+#include "rbpa/plane/groups.h"
+#include "shared/alpha_choice.h"
+#include "shared/complex_run.h"
+#include "shared/run.h"
+#include "shared/stats.h"
+
+namespace rbpa::app {
+
+/// The command line, parsed.
+struct GroupRequest {
+  ComplexRequest complex;
+  GroupSources sources;
+  std::vector<Target> targets;
+};
+
+/// Parses the command line, before anything is read. Throws WrongUsage that names the value.
+/// Requires: arguments.ask_for_groups(), and `targets` are parsed from the arguments.
+GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets);
+
+struct GroupRun : Run {
+  /// Reads the points and makes the complex of each group. Throws BadInput, Failure, Cancelled.
+  GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options);
+
+  NamedShapes named_shapes() const;
+  std::size_t triangles() const { return shapes.triangle_begin.back(); }
+  /// Writes the report if one is requested, gives all files their names, and prints how many groups have no polygon.
+  /// Throws Failure, Cancelled.
+  void finish();
+  /// Prints, unless quiet: "8 points, 3 groups, MADE -> TARGETS".
+  void summarize(const std::string& made) const;
+
+  GroupRequest request;
+  std::optional<std::string> stats_file;
+  NamedGroups named;
+  GroupShapes shapes;
+  std::vector<std::size_t> sizes;  ///< points in each group
+  Stats stats = {};                ///< filled in as the run goes
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/ogr.h"
+#include "io/polygon/shape_files.h"
+#include "picture/picture.h"
+#include "plane/group_run.h"
+#include "plane/ogr_outputs.h"
+#include "shared/arguments.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Throws WrongUsage for options and formats that apply only to one shape of all points.
+void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
+  if (arguments.isolated) throw WrongUsage("--isolated cannot be combined with groups");
+  for (const Target& target : targets)
+    if (target.format == Format::wkt || target.format == Format::ewkt)
+      throw WrongUsage("--group-by: found " + output_name(target.path) + ", expected geojson, csv, svg or png" +
+                       (has_gdal() ? ", gpkg, fgb or shp" : ""));
+}
+
+void write_targets(GroupRun& run) {
+  const ProgressLine line = run.writing();
+  const NamedShapes result = run.named_shapes();
+  for (const Target& target : run.request.targets) {
+    stop_if_interrupted();
+    if (is_ogr(target.format)) {
+      add_ogr(run, target, ogr_groups(target.format, result));
+      if (const std::size_t none = run.shapes.problems.size(); none > 0 && target.format == Format::fgb)
+        run.remark(output_name(target.path) + " leaves out " + counted(none, "group") +
+                   " without a polygon: FlatGeobuf has no feature without a geometry");
+      continue;
+    }
+    run.add(target.path, [&](OutputFile& out) {
+      if (target.format == Format::geojson)
+        write_groups_geojson(out, result);
+      else if (target.format == Format::csv)
+        write_groups_csv(out, result);
+      else
+        write_picture(out, target.format,
+                      drawing_of(result.points, run.shapes.polygons, run.shapes.polygon_begin, result.names),
+                      run.request.complex.width);
+    });
+  }
+}
+
+void caution(const GroupRun& run) {
+  const std::vector<Target>& targets = run.request.targets;
+  const auto with_geojson = std::find_if(targets.begin(), targets.end(),
+                                         [](const Target& target) { return target.format == Format::geojson; });
+  if (with_geojson == targets.end()) return;
+  const PointFile& file = run.named.file;
+  if (const auto why = geojson_caution({file.points, run.shapes.polygons, {}, file.crs, file.degrees}))
+    say("rbpa", output_name(with_geojson->path) + ": " + *why);
+}
+
+}  // namespace
+
+void run_group_shapes(const ShapeArguments& arguments) {
+  const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
+  require_of_groups(arguments, targets);
+  const GroupRequest request = parse_group_request(arguments, targets);
+  GroupShapesOptions options;
+  options.filter = {.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
+                    .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
+  GroupRun run(request, arguments, options);
+  write_targets(run);
+  run.finish();
+  caution(run);
+  run.summarize(counted(run.shapes.polygons.size(), "polygon") + ", area " +
+                rounded(total(run.shapes.polygons).area, 6));
+}
+
+}  // namespace rbpa::app

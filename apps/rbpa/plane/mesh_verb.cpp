@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/failure.h"
+#include "io/mesh/write_triangles.h"
+#include "picture/picture.h"
+#include "plane/levels.h"
+#include "plane/triangle_outputs.h"
+#include "shared/arguments.h"
+#include "shared/complex_run.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+bool is_array(Format format) {
+  return format == Format::npy || format == Format::npy_edges || format == Format::npy_points;
+}
+
+/// Parses --complex. Only the method in tiles makes the full complex, which includes edges and points in no triangle.
+Complex parse_complex(const MeshArguments& arguments, const Method& method) {
+  if (!parse_is_full(arguments.complex)) return Complex::solid;
+  if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
+  if (method.by_paper) throw WrongUsage("--complex full requires --search near");
+  return Complex::full;
+}
+
+std::string said(const Triangulation& made, Complex kind) {
+  std::string text = counted(made.triangles.size(), "triangle");
+  if (kind == Complex::solid) return text + ", " + std::to_string(made.isolated.size()) + " isolated";
+  text += ", " + counted(made.edges.size(), "edge") + " in no triangle";
+  return text + ", " + counted(made.points.size(), "point") + " in neither";
+}
+
+void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Built& built, Complex kind,
+                   bool compacted) {
+  const ProgressLine line = run.writing();
+  const Triangulation& made = built.complex;
+  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points,
+                           nullptr,      built.level,    run.file.z, run.file.index};
+  std::optional<CompactMesh> compact;
+  std::optional<Drawing> drawing;
+  for (const Target& target : targets) {
+    stop_if_interrupted();
+    if (is_picture(target.format)) {
+      if (!drawing) drawing = drawing_of(run.points(), made, kind);
+      run.add(target.path, [&](OutputFile& file) { write_picture(file, target.format, *drawing, run.request.width); });
+    } else if (compacted && !is_array(target.format)) {
+      if (!compact) compact.emplace(whole);
+      add_triangles(run, target, compact->mesh(), run.file);
+    } else {
+      // An .npy file has no vertices: its indices are those of input points in any case.
+      add_triangles(run, target, whole, run.file);
+    }
+  }
+}
+
+}  // namespace
+
+void run_mesh(const MeshArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_meshes(arguments);
+  ComplexRequest request = parse_request(arguments);
+  const Complex kind = parse_complex(arguments, request.method);
+  std::optional<Format> levels;
+  if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
+  const std::vector<Target> targets =
+      parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}), kind);
+  const bool any_picture =
+      std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
+
+  request.source.heights = any_has_vertices(targets);
+  ComplexRun run(request, arguments);
+  const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
+  const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
+  const Triangulation& made = built.complex;
+  run.stats.build_seconds = run.lap();
+
+  write_targets(run, targets, built, kind, arguments.compact);
+  if (levels)
+    run.add(*arguments.levels, [&](OutputFile& file) { write_levels(file, *levels, *built.mesh, request.method); });
+  run.stats.write_seconds = run.lap();
+  if (arguments.stats) {
+    run.stats.distinct = made.distinct;
+    run.stats.isolated = kind == Complex::full ? made.points.size() : made.isolated.size();
+    if (kind == Complex::full) run.stats.dangling_edges = made.edges.size();
+    run.stats.counts = count(run.points(), made, kind, until_interrupted());
+    run.stats.count_seconds = run.lap();
+  }
+  run.finish();
+  caution(targets, run.points(), run.file);
+
+  if (made.triangles.empty()) {
+    const std::string what = kind == Complex::full ? "there is no triangle: " : "the complex is empty: ";
+    say("rbpa", what + run.why_empty(made.distinct));
+  }
+  run.summarize(made.duplicates.size(), said(made, kind), list_of(targets));
+}
+
+}  // namespace rbpa::app
+#include "io/interrupt.h"

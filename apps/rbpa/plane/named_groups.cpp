@@ -1,0 +1,234 @@
+#include "plane/named_groups.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/cloud/cloud.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/values_at.h"
+#include "shared/arguments.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr double no_radius = std::numeric_limits<double>::quiet_NaN(), no_height = no_radius;
+
+/// The names of groups, numbered in the order of their first use.
+class NameTable {
+ public:
+  std::uint32_t number_of(std::string_view name) {
+    const auto [place, is_new] = numbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
+    if (is_new) names.emplace_back(name);
+    return place->second;
+  }
+  std::vector<std::string> names = {};
+
+ private:
+  std::unordered_map<std::string, std::uint32_t> numbers_ = {};
+};
+
+/// Returns whether the text is a number of RFC 8259: neither "007", which is a code, nor "+1".
+bool is_json_number(std::string_view text) {
+  const auto pass = [&](std::string_view any_of) {
+    if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    return true;
+  };
+  constexpr std::string_view digits = "0123456789";
+  const auto pass_digits = [&] {
+    if (!pass(digits)) return false;
+    while (pass(digits)) continue;
+    return true;
+  };
+  pass("-");
+  if (!pass("0") && !pass_digits()) return false;
+  if (pass(".") && !pass_digits()) return false;
+  if (pass("eE")) {
+    pass("+-");
+    if (!pass_digits()) return false;
+  }
+  return text.empty();
+}
+
+/// Returns the value of each name; nothing unless all are numbers of JSON with different values, and below 2^53, from
+/// which on two whole numbers may round to one double.
+std::optional<std::vector<double>> values_of(const std::vector<std::string>& names) {
+  constexpr double greatest = 9007199254740992.0;  // 2^53
+  std::vector<double> values;
+  for (const std::string& name : names) {
+    const ParsedNumber number = parse_whole_number(name);
+    if (!is_json_number(name) || number.fault != NumberFault::none || std::abs(number.value) >= greatest)
+      return std::nullopt;
+    values.push_back(number.value);
+  }
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
+  return values;
+}
+
+/// Appends the points of files one after the other, with the group of each point.
+class Gatherer {
+ public:
+  explicit Gatherer(const GroupSources& sources) : sources_(sources) {}
+
+  void add(PointFile file, const std::string& path) {
+    agree(file, path);
+    const std::size_t count = file.points.size();
+    add_labels(file, path, count);
+    if (sources_.radius) {
+      if (file.fields.empty())
+        radii_.resize(radii_.size() + count, no_radius);
+      else
+        radii_.insert(radii_.end(), file.fields.back().begin(), file.fields.back().end());
+    }
+    PointFile& all = result_.file;
+    if (!file.z.empty() || !all.z.empty()) {
+      all.z.resize(all.points.size(), no_height);
+      all.z.insert(all.z.end(), file.z.begin(), file.z.end());
+      all.z.resize(all.points.size() + count, no_height);
+    }
+    for (std::uint32_t i = 0; i < count; ++i)
+      all.index.push_back(static_cast<std::uint32_t>(all.all_points) + renumbered(i, file.index));
+    all.all_points += std::max(file.all_points, count);
+    all.heights.take(file.heights);
+    all.degrees = all.degrees || file.degrees;
+    if (all.points.empty())
+      all.points = std::move(file.points);
+    else
+      all.points.insert(all.points.end(), file.points.begin(), file.points.end());
+  }
+
+  NamedGroups finish() {
+    sort_names();
+    result_.file.index = unless_identity(std::move(result_.file.index));
+    result_.groups = groups_of(labels_, result_.names.size());
+    if (sources_.radius) settle_radii();
+    return std::move(result_);
+  }
+
+ private:
+  /// Throws BadInput if the file has another coordinate system than the files before.
+  void agree(const PointFile& file, const std::string& path) {
+    if (std::exchange(any_, true))
+      require_same_crs(file.crs, input_name(path), result_.file.crs, input_name(sources_.files.front().path));
+    result_.file.crs = file.crs;
+  }
+
+  void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
+    if (sources_.by_file) {
+      labels_.resize(labels_.size() + count, table_.number_of(path));  // without points there is a group as well
+    } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
+      are_texts_ = are_texts_ || file.keys_are_texts;
+      constexpr std::uint32_t not_yet = no_group - 1;
+      std::vector<std::uint32_t> label(file.texts[0]->size(), not_yet);
+      for (const double key : file.fields[0]) {
+        std::uint32_t& number = label[static_cast<std::size_t>(key)];
+        const std::string& text = (*file.texts[0])[static_cast<std::size_t>(key)];
+        if (number == not_yet) number = text.empty() ? no_group : table_.number_of(text);
+        labels_.push_back(number);
+      }
+    } else if (count > 0) {
+      std::unordered_map<std::uint64_t, std::uint32_t> label;  // by the bits of the key
+      for (const double key : file.fields[0]) {
+        if (std::isnan(key)) {
+          labels_.push_back(no_group);
+          continue;
+        }
+        const double value = key + 0.0;  // -0 becomes 0
+        const auto [place, is_new] = label.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
+        if (is_new) place->second = table_.number_of(text_of(value));
+        labels_.push_back(place->second);
+      }
+    }
+  }
+
+  void sort_names() {
+    std::vector<std::string>& names = table_.names;
+    if (sources_.by_file) {
+      result_.names = std::move(names);
+      return;
+    }
+    const std::optional<std::vector<double>> values = are_texts_ ? std::nullopt : values_of(names);
+    result_.are_numbers = values.has_value();
+    std::vector<std::uint32_t> order(names.size()), label(names.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return values ? (*values)[i] < (*values)[j] : names[i] < names[j];
+    });
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+      label[order[k]] = k;
+      result_.names.push_back(std::move(names[order[k]]));
+    }
+    for (std::uint32_t& of : labels_)
+      if (of != no_group) of = label[of];
+  }
+
+  /// Sets the radius of each group, or the problem that it has none.
+  void settle_radii() {
+    const std::string column = "column " + in_quotes(*sources_.radius);
+    for (std::size_t g = 0; g < result_.groups.size(); ++g) {
+      const std::span<const std::uint32_t> members = result_.groups[g];
+      double radius = members.empty() ? std::numeric_limits<double>::infinity() : radii_[members.front()];
+      std::string problem;
+      for (const std::uint32_t i : members) {
+        if (!(radii_[i] > 0))
+          problem = column + " has no radius above 0 for point " + std::to_string(renumbered(i, result_.file.index));
+        else if (radii_[i] != radius)
+          problem = column + " has the radii " + text_of(radius) + " and " + text_of(radii_[i]) + ", expected one";
+        if (!problem.empty()) break;
+      }
+      result_.radii.push_back(problem.empty() ? radius : no_radius);
+      result_.radius_problems.push_back(std::move(problem));
+    }
+  }
+
+  const GroupSources& sources_;
+  NamedGroups result_ = {};
+  NameTable table_ = {};
+  std::vector<std::uint32_t> labels_ = {};
+  std::vector<double> radii_ = {};
+  bool are_texts_ = false, any_ = false;
+};
+
+}  // namespace
+
+GroupSources parse_group_sources(const PointArguments& arguments, const GroupArguments& groups,
+                                 const std::optional<std::string>& radius) {
+  GroupSources sources{.files = {}, .by_file = groups.group_by_file, .radius = radius};
+  PointArguments one = arguments;
+  for (const std::string& path : groups.inputs) {
+    one.points = path;
+    sources.files.push_back(parse_source(one, {.key = groups.group_by, .radius = radius}));
+  }
+  if (std::count(groups.inputs.begin(), groups.inputs.end(), "-") > 1)
+    throw WrongUsage("-: found standard input twice, expected it once");
+  return sources;
+}
+
+void require_different(const std::vector<std::string>& outputs, const GroupSources& sources) {
+  for (const PointSource& file : sources.files) require_different(outputs, file.path, "points");
+}
+
+NamedGroups read_groups(const Run& run, const GroupSources& sources) {
+  Gatherer gatherer(sources);
+  for (const PointSource& source : sources.files) {
+    stop_if_interrupted();
+    gatherer.add(run.read_points(source), source.path);
+  }
+  NamedGroups named = gatherer.finish();
+  const std::size_t left_out = named.file.points.size() - named.groups.members.size();
+  if (left_out > 0) run.remark(counted(left_out, "point") + " without a group");
+  return named;
+}
+
+}  // namespace rbpa::app

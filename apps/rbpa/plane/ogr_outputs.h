@@ -1,0 +1,15 @@
+// What: adds the files that GDAL makes to the files that a run writes.
+#pragma once
+
+#include <vector>
+
+#include "io/polygon/ogr.h"
+#include "shared/run.h"
+
+namespace rbpa::app {
+
+/// Adds the files of a target that GDAL has made. Throws Failure if an old file of the same target would be left beside
+/// them.
+void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
+
+}  // namespace rbpa::app

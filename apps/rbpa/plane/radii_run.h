@@ -1,0 +1,47 @@
+// What: reads points and finds their critical and recommended radii, for the verbs alpha and report.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rbpa/plane/delaunay.h"
+#include "report/radii.h"
+#include "shared/run.h"
+#include "shared/stats.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+
+/// Parses --components and --cover. Throws WrongUsage that names the value.
+Radii parse_radii(const RadiiArguments& arguments);
+
+/// Fills in all radii that follow from the triangulation, that is, all but radii.points. Throws Cancelled after a
+/// signal.
+void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus);
+
+/// Returns why the points have no triangle at any radius; nothing if they have one.
+std::optional<std::string> why_no_radius(const Filtration& filtration);
+
+struct RadiiRun : Run {
+  /// Reads the points and finds their radii. Throws BadInput, Failure, Cancelled.
+  RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
+           const Radii& request, bool with_plateaus);
+
+  /// Writes the statistics. Call it after all other files are written.
+  void write_stats(OutputFile& file);
+  /// Prints why there is no radius if there is none.
+  void say_empty() const;
+
+  PointFile file;
+  Radii radii;
+  Stats stats = {};
+
+  /// Returns the triangulation of file.points.
+  const Delaunay& delaunay() const { return *delaunay_; }
+
+ private:
+  std::optional<Delaunay> delaunay_ = std::nullopt;
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/polygon/ogr.h"
+#include "io/polygon/shape_files.h"
+#include "picture/picture.h"
+#include "plane/ogr_outputs.h"
+#include "rbpa/plane/link_triangles.h"
+#include "rbpa/plane/outline_polygons.h"
+#include "rbpa/plane/polygon_of_points.h"
+#include "shared/arguments.h"
+#include "shared/complex_run.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+namespace {
+
+bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
+
+/// The files to write.
+struct Files {
+  std::vector<Target> targets;
+  std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon
+
+  /// Returns the first target of the format.
+  const Target* find(Format format) const {
+    const auto is_one = [&](const Target& target) { return target.format == format; };
+    const auto first = std::find_if(targets.begin(), targets.end(), is_one);
+    if (first != targets.end()) return &*first;
+    return isolated && is_one(*isolated) ? &*isolated : nullptr;
+  }
+  /// Returns whether any file contains which points are in which polygon.
+  bool have_points() const {
+    return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+             return !is_text_geometry(target.format) && !is_picture(target.format);
+           });
+  }
+};
+
+/// Returns the prefix of EWKT before the WKT. Requires: require_srid() has passed.
+std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
+
+/// Throws WrongUsage if EWKT, which names the coordinate system, is wanted for points without a known one.
+void require_srid(const Files& files, const std::optional<Crs>& crs) {
+  const Target* first = files.find(Format::ewkt);
+  if (first == nullptr || (crs && crs->srid())) return;
+  throw WrongUsage((first->path == "-" ? "-o -" : first->path) + ": found points in " +
+                   (crs ? crs->text() : "an unknown coordinate system") +
+                   ", expected one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
+}
+
+void write_shape(OutputFile& file, Format format, const Shape& shape) {
+  if (format == Format::csv) return write_points_csv(file, shape);
+  if (format == Format::ewkt) file.write(srid_of(shape));
+  write_polygons(file, format == Format::geojson ? Format::geojson : Format::wkt, shape);
+}
+
+void write_isolated(OutputFile& file, Format format, const Shape& shape) {
+  if (format == Format::geojson) return write_isolated_geojson(file, shape);
+  if (format == Format::ewkt) file.write(srid_of(shape));
+  is_text_geometry(format) ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
+}
+
+void write_files(ComplexRun& run, const Files& files, const Shape& shape, const Triangulation& complex) {
+  const ProgressLine line = run.writing();
+  std::optional<Drawing> drawing;
+  for (const Target& target : files.targets) {
+    stop_if_interrupted();
+    if (is_ogr(target.format)) {
+      add_ogr(run, target, ogr_polygons(target.format, shape));
+      continue;
+    }
+    run.add(target.path, [&](OutputFile& file) {
+      if (!is_picture(target.format)) return write_shape(file, target.format, shape);
+      if (!drawing) drawing = drawing_of(run.points(), shape.polygons, complex.isolated);
+      write_picture(file, target.format, *drawing, run.request.width);
+    });
+  }
+  if (!files.isolated) return;
+  const auto& [path, format] = *files.isolated;
+  if (is_ogr(format)) return add_ogr(run, *files.isolated, ogr_isolated(format, shape));
+  run.add(path, [&, format = format](OutputFile& file) { write_isolated(file, format, shape); });
+}
+
+/// Prints a warning, also with --quiet, if a GeoJSON file may be read as degrees though its coordinates are not.
+void caution(const Files& files, const Shape& shape) {
+  const Target* first = files.find(Format::geojson);
+  if (first == nullptr) return;
+  if (const std::optional<std::string> why = geojson_caution(shape))
+    say("rbpa", output_name(first->path) + ": " + *why);
+}
+
+/// Returns the measured peak memory of runs with millions of points, in bytes a point beyond the points:
+/// docs/explanation/plane.md.
+double bytes_a_point(const ComplexRequest& request) {
+  if (request.alpha.rule != AlphaRule::given) return 500;
+  return request.method.by_paper ? 280 : 100;
+}
+
+}  // namespace
+
+void run_shape(const ShapeArguments& arguments) {
+  if (arguments.ask_for_groups()) return run_group_shapes(arguments);
+  ComplexRequest request = parse_request(arguments);
+  request.bytes_a_point = bytes_a_point(request);
+  const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
+                             .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
+  Files files{.targets =
+                  parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats, arguments.isolated}))};
+  if (arguments.isolated) files.isolated = parse_isolated(*arguments.isolated);
+
+  ComplexRun run(request, arguments);
+  require_srid(files, run.file.crs);
+  Triangulation complex =
+      build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options()).complex;
+  // Computing neighbors here takes less memory than a run with neighbors.
+  complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
+  stop_if_interrupted();
+  std::vector<Polygon> made;
+  {
+    const ProgressLine line = run.options().line("polygons");
+    made = polygons(run.points(), complex, filter, until_interrupted());
+  }
+  const PolygonTotals totals = total(made);
+  std::vector<std::optional<std::uint32_t>> polygon_of;
+  if (files.have_points())
+    polygon_of = polygon_of_points(run.points(), complex, complex.duplicates, made, filter, until_interrupted());
+  const Shape shape{run.points(), made, polygon_of, run.file.crs, run.file.degrees, run.file.index};
+  run.stats.build_seconds = run.lap();
+
+  write_files(run, files, shape, complex);
+  run.stats.write_seconds = run.lap();
+  if (arguments.stats) {
+    run.stats.distinct = complex.distinct;
+    run.stats.isolated = complex.isolated.size();
+    run.stats.counts = count(run.points(), complex, Complex::solid, until_interrupted());
+    run.stats.count_seconds = run.lap();
+    run.stats.polygons = made.size();
+    run.stats.of_polygons = totals;
+  }
+  run.finish();
+  caution(files, shape);
+
+  if (made.empty())
+    say("rbpa",
+        "the shape is empty: " + (complex.triangles.empty() ? run.why_empty(complex.distinct)
+                                                            : "no part has an area >= " + arguments.min_part_area));
+  run.summarize(complex.duplicates.size(),
+                text_of_polygons(made.size(), totals.holes) + ", area " + rounded(totals.area, 6),
+                list_of(files.targets));
+}
+
+}  // namespace rbpa::app

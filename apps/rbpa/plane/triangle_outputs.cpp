@@ -1,0 +1,30 @@
+#include "plane/triangle_outputs.h"
+
+#include <algorithm>
+
+#include "io/failure.h"
+#include "io/polygon/ogr.h"
+#include "io/polygon/shape_files.h"
+#include "plane/ogr_outputs.h"
+
+namespace rbpa::app {
+
+void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, const PointFile& about) {
+  stop_if_interrupted();
+  const auto list = [&] { return list_of_triangles(mesh, about.crs, about.degrees); };
+  if (is_ogr(target.format)) return add_ogr(run, target, ogr_triangles(target.format, list()));
+  run.add(target.path, [&](OutputFile& file) {
+    target.format == Format::geojson ? write_triangles_geojson(file, list())
+                                     : write_triangles(file, target.format, mesh);
+  });
+}
+
+void caution(const std::vector<Target>& targets, std::span<const Point> points, const PointFile& about) {
+  const auto with_geojson =
+      std::find_if(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::geojson; });
+  if (with_geojson == targets.end()) return;
+  if (const auto why = geojson_caution({points, {}, {}, about.crs, about.degrees}))
+    say("rbpa", output_name(with_geojson->path) + ": " + *why);
+}
+
+}  // namespace rbpa::app

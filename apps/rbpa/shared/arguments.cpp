@@ -1,0 +1,198 @@
+#include "shared/arguments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/failure.h"
+#include "io/polygon/ogr.h"
+#include "picture/scene.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Finds the format of a name. Formats of GDAL are unknown without GDAL.
+std::optional<Format> find_known(Use use, std::string_view name) {
+  const std::optional<Format> format = find_format(use, name);
+  return format && (is_ogr(*format) || *format == Format::ogr) && !has_gdal() ? std::nullopt : format;
+}
+
+std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool any_report) {
+  const std::string known_formats = target_formats(use);
+  std::optional<Format> otherwise;
+  if (arguments.output_format) {
+    otherwise = find_known(use, *arguments.output_format);
+    if (!otherwise) refuse_name("--output-format", *arguments.output_format, known_formats);
+  }
+  if (arguments.outputs.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  std::vector<Target> targets;
+  for (const std::string& path : arguments.outputs) {
+    if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
+    std::optional<Format> known = path == "-" ? std::nullopt : find_known(use, ending(path));
+    if (!known) known = otherwise;
+    if (!known && path == "-") throw WrongUsage("-o -: found no --output-format, expected one of " + known_formats);
+    if (!known) refuse_ending(path, known_formats, "--output-format");
+    targets.push_back({path, *known});
+  }
+  return targets;
+}
+
+/// Returns "m.edges.npy" for "m.npy", and for "m" with any other ending of triangles.
+std::string beside(const std::string& path, const std::string& part) {
+  const std::size_t size =
+      find_format(Use::triangles, ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
+  return path.substr(0, size) + "." + part + ".npy";
+}
+
+/// Returns the targets of a full complex: for an .npy file also one for its edges and one for its points.
+std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
+  std::vector<Target> all;
+  for (const Target& target : targets) {
+    if (target.format == Format::off || target.format == Format::ply || target.format == Format::geojson ||
+        is_ogr(target.format))
+      throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
+                       ", which can contain edges and points in no triangle");
+    all.push_back(target);
+    if (target.format != Format::npy) continue;
+    if (target.path == "-")
+      throw WrongUsage("-o -: found --complex full, which writes three .npy files, expected a file name");
+    all.push_back({beside(target.path, "edges"), Format::npy_edges});
+    all.push_back({beside(target.path, "points"), Format::npy_points});
+  }
+  return all;
+}
+
+}  // namespace
+
+double parse_area(const std::string& option, const std::string& text) {
+  const ParsedNumber number = parse_whole_number(text);
+  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
+  if (infinite) return std::numeric_limits<double>::infinity();
+  if (number.fault != NumberFault::none || !(number.value >= 0))
+    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected an area: a number >= 0, or inf");
+  return number.value;
+}
+
+std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else) {
+  std::vector<double> radii;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const ParsedNumber number = parse_whole_number(part);
+    if (number.fault != NumberFault::none || !(number.value > 0))
+      throw WrongUsage(option + ": found " + in_quotes(part) +
+                       ", expected a radius: a number above 0, several with commas between them, or " + or_else);
+    if (!radii.empty() && number.value <= radii.back())
+      throw WrongUsage(option + ": found " + in_quotes(part) + " behind " + text_of(radii.back()) +
+                       ", expected ascending radii");
+    radii.push_back(number.value);
+    begin = end + 1;
+  }
+  return radii;
+}
+
+int parse_width(const std::string& text) {
+  return static_cast<int>(parse_whole("--width", text, {.least = least_width, .greatest = greatest_width}, "pixels"));
+}
+
+bool parse_is_full(const std::string& complex) {
+  if (complex != "solid" && complex != "full")
+    throw WrongUsage("--complex: found " + in_quotes(complex) + ", expected solid or full");
+  return complex == "full";
+}
+
+std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports) {
+  std::vector<std::string> paths;
+  for (const auto& report : reports)
+    if (report) paths.push_back(*report);
+  return paths;
+}
+
+std::string target_formats(Use use) {
+  if (use == Use::surface) return std::string(surface_formats);
+  if (use == Use::solid) return std::string(solid_formats);
+  return std::string(use == Use::triangles ? output_formats : shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
+}
+
+std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
+                                  const std::vector<std::string>& reports, Complex complex) {
+  std::vector<Target> targets = targets_of(use, arguments, !reports.empty());
+  if (complex == Complex::full) targets = with_edges_and_points(targets);
+  std::vector<std::string> files, others;
+  for (const Target& target : targets) {
+    files.push_back(target.path);
+    if (target.format != Format::shp) continue;
+    if (target.path == "-") throw WrongUsage("-o -: found shp, which consists of several files, expected a file name");
+    for (const std::string& path : ogr_paths(target))
+      if (path != target.path) others.push_back(path);
+  }
+  files.insert(files.end(), reports.begin(), reports.end());
+  files.insert(files.end(), others.begin(), others.end());
+  require_different(files, input, "points");
+  return targets;
+}
+
+bool any_has_vertices(const std::vector<Target>& targets) {
+  constexpr Format without[] = {Format::svg, Format::png, Format::npy, Format::npy_edges, Format::npy_points};
+  return std::any_of(targets.begin(), targets.end(), [&](const Target& target) {
+    return std::find(std::begin(without), std::end(without), target.format) == std::end(without);
+  });
+}
+
+std::vector<std::string> ogr_paths(const Target& target) {
+  const std::vector<std::string> endings = ogr_endings(target.format);
+  if (endings.size() == 1) return {target.path};
+  std::vector<std::string> paths;
+  // They are beside s.shp. For a file with another ending or none, their endings are appended.
+  const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
+  const std::string stem =
+      is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;
+  for (const std::string& part : endings) paths.push_back(part == endings.front() ? target.path : stem + "." + part);
+  return paths;
+}
+
+std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {
+  if (!text) return std::nullopt;
+  Shift shift = parse_shift("--shift", *text);
+  if (std::none_of(targets.begin(), targets.end(), [](const Target& to) { return has_single_precision(to.format); }))
+    throw WrongUsage("--shift applies only to .stl and .glb files, which are in single precision");
+  return shift;
+}
+
+Target parse_isolated(const std::string& path) {
+  const std::optional<Format> format = find_known(Use::shape, ending(path));
+  constexpr Format others[] = {Format::svg, Format::png, Format::shp};
+  if (!format || std::find(std::begin(others), std::end(others), *format) != std::end(others))
+    throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
+                     std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""));
+  return {path, *format};
+}
+
+Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
+                    const std::string& argument) {
+  if (path.empty()) throw WrongUsage(argument + ": found an empty name, expected a path or -");
+  if (!format && path == "-") return Format::by_content;
+  const std::optional<Format> found = find_known(use, format ? std::string_view(*format) : input_ending(path));
+  if (!found && format) refuse_name("--format", *format, known);
+  if (!found) refuse_input(path, known, "--format");
+  return *found;
+}
+
+std::string list_of(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths) text += (text.empty() ? " -> " : ", ") + output_name(path);
+  return text;
+}
+
+std::string text_of_polygons(std::size_t polygons, std::size_t holes) {
+  return counted(polygons, "polygon") + " with " + counted(holes, "hole");
+}
+
+std::string text_of_points(std::size_t points, std::size_t duplicates) {
+  return counted(points, "point") + (duplicates > 0 ? " (" + counted(duplicates, "duplicate") + ")" : "");
+}
+
+}  // namespace rbpa::app

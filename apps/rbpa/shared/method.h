@@ -1,0 +1,55 @@
+// What: the method that makes a complex: its options, and the run.
+// Law:  every method makes the same set of triangles.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rbpa/hrbpa.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/solid_alpha_complex.h"
+#include "shared/run.h"
+
+namespace rbpa::app {
+
+/// The options about the method, as text.
+struct MethodArguments {
+  std::string method = "rbpa";
+  std::string search = "near";
+  std::optional<std::string> leaf_capacity;
+};
+
+struct Method {
+  bool by_paper = false;  ///< true: by the method as published; false: in tiles
+  /// The most points in a leaf of the hierarchical method; absent: the method with one radius.
+  std::optional<std::size_t> leaf_capacity = std::nullopt;
+
+  std::string name() const { return leaf_capacity ? "hrbpa" : "rbpa"; }
+};
+
+/// Parses the options. Throws WrongUsage that names an unknown value, or one that belongs to another method.
+Method parse_method(const MethodArguments& arguments);
+
+/// Wanted besides the triangles; each value includes the one before.
+enum class Links { none, boundary, neighbors };
+
+/// A complex as a method makes it.
+struct Built {
+  Triangulation complex;
+  std::vector<std::uint16_t> level;  ///< of each triangle; empty if the method has no levels
+  std::optional<Hierarchy> mesh = std::nullopt;
+};
+
+/// Makes the complex as arrays, and on request also as a mesh made level by level. Shows a progress line unless quiet.
+/// Throws Cancelled after a signal. Requires: a full complex is made by rbpa, without a mesh and not by the method as
+/// published.
+Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
+            const RunOptions& run, bool with_mesh = false);
+
+/// Makes the Delaunay triangulation, from which radii are chosen. Progress and exceptions are as for build().
+Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);
+
+}  // namespace rbpa::app

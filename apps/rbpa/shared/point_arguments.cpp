@@ -1,0 +1,121 @@
+#include "shared/point_arguments.h"
+
+#include "io/bytes/number.h"
+#include "io/cloud/atoms.h"
+#include "io/failure.h"
+#include "shared/arguments.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Parses --foreground, "dark" or "light", and --threshold, a number > 0 and <= 1.
+PixelRule parse_pixel_rule(const PixelArguments& arguments) {
+  PixelRule rule;
+  if (arguments.foreground) {
+    if (*arguments.foreground != "dark" && *arguments.foreground != "light")
+      throw WrongUsage("--foreground: found " + in_quotes(*arguments.foreground) + ", expected dark or light");
+    rule.foreground = *arguments.foreground == "dark" ? Foreground::dark : Foreground::light;
+  }
+  if (arguments.threshold) {
+    const ParsedNumber number = parse_whole_number(*arguments.threshold);
+    if (number.fault != NumberFault::none || !(number.value > 0 && number.value <= 1))
+      throw WrongUsage("--threshold: found " + in_quotes(*arguments.threshold) +
+                       ", expected a share of white: a number > 0 and <= 1");
+    rule.threshold = number.value;
+  }
+  return rule;
+}
+
+}  // namespace
+
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
+  if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
+}
+
+bool GroupArguments::ask_for_groups() const {
+  if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
+  if (inputs.size() > 1 && !group_by && !group_by_file)
+    throw WrongUsage("POINTS: found " + counted(inputs.size(), "file") +
+                     ", expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+  return group_by || group_by_file;
+}
+
+PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns) {
+  PointSource source{.path = arguments.points,
+                     .pixels = parse_pixel_rule(arguments.pixels),
+                     .skip_invalid = arguments.skip_invalid,
+                     .vertices = arguments.vertices,
+                     .shift_longitude = arguments.shift_longitude};
+  if (arguments.columns) source.columns = parse_columns(*arguments.columns);
+  if (arguments.crs) source.crs = parse_crs(*arguments.crs);
+  source.layer = arguments.layer;
+  source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS");
+
+  const Format format = source.format;
+  const bool text = is_table(format), ogr = format == Format::ogr;
+  if (ogr && source.path == "-")
+    throw WrongUsage("-: found standard input, which GDAL cannot read, expected a file name");
+  if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
+  if (arguments.skip_invalid)
+    require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  const bool of_groups = columns.key || columns.radius;
+  if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
+  if (of_groups && format == Format::geojson) {
+    require_format(!arguments.where, "--where", "without fields beside the points", "las, ply, pcd or text");
+  } else if (arguments.where || of_groups) {
+    const std::optional<FieldNames> names = fields_of(format);
+    require_format(names.has_value(),
+                   columns.key ? "--group-by"
+                   : of_groups ? "--alpha column"
+                               : "--where",
+                   "without fields beside the points",
+                   of_groups ? "geojson, las, ply, pcd or text" : "las, ply or text");
+    source.where = of_groups ? Condition::of_groups(columns, arguments.where.value_or(""), *names)
+                             : Condition(*arguments.where, *names);
+  }
+  if (arguments.vertices)
+    require_format(text || ogr || format == Format::wkt || format == Format::geojson, "--vertices",
+                   "without lines and polygons", "geojson, wkt, or text with a column of it");
+  if (arguments.layer) require_format(ogr, "--layer", "without layers", "one of GDAL");
+  const bool image = format == Format::png || format == Format::pgm;
+  if (arguments.pixels.foreground) require_format(image, "--foreground", "without pixels", "png or pgm");
+  if (arguments.pixels.threshold) require_format(image, "--threshold", "without pixels", "png or pgm");
+  return source;
+}
+
+SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns,
+                                    const std::string& option) {
+  SpacePointSource source{
+      .path = arguments.points,
+      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS")};
+  const bool text = is_table(source.format);
+  if (arguments.columns) {
+    require_format(text, "--columns", "with fixed columns", "text");
+    source.choice.columns = parse_space_columns(*arguments.columns);
+  }
+  if (arguments.skip_invalid)
+    require_format(text || source.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  source.choice.skip_invalid = arguments.skip_invalid;
+  source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
+  if (arguments.waters)
+    require_format(source.format == Format::pdb || source.format == Format::cif, "--waters", "without atoms",
+                   "cif or pdb");
+  const std::optional<FieldNames> names = fields_of(source.format);
+  if (!names || !names->texts) std::erase_if(columns, [](const WantedColumn& column) { return column.if_there; });
+  if (!arguments.where && columns.empty()) return source;
+  require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
+                 "cif, las, pcd, pdb, ply or text");
+  if (arguments.where && arguments.where->empty())
+    source.choice.where = Condition("", *names);  // refuses the empty condition
+  source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
+  return source;
+}
+
+std::vector<WantedColumn> columns_of_names() {
+  std::vector<WantedColumn> columns;
+  for (std::size_t k = 0; k < names_of_atom; ++k)
+    columns.push_back({.name = std::string(atom_columns[k]), .kind = WantedColumn::Kind::text, .if_there = true});
+  return columns;
+}
+
+}  // namespace rbpa::app

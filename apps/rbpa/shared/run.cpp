@@ -1,0 +1,47 @@
+#include "shared/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+
+namespace rbpa::app {
+
+unsigned RunOptions::threads_or_all() const {
+  return threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U);
+}
+
+RunOptions parse_run(const RunArguments& arguments) {
+  RunOptions options{.quiet = arguments.quiet};
+  if (arguments.threads)
+    options.threads =
+        static_cast<unsigned>(parse_whole("--threads", *arguments.threads, {.least = 1, .greatest = max_threads}));
+  return options;
+}
+
+PointFile Run::read_points(const PointSource& source) const {
+  PointFile file = read([&] { return rbpa::app::read_points(source); });
+  const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
+  for (const std::string& text : file.remarks) remark_on(text);
+  if (file.heights.differ() && !source.heights)
+    remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
+  return file;
+}
+
+void Run::complete_heights(std::vector<double>& z) const {
+  const auto has_none = [](double height) { return !std::isfinite(height); };
+  const auto without = static_cast<std::size_t>(std::count_if(z.begin(), z.end(), has_none));
+  std::replace_if(z.begin(), z.end(), has_none, 0.0);
+  if (without == z.size())
+    z.clear();
+  else if (without > 0)
+    remark(counted(without, "point") + (without == 1 ? " has" : " have") + " no z, and 0 is written");
+}
+
+void Run::summarize(const std::string& text) const {
+  if (!options_.quiet) say("rbpa", text);
+}
+
+}  // namespace rbpa::app

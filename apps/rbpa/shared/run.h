@@ -1,0 +1,108 @@
+// What: the run that all verbs share: reading, computing and writing, with progress, Ctrl-C and timing.
+// Law:  no file takes its name before all files are complete; after Ctrl-C nothing is left behind.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+#include "io/cloud/read_points.h"
+#include "io/interrupt.h"
+#include "io/progress_line.h"
+#include "shared/arguments.h"
+
+namespace rbpa::app {
+
+/// Options that do not change the result, as text.
+struct RunArguments {
+  std::optional<std::string> threads;
+  bool quiet = false;
+};
+
+struct RunOptions {
+  unsigned threads = 0;  ///< at most this many; 0: one for each processor
+  bool quiet = false;
+
+  unsigned threads_or_all() const;
+  /// Shows on a terminal what is being done, unless quiet or `in_the_way`.
+  ProgressLine line(const std::string& doing, bool in_the_way = false) const {
+    return {"rbpa", !quiet && !in_the_way, doing};
+  }
+};
+
+/// The largest --threads that is accepted. It exceeds the processors of a machine, so that one command line serves any.
+constexpr unsigned max_threads = 1024;
+
+/// Parses the options; --threads is a whole number from 1 to max_threads. Throws WrongUsage that names the value.
+RunOptions parse_run(const RunArguments& arguments);
+
+class Run {
+ public:
+  /// Takes the names of the input and of the files to write as on the command line; "-" is a standard stream.
+  Run(std::string input, std::vector<std::string> outputs, const RunOptions& options)
+      : input_(std::move(input)), outputs_(std::move(outputs)), options_(options) {}
+
+  const RunOptions& options() const { return options_; }
+  /// Returns the name of the input for messages.
+  std::string input() const { return input_name(input_); }
+
+  /// Calls `read` with a progress line, and returns its result.
+  template <typename Read>
+  auto read(const Read& read) const {
+    const ProgressLine line = options_.line("reading", read_from_terminal(input_));
+    return read();
+  }
+  /// Prints a warning about the input, unless quiet.
+  void remark(const std::string& text) const { summarize(input() + ": " + text); }
+  void remark(const std::vector<std::string>& texts) const {
+    for (const std::string& text : texts) remark(text);
+  }
+  /// Reads the points, and prints the warnings about them, also if heights are left out.
+  PointFile read_points(const PointSource& source) const;
+  /// If some points have a height, gives the others the height 0 and prints how many they are.
+  void complete_heights(std::vector<double>& z) const;
+
+  /// Returns the progress line to show while files are written.
+  ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }
+  /// Adds a file with the content that `write(file)` gives it.
+  template <typename Write>
+  void add(const std::string& path, const Write& write) {
+    OutputFile& file = files_.add(path);
+    write(file);
+    file.finish();
+  }
+  /// Adds a file for each target with the content that `write(file, target)` gives it.
+  template <typename Write>
+  void add(const std::vector<Target>& targets, const Write& write) {
+    for (const Target& target : targets) {
+      stop_if_interrupted();
+      add(target.path, [&](OutputFile& file) { write(file, target); });
+    }
+  }
+  OutputSet& files() { return files_; }
+  /// Gives all files their names.
+  void publish() { files_.publish(); }
+
+  /// Prints a line about the result, unless quiet.
+  void summarize(const std::string& text) const;
+
+  /// Returns the seconds since this was made, or since the last lap.
+  double lap() {
+    const Clock::time_point before = std::exchange(start_, Clock::now());
+    return std::chrono::duration<double>(start_ - before).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string input_;
+  std::vector<std::string> outputs_;
+  RunOptions options_;
+  OutputSet files_ = {};
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,164 @@
+// What: the verbs of `rbpa`: for each its arguments as text, its declaration, and its run.
+// Law:  a verb checks its whole command line, throwing WrongUsage, before it reads anything. It also throws BadInput,
+//       Failure and Cancelled (program/exit_code.h), and then leaves no file behind.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/complex_run.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rbpa::app {
+
+/// The arguments of `rbpa mesh`: from a file of points to files of triangles and pictures.
+struct MeshArguments : ComplexArguments {
+  std::string complex = "solid";
+  std::optional<std::string> levels;
+  bool compact = false;
+};
+void run_mesh(const MeshArguments& arguments);
+/// Runs `rbpa mesh` on each group of the points by itself. Requires: arguments.ask_for_groups().
+void run_group_meshes(const MeshArguments& arguments);
+
+/// The arguments of `rbpa shape`: from a file of points to files of polygons and pictures.
+struct ShapeArguments : ComplexArguments {
+  std::string min_hole_area = "0";
+  std::string min_part_area = "0";
+  std::optional<std::string> isolated;  ///< a file for the points in no polygon
+};
+void run_shape(const ShapeArguments& arguments);
+/// Runs `rbpa shape` on each group of the points by itself. Requires: arguments.ask_for_groups().
+void run_group_shapes(const ShapeArguments& arguments);
+
+/// The arguments of verbs that compute all radii.
+struct RadiiArguments : PointArguments {
+  std::optional<std::string> stats;
+  std::string components = "1";      ///< the most solid components of `auto`
+  std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
+  bool waters = false;               ///< count the atoms of water in a molecule
+  RunArguments run;
+};
+
+/// The options about representatives of persistence pairs.
+struct RepresentativeArguments {
+  std::optional<std::string> representatives;  ///< the file
+  std::optional<std::string> min_persistence, top;
+  std::optional<std::string> levels;  ///< radii with commas between them, or hrbpa
+};
+
+/// The arguments of `rbpa alpha`, which prints the critical radii of points and recommends one.
+struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
+  std::optional<std::string> picture;  ///< an .svg to write
+  bool json = false;
+  bool csv = false;
+  bool persistence = false;
+  std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
+  std::string dimension = "2";
+};
+void run_alpha(const AlphaArguments& arguments);
+/// Prints the radii to choose for each group of the points. Requires: arguments.ask_for_groups().
+void run_group_alpha(const AlphaArguments& arguments);
+
+/// The arguments of `rbpa report`, which writes a page that shows the complex at every radius.
+struct ReportArguments : RadiiArguments {
+  std::string output;  ///< an .html to write, or "-"
+  std::string dimension = "2";
+};
+void run_report(const ReportArguments& arguments);
+
+/// The arguments of `rbpa info`, which prints what a file of points contains.
+struct InfoArguments : PointArguments, GroupArguments {
+  std::optional<std::string> stats;
+  bool json = false;
+  bool quiet = false;  ///< accepted for consistency; has no effect
+};
+void run_info(const InfoArguments& arguments);
+
+/// The arguments of `rbpa fill`: from a file of polygons to files of triangles and pictures.
+struct FillArguments : OutputArguments {
+  std::string polygons;  ///< the file
+  std::optional<std::string> format;
+  std::string size;
+  std::optional<std::string> size_at;
+  std::optional<std::string> grade;
+  bool keep_boundary = false;
+  bool skip_invalid = false;
+  std::string width = "1200";
+  bool quiet = false;
+};
+void run_fill(const FillArguments& arguments);
+
+/// The arguments of `rbpa surface`: from a file of points in space to files of triangles and pictures.
+struct SurfaceArguments : SpacePointArguments, OutputArguments {
+  std::string radius;
+  std::optional<std::string> max_radius;
+  std::optional<std::string> normals;
+  std::optional<std::string> neighbors;
+  std::optional<std::string> viewpoint;
+  bool flip = false;
+  std::optional<std::string> color;
+  std::optional<std::string> drop_outliers;
+  std::optional<std::string> scale_space;
+  bool moved = false;
+  std::optional<std::string> holes;
+  std::optional<std::string> shell;
+  std::optional<std::string> keep_largest;
+  std::optional<std::string> drop_small;
+  std::optional<std::string> fill_holes;
+  bool refine = false;
+  bool remedies = false;
+  std::string width = "1200";
+  bool compact = false;
+  bool manifold = false;
+  bool watertight = false;
+  std::optional<std::string> shift;
+  bool json = false;
+  RunArguments run;
+};
+void run_surface(const SurfaceArguments& arguments);
+
+/// The arguments of `rbpa solid`, which makes tetrahedra of points in space.
+struct SolidArguments : SpacePointArguments, OutputArguments {
+  std::string alpha;
+  std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
+  std::optional<std::string> box, boundary, shift, voids, complex;
+  std::optional<std::string> pockets, voids_above, top;
+  bool void_radii = false;
+  std::string width = "1200";
+  bool balls = false, json = false;
+  RunArguments run;
+};
+void run_solid(const SolidArguments& arguments);
+
+/// The arguments of `rbpa stream`: triangles and polygons of more points than fit into memory.
+struct StreamArguments : PointArguments, OutputArguments {
+  std::vector<std::string> inputs;  ///< files, and folders of files; `points` is each of them in turn
+  RadiusArguments radius;
+  std::string memory = "1G";
+  std::optional<std::string> tile_size;
+  std::optional<std::string> scratch;
+  bool keep_tiles = false;
+  bool resume = false;
+  std::optional<std::string> min_hole_area, min_part_area;  ///< recognized to be refused with a hint
+  RunArguments run;
+};
+void run_stream(const StreamArguments& arguments);
+
+/// Add a verb with its options, help and examples to the program, and return it. Parsing the command line fills in
+/// `arguments`, to which the verb keeps a reference.
+CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
+CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
+CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
+CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
+CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
+CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);
+CLI::App* add_stream(CLI::App& app, StreamArguments& arguments);
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
+CLI::App* add_report(CLI::App& app, ReportArguments& arguments);
+
+}  // namespace rbpa::app

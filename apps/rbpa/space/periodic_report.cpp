@@ -1,0 +1,110 @@
+#include "space/periodic_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/bytes/write_json.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "shared/stats.h"
+#include "space/void_files.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json base(const PeriodicFacts& facts) {
+  const PeriodicTopology& topology = *facts.topology;
+  return {{"points", facts.points},
+          {"distinct", facts.distinct},
+          {"isolated", facts.isolated},
+          {"box", {facts.box.x, facts.box.y, facts.box.z}},
+          {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
+          {"alpha_rule", facts.alpha_rule},
+          {"complex", facts.walls == VoidWalls::full ? "full" : "solid"},
+          {"tetrahedra", topology.tetrahedra},
+          {"triangles", topology.triangles},
+          {"edges", topology.edges},
+          {"boundary_triangles", topology.boundary_triangles},
+          {"solid_components", topology.solid_components.size()},
+          {"voids", topology.voids.size()},
+          {"betti", topology.betti},
+          {"volume", topology.volume},
+          {"area", topology.area}};
+}
+
+Json json_of(const PeriodicPart& part, bool is_void, const PointNames& names) {
+  Json json = is_void ? json_of_volumes(part.volume, part.outside_balls) : Json{{"volume", part.volume}};
+  json.update(Json{{"area", part.area},
+                   {"dimension", part.dimension},
+                   {"tetrahedra", part.tetrahedra},
+                   {"points", names.indices(part.points)}});
+  if (names.are_any()) json["atoms"] = names.atoms(part.points);
+  return json;
+}
+
+}  // namespace
+
+std::string text_of_periodic(const PeriodicFacts& facts) {
+  const PeriodicTopology& topology = *facts.topology;
+  const auto closed = static_cast<std::size_t>(std::count_if(topology.voids.begin(), topology.voids.end(),
+                                                             [](const PeriodicPart& v) { return v.dimension == 0; }));
+  return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
+         counted(topology.solid_components.size(), "solid component") + ", " + counted(closed, "closed void") + ", " +
+         counted(topology.voids.size() - closed, "channel") + ", volume " + rounded(topology.volume, 6) + ", area " +
+         rounded(topology.area, 6) + " (voids of the " + (facts.walls == VoidWalls::full ? "full complex)" : "solid)");
+}
+
+void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {
+  Json report = base(facts);
+  report["threads"] = facts.threads;
+  report["seconds"] = {{"read", facts.read_seconds},
+                       {"build", facts.build_seconds},
+                       {"count", facts.count_seconds},
+                       {"write", facts.write_seconds}};
+  report["peak_bytes"] = peak_bytes();
+  write_json(file, report, 2);
+}
+
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names) {
+  Json report = base(facts);
+  for (const auto& [key, parts] : {std::pair{"solid_component_list", &facts.topology->solid_components},
+                                   std::pair{"void_list", &facts.topology->voids}}) {
+    report[key] = Json::array();
+    for (const PeriodicPart& part : *parts)
+      report[key].push_back(json_of(part, parts == &facts.topology->voids, names));
+  }
+  write_json(file, report, 1);
+}
+
+void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts) {
+  const std::vector<PeriodicPart>& voids = facts.topology->voids;
+  if (format == Format::json) {
+    std::string before = "[\n";
+    for (const PeriodicPart& part : voids) {
+      stop_if_interrupted();
+      file.write(before + json_of(part, true, names).dump());
+      before = ",\n";
+    }
+    return file.write(voids.empty() ? "[]\n" : "\n]\n");
+  }
+  file.write(volume_columns(facts.walls) + ",area,dimension,tetrahedra,points\n");
+  std::uint64_t number = 0;
+  for (const PeriodicPart& part : voids) {
+    write_volumes(file, ++number, part.volume, part.outside_balls);
+    file.write(",");
+    file.write_number(part.area);
+    for (const std::size_t count : {std::size_t{part.dimension}, part.tetrahedra, part.points.size()}) {
+      file.write(",");
+      file.write_number(std::uint64_t{count});
+    }
+    file.write("\n");
+  }
+}
+
+}  // namespace rbpa::app

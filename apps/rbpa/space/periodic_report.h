@@ -1,0 +1,41 @@
+// What: reports on a periodic solid (`rbpa solid --box`) as text, JSON and a table.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "io/bytes/output_file.h"
+#include "io/formats.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/balls/periodic_topology.h"
+#include "space/point_names.h"
+
+namespace rbpa::app {
+
+struct PeriodicFacts {
+  std::size_t points = 0, distinct = 0, isolated = 0;
+  Point3 box = {};
+  double alpha = 0;
+  std::string alpha_rule = "given";
+  unsigned threads = 1;
+  VoidWalls walls = VoidWalls::full;              ///< kind of the complex whose topology is counted
+  std::optional<PeriodicTopology> topology = {};  ///< absent: not counted
+  double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
+};
+
+/// Returns "12 tetrahedra, 2 solid components, 1 closed void, 2 channels, volume 2.5, area 8 (voids of the full
+/// complex)".
+/// Requires: facts.topology is present.
+std::string text_of_periodic(const PeriodicFacts& facts);
+
+/// Write one JSON object each; the second has every component and every void. Require: facts.topology is present.
+void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
+void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
+
+/// Writes the voids, the largest first, as a JSON list or as a table with the columns number, volume_between_points,
+/// volume_outside_balls (only for the full complex), area, dimension, tetrahedra and points.
+/// Requires: facts.topology is present.
+void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts);
+
+}  // namespace rbpa::app

@@ -1,0 +1,209 @@
+#include "space/periodic_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/mesh/write_mesh.h"
+#include "io/mesh/write_solid.h"
+#include "picture/picture.h"
+#include "picture/surface_picture.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/solid/periodic_solid.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "shared/progress.h"
+#include "space/periodic_report.h"
+
+namespace rbpa::app {
+namespace {
+
+class PeriodicRun : public Run {
+ public:
+  PeriodicRun(const SolidArguments& arguments, const SolidRequest& request)
+      : Run(request.source.path, arguments.outputs, request.run), arguments_(arguments), request_(request) {}
+
+  void run();
+
+ private:
+  /// Returns whether the topology is needed for any output.
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
+  std::string name_of_points() const;
+  void settle_box();
+  void remark_range() const;
+  void build();
+  void select_within();
+  void write();
+  void write_picture(OutputFile& file) const;
+
+  const SolidArguments& arguments_;
+  SolidRequest request_;
+  SpacePoints file_;
+  PeriodicSolid solid_;
+  std::vector<Triangle> boundary_;
+  PeriodicFacts facts_;
+};
+
+/// Returns "atoms" for a molecule, else "points".
+std::string PeriodicRun::name_of_points() const {
+  const Format format = request_.source.format;
+  return format == Format::pdb || format == Format::cif ? "atoms" : "points";
+}
+
+/// Takes the box of the file for --box auto, else the given one, and prints a warning if the file has another.
+void PeriodicRun::settle_box() {
+  const auto& [sides, fault] = file_.cell;
+  const Point3 given = *request_.box;
+  if (given == Point3()) {
+    if (!sides)
+      throw BadInput(input() + ": found " + (fault.empty() ? "no cell" : fault) +
+                     ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
+    request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
+  } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
+    remark("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
+           text_of((*sides)[2]) + " (--box auto takes it)");
+  } else if (!fault.empty()) {
+    remark("the file has " + fault);
+  }
+}
+
+/// Prints a warning if not all points fit into one box: the box may be the wrong one.
+void PeriodicRun::remark_range() const {
+  Point3 low = file_.points.front(), high = low;
+  for (const Point3& p : file_.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const Point3 reach = {high.x - low.x, high.y - low.y, high.z - low.z}, &box = *request_.box;
+  if (reach.x <= box.x && reach.y <= box.y && reach.z <= box.z) return;
+  remark(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
+         rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
+         rounded(box.z, 3) + ": coordinates count modulo its sides");
+}
+
+void PeriodicRun::build() {
+  const SolidAlpha& alpha = request_.alpha;
+  // Voids consist of the tetrahedra above alpha.
+  const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
+  TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
+  try {
+    solid_ =
+        periodic_solid(file_.points, *request_.box, needs_all ? std::numeric_limits<double>::infinity() : alpha.radius,
+                       {.threads = options().threads, .progress = progress.watch()});
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what() +
+                   (needs_all && std::isfinite(alpha.radius)
+                        ? "; voids and counts at --alpha " + rounded(alpha.radius, 6) +
+                              " need all tetrahedra (--quiet writes those within --alpha without them)"
+                        : ""));
+  }
+  facts_.points = file_.points.size();
+  facts_.distinct = solid_.distinct;
+  facts_.box = solid_.box;
+  facts_.alpha = alpha.radius;
+  facts_.walls = request_.walls;
+  facts_.threads = options().threads_or_all();
+  facts_.build_seconds = lap();
+  if (needs_all) select_within();
+  facts_.isolated = solid_.isolated.size();
+}
+
+/// Chooses alpha by the rule if there is one, selects the tetrahedra up to it, and counts the topology if it is needed.
+void PeriodicRun::select_within() {
+  const ProgressLine line = options().line("voids");
+  const std::vector<double> radii =
+      circumradii(solid_.positions, solid_.simplices, options().threads, until_interrupted());
+  stop_if_interrupted();
+  facts_.alpha_rule = name_of({.rule = request_.alpha.rule});
+  if (request_.alpha.rule != AlphaRule::given) {
+    facts_.alpha = request_.alpha.choose(without_offsets(solid_), radii);
+    stop_if_interrupted();
+  }
+  if (is_counted())
+    facts_.topology =
+        periodic_topology(solid_, radii, facts_.alpha, facts_.walls, options().threads, until_interrupted());
+  solid_ = within(solid_, radii, facts_.alpha);
+  stop_if_interrupted();
+  facts_.count_seconds = lap();
+}
+
+void PeriodicRun::write_picture(OutputFile& file) const {
+  const std::vector<bool> none;
+  write_surface_png(file,
+                    {.points = solid_.positions,
+                     .triangles = boundary_,
+                     .rims = {},
+                     .holes = {},
+                     .islands = {},
+                     .unused = {},
+                     .colors = {},
+                     .filled = none},
+                    request_.width);
+}
+
+void PeriodicRun::write() {
+  const ProgressLine line = writing();
+  add(request_.targets, [&](OutputFile& file, const Target& target) {
+    if (is_picture(target.format))
+      write_picture(file);
+    else if (target.format == Format::npy)
+      write_solid(
+          file, target.format,
+          {.vertices = solid_.positions, .tetrahedra = without_offsets(solid_).simplices, .index = file_.index});
+    else
+      write_solid(file, target.format, {.vertices = solid_.positions, .tetrahedra = solid_.simplices});
+  });
+  if (request_.boundary)
+    add(request_.boundary->path, [&](OutputFile& file) {
+      write_surface(file, request_.boundary->format,
+                    {.vertices = solid_.positions, .triangles = boundary_, .shift = request_.shift});
+    });
+  if (request_.voids)
+    add(request_.voids->path,
+        [&](OutputFile& file) { write_periodic_voids(file, request_.voids->format, PointNames(file_), facts_); });
+}
+
+void PeriodicRun::run() {
+  const SpacePointSource& source = request_.source;
+  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
+  remark(file_.remarks);
+  if (file_.points.empty())
+    throw BadInput(input() + ": 0 " + name_of_points() + " selected, but a box needs at least one");
+  settle_box();
+  remark_range();
+  facts_.read_seconds = lap();
+  build();
+  boundary_ = periodic_boundary(solid_);
+  write();
+  facts_.write_seconds = lap();
+  if (arguments_.json) add("-", [&](OutputFile& file) { write_periodic_json(file, facts_, PointNames(file_)); });
+  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
+  publish();
+
+  const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == VoidWalls::full;
+  if (solid_.simplices.empty() && !has_void)
+    say("rbpa", "there is no tetrahedron: no four points have such a small circumradius");
+  std::vector<std::string> files;
+  for (const Target& target : request_.targets) files.push_back(target.path);
+  for (const auto& target : {request_.boundary, request_.voids})
+    if (target) files.push_back(target->path);
+  if (facts_.topology)
+    summarize(text_of_points(facts_.points, solid_.duplicates.size()) + ", " + text_of(request_.alpha, facts_.alpha) +
+              ": " + text_of_periodic(facts_) + list_of(files));
+}
+
+}  // namespace
+
+void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request) {
+  PeriodicRun(arguments, request).run();
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,12 @@
+// What: runs `rbpa solid --box`: the tetrahedra of points in a periodic box.
+#pragma once
+
+#include "shared/verbs.h"
+#include "space/solid_request.h"
+
+namespace rbpa::app {
+
+/// Requires: request.box is present.
+void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request);
+
+}  // namespace rbpa::app

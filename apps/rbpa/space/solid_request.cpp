@@ -1,0 +1,159 @@
+#include "space/solid_request.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "picture/picture.h"
+#include "shared/progress.h"
+#include "space/void_files.h"
+
+namespace rbpa::app {
+namespace {
+
+SolidAlpha parse_alpha(const std::string& text) {
+  if (text == "auto") return {.rule = AlphaRule::automatic};
+  if (text == "min") return {.rule = AlphaRule::least};
+  if (text == "plateau") return {.rule = AlphaRule::plateau};
+  if (constexpr std::string_view ranked = "plateau:"; text.starts_with(ranked))
+    return {.rule = AlphaRule::plateau,
+            .rank = parse_whole("--alpha plateau", text.substr(ranked.size()), {.least = 1})};
+  const ParsedNumber number = parse_whole_number(text);
+  const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
+  if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
+    throw WrongUsage("--alpha: found " + in_quotes(text) +
+                     ", expected a radius: a number above 0, or inf; or a rule: auto, min, plateau or plateau:K");
+  return {.radius = number.value};
+}
+
+Target parse_boundary(const std::string& path) {
+  const std::optional<Format> format = find_format(Use::surface, ending(path));
+  if (!format || is_picture(*format))
+    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) +
+                     ", expected one of ply, off, obj, stl, glb, vtu, npy");
+  return {path, *format};
+}
+
+Point3 parse_box(const std::string& text) {
+  const auto fail = [&] {
+    throw WrongUsage("--box: found " + in_quotes(text) +
+                     ", expected the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the "
+                     "cell of a molecule's file");
+  };
+  std::array<double, 3> sides{};
+  std::size_t count = 0;
+  for (std::string_view rest = text;; ++count) {
+    if (count == sides.size()) fail();
+    const std::size_t comma = rest.find(',');
+    const ParsedNumber number = parse_whole_number(std::string(rest.substr(0, comma)));
+    if (number.fault != NumberFault::none || !(number.value > 0)) fail();
+    sides[count] = number.value;
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (count == 0) return {sides[0], sides[0], sides[0]};
+  if (count != 2) fail();
+  return {sides[0], sides[1], sides[2]};
+}
+
+/// Throws WrongUsage for options that do not apply to a periodic box.
+void check_box(const SolidArguments& arguments, const SolidRequest& request) {
+  if (request.alpha.rule == AlphaRule::plateau)
+    throw WrongUsage("--alpha plateau cannot be combined with --box (give a radius, auto or min)");
+  if (arguments.balls) throw WrongUsage("--balls cannot be combined with --box");
+  for (const auto& [is_given, option] :
+       {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
+        std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
+    if (is_given) throw WrongUsage(std::string(option) + " cannot be combined with --box");
+  if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
+    throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
+                     ", expected json or csv with --box, as periodic voids may be unbounded");
+}
+
+/// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
+/// ball as well.
+VoidWalls parse_walls(const SolidArguments& arguments) {
+  const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
+  const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
+  return is_full ? VoidWalls::full : VoidWalls::solid;
+}
+
+bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
+
+void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& request) {
+  if (arguments.pockets) {
+    request.pockets = {*arguments.pockets, find_format(Use::voids, ending(*arguments.pockets)).value_or(Format::obj)};
+    if (!is_table_of_voids(request.pockets->format))
+      throw WrongUsage("--pockets: found the ending " + in_quotes(ending(*arguments.pockets)) +
+                       ", expected csv or json");
+  }
+  if (arguments.void_radii && (!request.voids || !is_table_of_voids(request.voids->format)))
+    throw WrongUsage("--void-radii requires --voids FILE.csv or FILE.json");
+  if (!request.voids && !request.pockets)
+    for (const auto& [given, option] :
+         {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})
+      if (*given) throw WrongUsage(std::string(option) + " requires --voids or --pockets");
+  if (arguments.voids_above) {
+    const ParsedNumber number = parse_whole_number(*arguments.voids_above);
+    if (number.fault != NumberFault::none || !(number.value >= 0))
+      throw WrongUsage("--voids-above: found " + in_quotes(*arguments.voids_above) + ", expected a volume, at least 0");
+    request.voids_above = number.value;
+  }
+  if (arguments.top) request.top = parse_whole("--top", *arguments.top, {.least = 1});
+}
+
+}  // namespace
+
+SolidRequest parse(const SolidArguments& arguments) {
+  const bool has_names = arguments.json || arguments.voids || arguments.pockets;
+  SolidRequest request{
+      .source = parse_space_source(arguments, has_names ? columns_of_names() : std::vector<WantedColumn>()),
+      .alpha = parse_alpha(arguments.alpha),
+      .box = {},
+      .targets = {},
+      .boundary = {},
+      .voids = {},
+      .pockets = {},
+      .walls = parse_walls(arguments),
+      .width = parse_width(arguments.width),
+      .run = parse_run(arguments.run)};
+  if (arguments.cover) {
+    if (request.alpha.rule == AlphaRule::given || request.alpha.rule == AlphaRule::plateau)
+      throw WrongUsage("--cover applies only to --alpha auto or min");
+    request.alpha.cover = parse_cover(*arguments.cover);
+  }
+  if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
+    throw WrongUsage("--balls requires a finite --alpha");
+  if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
+  request.shift =
+      parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
+  if (arguments.voids) request.voids = parse_voids(*arguments.voids);
+  if (arguments.box) {
+    const Format format = request.source.format;
+    if (*arguments.box == "auto")
+      require_format(format == Format::pdb || format == Format::cif, "--box auto", "without a cell", "cif or pdb");
+    request.box = *arguments.box == "auto" ? Point3() : parse_box(*arguments.box);
+    check_box(arguments, request);
+  }
+  parse_choice_of_voids(arguments, request);
+  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids, arguments.pockets});
+  if (arguments.json) reports.emplace_back("-");
+  request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
+  return request;
+}
+
+std::string text_of_progress(const Progress& progress, double seconds) {
+  const auto done = static_cast<double>(progress.triangles);  // solid() counts points here
+  const std::string text = short_number(done) + " points";
+  return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
+}
+
+std::string text_of(const SolidAlpha& alpha, double radius) {
+  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of({.rule = alpha.rule, .rank = alpha.rank}) + " = ") +
+         text_of(radius);
+}
+
+}  // namespace rbpa::app

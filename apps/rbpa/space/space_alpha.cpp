@@ -1,0 +1,172 @@
+#include "space/space_alpha.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/bytes/write_json.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "picture/filtration_plot.h"
+#include "rbpa/base/pair_choice.h"
+#include "rbpa/space/persistence/solid_representatives.h"
+#include "shared/alpha_report.h"
+#include "shared/representative_files.h"
+#include "space/space_persistence.h"
+
+namespace rbpa::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::array<const char*, 3> names = {"components", "tunnels", "voids"};
+
+/// Returns the number of pairs of a dimension.
+std::size_t count(const SpacePersistence& report, int dimension) {
+  return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
+                                                [&](const SolidPair& pair) { return pair.dimension == dimension; }));
+}
+
+Json number_or_inf(double radius) { return std::isinf(radius) ? Json("inf") : Json(radius); }
+
+void write_json(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus,
+                bool with_pairs) {
+  Json json = {{"points", report.file.points.size()},
+               {"distinct", report.filtration.delaunay.distinct},
+               {"min", number_or_inf(report.least)},
+               {"auto", number_or_inf(report.automatic)},
+               {"plateaus", Json::array()}};
+  for (const SolidPlateau& plateau : plateaus)
+    json["plateaus"].push_back({{"alpha", plateau.alpha},
+                                {"from", plateau.from},
+                                {"to", plateau.to ? number_or_inf(*plateau.to) : Json()},
+                                {"ratio", plateau.ratio},
+                                {"kind", plateau.is_structured ? "structured" : "one piece"},
+                                {"long", plateau.is_long},
+                                {"effective_parts", plateau.effective_parts},
+                                {"void_share", plateau.void_share},
+                                {"tetrahedra", plateau.tetrahedra},
+                                {"components", plateau.components},
+                                {"covered", plateau.covered},
+                                {"volume", plateau.volume}});
+  for (int dimension = 0; dimension < 3; ++dimension)
+    json[names[static_cast<std::size_t>(dimension)]] = count(report, dimension);
+  if (with_pairs) {
+    json["pairs"] = Json::array();
+    for (const SolidPair& pair : report.pairs) {
+      stop_if_interrupted();
+      json["pairs"].push_back(
+          {{"dimension", pair.dimension}, {"birth", pair.birth}, {"death", pair.death ? Json(*pair.death) : Json()}});
+    }
+  }
+  write_json(file, json, 1);
+}
+
+void write_csv(OutputFile& file, const SpacePersistence& report) {
+  file.write("dimension,birth,death\n");
+  for (const SolidPair& pair : report.pairs) {
+    file.write_number(static_cast<std::uint64_t>(pair.dimension));
+    file.write(",");
+    file.write_number(pair.birth);
+    file.write(",");
+    if (pair.death) file.write_number(*pair.death);
+    file.write("\n");
+  }
+}
+
+/// Returns "plateau 0.1142, from 0.06577 to 0.1984: 1 part, 100.0 % of the points covered, voids 0.0 % of the volume".
+std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t distinct) {
+  const auto percent = [](double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", std::floor(1000 * share) / 10);
+    return std::string(text);
+  };
+  return (rank == 1 ? "plateau " : "plateau:" + std::to_string(rank) + " ") + rounded(plateau.alpha, 4) + ", from " +
+         rounded(plateau.from, 4) + " to " + (plateau.to ? rounded(*plateau.to, 4) : "inf") + ": " +
+         counted(plateau.components, "part") + ", " +
+         percent(static_cast<double>(plateau.covered) / static_cast<double>(distinct)) +
+         " of the points covered, voids " + percent(plateau.void_share) + " of the volume" +
+         (plateau.is_long ? "\n" : "; it may be chance\n");
+}
+
+/// Writes the radii to choose from, and the tunnels and voids that last longest.
+void write_for_people(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus) {
+  constexpr std::size_t shown = 5;
+  file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
+             text_of(report.least) + ", auto " + text_of(report.automatic) +
+             (report.filtration.delaunay.simplices.empty() ? ": there is no tetrahedron\n" : "\n"));
+  constexpr std::size_t plateaus_shown = 4;
+  for (std::size_t i = 0; i < std::min(plateaus.size(), plateaus_shown); ++i)
+    file.write(line_of(plateaus[i], i + 1, report.filtration.delaunay.distinct));
+  std::vector<SolidPair> longest = chosen(report.pairs, {.top = shown});
+  std::stable_sort(longest.begin(), longest.end(), [](const SolidPair& a, const SolidPair& b) {
+    return a.death.value_or(0) - a.birth > b.death.value_or(0) - b.birth;
+  });
+  for (int dimension = 1; dimension < 3; ++dimension) {
+    const std::size_t all = count(report, dimension);
+    file.write(counted(all, dimension == 1 ? "tunnel" : "void") +
+               (all == 0 ? "\n" : "; those that last longest, death - birth:\n"));
+    for (const SolidPair& pair : longest)
+      if (pair.dimension == dimension)
+        file.write("  from " + rounded(pair.birth, 6) + " to " + rounded(*pair.death, 6) + ", " +
+                   rounded(*pair.death - pair.birth, 6) + "\n");
+  }
+}
+
+FiltrationPlot marked_plot(const SpacePersistence& report) {
+  FiltrationPlot plot = plot_of(report.pairs);
+  if (std::isfinite(report.least)) plot.least_covering = report.least;
+  if (std::isfinite(report.automatic)) plot.least_connected = report.automatic;
+  return plot;
+}
+
+void check(const AlphaArguments& arguments) {
+  const auto refuse = [](bool is_given, const std::string& option) {
+    if (is_given) throw WrongUsage(option + " applies only to --dimension 2");
+  };
+  refuse(arguments.complex.has_value(), "--complex");
+  refuse(arguments.group_by.has_value() || arguments.group_by_file, "--group-by");
+}
+
+}  // namespace
+
+void run_space_alpha(const AlphaArguments& arguments) {
+  check(arguments);
+  const SpacePointSource source = parse_space_points(arguments);
+  if (arguments.picture) require_plot(*arguments.picture);
+  const std::optional<RepresentativeRequest> request = parse_representatives(arguments, true);
+  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
+  require_different(outputs, arguments.points, "points");
+
+  SpacePersistence run(source, outputs, arguments);
+  const std::vector<SolidPlateau> plateaus = arguments.csv ? std::vector<SolidPlateau>() : run.find_plateaus();
+  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(run))); });
+  if (request) {
+    const ProgressLine line = run.options().line("representatives");
+    const std::vector<SolidPair> pairs = chosen(run.pairs, request->choice);
+    const auto found = solid_representatives(run.file.points, run.filtration, pairs, until_interrupted());
+    run.add(request->target.path, [&](OutputFile& out) {
+      write_representatives(out, request->target.format,
+                            {run.file.points, run.filtration, pairs, found, run.file.index});
+    });
+  }
+  run.add("-", [&](OutputFile& out) {
+    if (arguments.json)
+      write_json(out, run, plateaus, arguments.persistence);
+    else if (arguments.csv)
+      write_csv(out, run);
+    else
+      write_for_people(out, run, plateaus);
+  });
+  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& out) { run.write_stats(out); });
+  run.publish();
+}
+
+}  // namespace rbpa::app

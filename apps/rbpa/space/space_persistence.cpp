@@ -1,0 +1,81 @@
+#include "space/space_persistence.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/bytes/write_json.h"
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/solid/solid_radii.h"
+#include "shared/alpha_choice.h"
+#include "shared/progress.h"
+#include "shared/stats.h"
+#include "space/solid_request.h"
+
+namespace rbpa::app {
+
+bool is_in_space(const std::string& dimension) {
+  if (dimension != "2" && dimension != "3")
+    throw WrongUsage("--dimension: found " + in_quotes(dimension) + ", expected 2 or 3");
+  return dimension == "3";
+}
+
+SpacePointSource parse_space_points(const RadiiArguments& arguments) {
+  for (const auto& [is_given, option] :
+       {std::pair(arguments.components != "1", "--components"), std::pair(arguments.crs.has_value(), "--crs"),
+        std::pair(arguments.vertices, "--vertices"), std::pair(arguments.layer.has_value(), "--layer"),
+        std::pair(arguments.shift_longitude, "--shift-longitude"),
+        std::pair(arguments.pixels.foreground.has_value(), "--foreground"),
+        std::pair(arguments.pixels.threshold.has_value(), "--threshold")})
+    if (is_given) throw WrongUsage(std::string(option) + " applies only to --dimension 2");
+  SpacePointArguments points;
+  points.points = arguments.points;
+  points.format = arguments.format;
+  points.columns = arguments.columns;
+  points.where = arguments.where;
+  points.skip_invalid = arguments.skip_invalid;
+  points.waters = arguments.waters;
+  return parse_space_source(points);
+}
+
+SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
+                                   const RadiiArguments& arguments)
+    : Run(source.path, outputs, parse_run(arguments.run)) {
+  const double cover = arguments.cover ? parse_cover(*arguments.cover) : 1;
+  file = read([&] { return read_space_points(source.path, source.format, source.choice); });
+  remark(file.remarks);
+  read_seconds_ = lap();
+  try {
+    TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
+    filtration = solid_filtration(file.points, {.threads = options().threads, .progress = progress.watch()});
+  } catch (const InvalidInput& e) {
+    throw BadInput(input() + ": " + e.what());
+  }
+  const ProgressLine line = options().line("persistence");
+  least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+  automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+  pairs = solid_persistence(filtration, until_interrupted());
+  build_seconds_ = lap();
+}
+
+std::vector<SolidPlateau> SpacePersistence::find_plateaus() {
+  const ProgressLine line = options().line("plateaus");
+  std::vector<SolidPlateau> plateaus =
+      solid_plateaus(file.points, filtration.delaunay, filtration.tetrahedron_alpha, until_interrupted());
+  build_seconds_ += lap();
+  return plateaus;
+}
+
+void SpacePersistence::write_stats(OutputFile& out) {
+  using Json = nlohmann::ordered_json;
+  const Json seconds = {{"read", read_seconds_}, {"build", build_seconds_}, {"write", lap()}};
+  const Json stats = {{"points", file.points.size()},
+                      {"distinct", filtration.delaunay.distinct},
+                      {"threads", options().threads_or_all()},
+                      {"seconds", seconds},
+                      {"peak_bytes", peak_bytes()}};
+  write_json(out, stats, 2);
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,173 @@
+#include "space/surface_request.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/surface/outliers.h"
+#include "shared/point_arguments.h"
+
+namespace rbpa::app {
+namespace {
+
+std::optional<NormalSource> parse_normals(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  if (*text == "file") return NormalSource::file;
+  if (*text == "estimate") return NormalSource::estimate;
+  if (*text == "none") return NormalSource::none;
+  throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
+}
+
+/// Parses --color: returns whether colors show the confidence of normals.
+bool parse_color(const std::optional<std::string>& text) {
+  if (!text || *text == "points") return false;
+  if (*text == "normals") return true;
+  throw WrongUsage("--color: found " + in_quotes(*text) + ", expected points or normals");
+}
+
+/// Parses a whole number within bounds; nothing if it is none.
+std::optional<std::size_t> count_in(const std::string& text, double least, double most) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < least ||
+      number.value > most)
+    return std::nullopt;
+  return static_cast<std::size_t>(number.value);
+}
+
+std::size_t parse_neighbors(const std::optional<std::string>& text) {
+  if (!text) return NormalOptions{}.neighbors;
+  if (const auto count = count_in(*text, 2, 1000)) return *count;
+  throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
+}
+
+std::optional<double> parse_outlier_factor(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  if (*text == "auto") return OutlierOptions{}.factor;
+  const ParsedNumber number = parse_whole_number(*text);
+  if (number.fault == NumberFault::none && number.value >= 1) return number.value;
+  throw WrongUsage("--drop-outliers: found " + in_quotes(*text) + ", expected a factor, >= 1, or auto");
+}
+
+std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
+  if (!arguments.scale_space) {
+    if (arguments.moved) throw WrongUsage("--moved requires --scale-space");
+    return std::nullopt;
+  }
+  if (*arguments.scale_space == "auto") return 0;
+  if (const auto steps = count_in(*arguments.scale_space, 1, 100)) return *steps;
+  throw WrongUsage("--scale-space: found " + in_quotes(*arguments.scale_space) +
+                   ", expected a number of steps, 1 to 100, or auto");
+}
+
+/// One position, or the names of the columns with a position for each point.
+struct Viewpoint {
+  std::vector<Point3> place = {};
+  std::vector<WantedColumn> columns = {};
+};
+
+Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
+  if (!text) return {};
+  Viewpoint viewpoint;
+  std::vector<double> at;
+  for (std::size_t begin = 0; begin <= text->size();) {
+    const std::size_t end = std::min(text->find(',', begin), text->size());
+    const std::string part = text->substr(begin, end - begin);
+    const ParsedNumber number = parse_whole_number(part);
+    if (number.fault == NumberFault::none)
+      at.push_back(number.value);
+    else if (!part.empty() && std::none_of(viewpoint.columns.begin(), viewpoint.columns.end(),
+                                           [&](const WantedColumn& column) { return column.name == part; }))
+      viewpoint.columns.push_back({.name = part});
+    begin = end + 1;
+  }
+  const auto commas = std::count(text->begin(), text->end(), ',');
+  if (commas != 2 || (at.size() != 3 && viewpoint.columns.size() != 3))
+    throw WrongUsage("--viewpoint: found " + in_quotes(*text) +
+                     ", expected three coordinates, such as 0,0,1.5, or three names of columns");
+  if (at.size() == 3) viewpoint.place = {{at[0], at[1], at[2]}};
+  return viewpoint;
+}
+
+std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
+  if (!arguments.max_radius) return std::nullopt;
+  if (arguments.radius != "auto") throw WrongUsage("--max-radius applies only to --radius auto");
+  const ParsedNumber number = parse_whole_number(*arguments.max_radius);
+  if (number.fault == NumberFault::none && number.value > 0) return number.value;
+  throw WrongUsage("--max-radius: found " + in_quotes(*arguments.max_radius) + ", expected a radius: a number above 0");
+}
+
+}  // namespace
+
+SurfaceRequest parse(const SurfaceArguments& arguments) {
+  const Viewpoint viewpoint = parse_viewpoint(arguments.viewpoint);
+  SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint"),
+                         .radii = arguments.radius == "auto" ? std::vector<double>()
+                                                             : parse_ascending("--radius", arguments.radius, "auto"),
+                         .most_radius = parse_max_radius(arguments),
+                         .neighbors = parse_neighbors(arguments.neighbors),
+                         .viewpoints = viewpoint.place,
+                         .normals = parse_normals(arguments.normals),
+                         .colors_normals = parse_color(arguments.color),
+                         .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
+                         .scale_space = parse_scale_space(arguments),
+                         .components = {},
+                         .filled = {},
+                         .targets = {},
+                         .shift = {},
+                         .width = parse_width(arguments.width),
+                         .run = parse_run(arguments.run)};
+  if (request.normals == NormalSource::none && request.radii.size() > 1)
+    throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
+                     " with --normals none, expected one radius");
+  if (arguments.holes) {
+    if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
+      throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--holes cannot be combined with --normals none, whose triangles have no boundary");
+  }
+  if (arguments.shell) {
+    if (request.normals != NormalSource::none) throw WrongUsage("--shell requires --normals none");
+    request.components.shell = parse_shell(*arguments.shell);
+  }
+  if (request.normals == NormalSource::none && (arguments.neighbors || arguments.viewpoint || arguments.flip))
+    throw WrongUsage("--normals none cannot be combined with --neighbors, --viewpoint or --flip, which change normals");
+  if (request.normals == NormalSource::file && arguments.neighbors)
+    throw WrongUsage("--neighbors requires --normals estimate");
+  if (request.colors_normals && request.normals && request.normals != NormalSource::estimate)
+    throw WrongUsage("--color normals requires --normals estimate");
+  if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
+  if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);
+  if (arguments.fill_holes) {
+    if (arguments.watertight)
+      throw WrongUsage("--fill-holes cannot be combined with --watertight, which fills all holes");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--fill-holes cannot be combined with --normals none, whose triangles have no boundary");
+    request.filled = parse_fill_holes(*arguments.fill_holes);
+  }
+  if (arguments.remedies) {
+    if (arguments.fill_holes || arguments.watertight)
+      throw WrongUsage("--remedies cannot be combined with --fill-holes or --watertight, which close holes themselves");
+    if (request.normals == NormalSource::none)
+      throw WrongUsage("--remedies cannot be combined with --normals none, whose triangles have no boundary");
+  }
+  if (arguments.watertight) request.filled = HoleChoice{};
+  std::vector<std::string> reports = given({arguments.stats, arguments.holes});
+  if (arguments.json) reports.emplace_back("-");
+  request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  request.shift = parse_shift_of(arguments.shift, request.targets);
+  if (arguments.refine) {
+    if (!request.filled) throw WrongUsage("--refine requires --fill-holes or --watertight");
+    for (const Target& target : request.targets)
+      if (target.format == Format::npy)
+        throw WrongUsage("--refine: found " + in_quotes(target.path) +
+                         ", whose rows are numbers of input points, expected a format with points");
+  }
+  return request;
+}
+
+}  // namespace rbpa::app

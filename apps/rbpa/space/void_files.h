@@ -1,0 +1,51 @@
+// What: writes the voids of a solid as a table, as JSON, or as closed surfaces.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/bytes/output_file.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/solid/voids.h"
+#include "rbpa/space/surface/surface.h"
+#include "shared/arguments.h"
+#include "space/point_names.h"
+#include "space/void_lives.h"
+
+namespace rbpa::app {
+
+/// Parses a file of voids by its ending. Throws WrongUsage that names the ending.
+Target parse_voids(const std::string& path);
+
+/// Returns volume between the points and (if known) outside of the balls, area, islands, box, and points with names.
+nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);
+
+/// Writes the voids, the largest first.
+/// CSV:  number,volume_between_points,volume_outside_balls (only for the full complex),area,islands,points and the box,
+///       a line for each void; with lives also closes,filled,depth.
+/// JSON: a list of the same values, with the input indices of the points and of the triangles around the void, and in
+///       `atoms` the names that the input gives the points.
+/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is one
+///       for each side. Triangles face outward from the void, as if it were a body.
+/// Requires: voids of a solid with this boundary; a life for each void, if any; a format of void_formats.
+void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
+                 std::span<const SolidVoid> voids, VoidWalls walls,
+                 const std::optional<std::vector<VoidLife>>& lives = {});
+
+/// Return or write number and volumes, the first columns of a table of voids: the header, one void, and one void as
+/// JSON.
+std::string volume_columns(VoidWalls walls);
+void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls);
+nlohmann::ordered_json json_of_volumes(double between_points, std::optional<double> outside_balls);
+
+/// Writes the pockets, the largest first.
+/// CSV:  number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c, and serial_a and so on if points
+///       have names.
+/// JSON: the same, with `mouth_atoms`. Requires: csv or json.
+void write_pockets(OutputFile& file, Format format, const PointNames& names, std::span<const Pocket> pockets);
+
+}  // namespace rbpa::app

@@ -1,0 +1,133 @@
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include "io/bytes/number.h"
+#include "io/bytes/same_file.h"
+#include "io/failure.h"
+#include "io/progress_line.h"
+#include "shared/run.h"
+#include "shared/verbs.h"
+#include "stream/run_stream.h"
+#include "tiles/stream_arguments.h"
+#include "tiles/stream_report.h"
+
+namespace rbpa::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+double parse_finite_alpha(const RadiusArguments& arguments) {
+  const std::string text = arguments.alpha.value_or("");
+  const bool is_word = text.starts_with("auto") || text.starts_with("min") || text.starts_with("plateau");
+  const std::string advice = " (rbpa alpha on a sample of the points shows them)";
+  if (is_word)
+    throw WrongUsage("--alpha: found " + in_quotes(text) +
+                     ", expected a radius: choosing one needs all points in memory" + advice);
+  const AlphaChoice choice = parse_alpha(arguments);
+  if (std::isinf(choice.radius))
+    throw WrongUsage(
+        "--alpha: found inf, expected a finite radius: an unbounded circle may pass through any points, so no "
+        "tile would be complete" +
+        advice);
+  return choice.radius;
+}
+
+std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
+  std::vector<std::string> paths;
+  for (const std::string& path : arguments.inputs) {
+    std::error_code error;
+    if (path == "-") throw WrongUsage("POINTS: found -, standard input, expected files, as they are read twice");
+    if (!fs::is_directory(path, error)) {
+      paths.push_back(path);
+      continue;
+    }
+    const std::vector<std::string> files = files_in(path, arguments, arguments.run.quiet);
+    paths.insert(paths.end(), files.begin(), files.end());
+  }
+  std::vector<PointSource> sources;
+  PointArguments one = arguments;
+  for (const std::string& path : paths) {
+    one.points = path;
+    sources.push_back(parse_source(one));
+  }
+  return sources;
+}
+
+/// Returns the options about reading files as text; equal texts mean equal options.
+std::string reading_options(const PointArguments& arguments) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<std::string>& value) {
+    if (value) text += std::string(name) + "=" + *value + " ";
+  };
+  add("format", arguments.format);
+  add("columns", arguments.columns);
+  add("foreground", arguments.pixels.foreground);
+  add("threshold", arguments.pixels.threshold);
+  add("where", arguments.where);
+  add("crs", arguments.crs);
+  add("layer", arguments.layer);
+  if (arguments.skip_invalid) text += "skip-invalid ";
+  if (arguments.vertices) text += "vertices ";
+  if (arguments.shift_longitude) text += "shift-longitude ";
+  return text;
+}
+
+/// The least --tile-size: with fewer points a tile, handling files would be all the work.
+constexpr std::size_t least_tile = 16;
+
+StreamRequest parse_request(const StreamArguments& arguments) {
+  const RunOptions run = parse_run(arguments.run);
+  StreamRequest request{.alpha = parse_finite_alpha(arguments.radius),
+                        .memory = parse_memory(arguments.memory),
+                        .scratch = arguments.scratch,
+                        .keep_tiles = arguments.keep_tiles,
+                        .resume = arguments.resume,
+                        .threads = run.threads_or_all(),
+                        .quiet = run.quiet,
+                        .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
+                        .stats = arguments.stats};
+  for (const auto& [value, option] :
+       {std::pair(arguments.min_hole_area, "--min-hole-area"), std::pair(arguments.min_part_area, "--min-part-area")})
+    if (value)
+      throw WrongUsage(
+          std::string(option) +
+          ": rbpa stream writes all holes and parts (use rbpa shape if the points fit into memory; qgis_process "
+          "run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE fills small holes of the result; "
+          "a larger --alpha has fewer)");
+  if (arguments.tile_size)
+    request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
+  if (arguments.scratch && arguments.scratch->empty())
+    throw WrongUsage("--scratch: found an empty name, expected a folder");
+  for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
+    if (given && !request.scratch)
+      throw WrongUsage(std::string(option) + " requires --scratch, the folder with the tiles");
+  if (arguments.outputs.empty() && !arguments.stats)
+    throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  for (const std::string& path : arguments.outputs)
+    request.targets.push_back(parse_stream_target(path, arguments.output_format));
+  request.sources = parse_sources(arguments);
+  request.options = reading_options(arguments);
+  return request;
+}
+
+void require_different_files(const StreamRequest& request) {
+  std::vector<std::string> files;
+  for (const StreamTarget& target : request.targets) files.push_back(target.path);
+  if (request.stats) files.push_back(*request.stats);
+  for (const PointSource& source : request.sources) require_different(files, source.path, "points");
+}
+
+}  // namespace
+
+void run_stream(const StreamArguments& arguments) {
+  const StreamRequest request = parse_request(arguments);
+  require_different_files(request);
+  Run run("", arguments.outputs, {.quiet = request.quiet});
+  const StreamResult result = run_stream(request, run.files(), [&](const StreamResult& done) {
+    if (request.stats) run.add(*request.stats, [&](OutputFile& file) { write_stream_stats(file, request, done); });
+  });
+  say_stream_result(request, result);
+}
+
+}  // namespace rbpa::app

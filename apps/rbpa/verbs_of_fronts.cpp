@@ -1,0 +1,237 @@
+// What: declares the verbs `fill`, `surface` and `solid`: polygons to fill, and points in space.
+#include <CLI/App.hpp>
+#include <string>
+
+#include "program/exit_code.h"
+#include "shared/shared_options.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+
+namespace {
+
+void add_space_point_options(CLI::App& verb, SpacePointArguments& arguments) {
+  verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
+      ->required();
+  verb.add_option("--format", arguments.format,
+                  "Set the format of POINTS, if its ending does not tell: " + std::string(space_formats))
+      ->type_name("NAME");
+  verb.add_option("--columns", arguments.columns,
+                  "Read x, y, z, and the normal if given, from these columns of text: numbers from 1, or names of "
+                  "the header; colors are in the columns that the header calls red, green and blue, or r, g and b")
+      ->type_name("X,Y,Z[,NX,NY,NZ]");
+  add_selection_options(verb, arguments);
+  add_waters_option(verb, arguments.waters);
+}
+
+}  // namespace
+
+CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("fill", "Fill polygons with holes by triangles of a wanted size");
+  verb.add_option("POLYGON", arguments.polygons, "File of polygons, .gz or not, or - for standard input")->required();
+  verb.add_option("--format", arguments.format,
+                  "Set the format of POLYGON, if its ending does not tell: " + std::string(polygon_formats))
+      ->type_name("NAME");
+  verb.add_option("--size", arguments.size,
+                  "Make edges of about this length (required), in units of the polygons, and shorter ones where "
+                  "--size-at or --grade ask for them; inf: add no point, which gives the constrained Delaunay "
+                  "triangulation")
+      ->type_name("H")
+      ->required();
+  verb.add_option("--size-at", arguments.size_at,
+                  "Read x, y and a size from each line of this text: make edges of about that length there, and "
+                  "longer ones farther away")
+      ->type_name("FILE");
+  verb.add_option("--grade", arguments.grade,
+                  "Let sizes grow by G for each unit of distance from the places of --size-at (default 0.25), and "
+                  "from the polygons' own edges, whose lengths count only if this is given")
+      ->type_name("G");
+  add_switch(verb, "--keep-boundary", arguments.keep_boundary,
+             "Keep the edges of the polygons whole (by default those longer than the size are cut)");
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid, "Skip features that are not valid, and print how many");
+  add_output_options(verb, arguments, target_formats(Use::triangles));
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
+      "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
+      "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
+      "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
+      "Rings may touch in single points (OGC Simple Features). Rings that cross or overlap are refused; the message "
+      "names feature and place. Features may overlap, or share edges, along which triangles meet in whole edges. "
+      "Each triangle of .ply and .vtu has the number of its feature, from 0, as 'feature'; .vtu also has the numeric "
+      "GeoJSON properties. Vertices of a mesh file are those of POLYGON in its order, then those on edges that were "
+      "cut, then those inside.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
+  CLI::App& verb =
+      *app.add_subcommand("surface", "Make triangles through points in space, by a ball of a given radius");
+  add_space_point_options(verb, arguments);
+  verb.add_option("--radius", arguments.radius,
+                  "Set the radius of the ball (required), in units of the points; of several, ascending, each "
+                  "closes gaps that the smaller ones leave; auto takes them from the gaps between the points")
+      ->type_name("R[,R2,...]|auto")
+      ->required();
+  verb.add_option("--max-radius", arguments.max_radius, "Replace larger radii of --radius auto by this one")
+      ->type_name("R");
+  verb.add_option("--normals", arguments.normals,
+                  "Take normals from the file, estimate them, or use none, which gives both sides of everything "
+                  "the ball can touch (by default file if it has any, else estimate)")
+      ->type_name("NAME");
+  verb.add_option("--neighbors", arguments.neighbors,
+                  "Estimate normals from planes through each point and its K nearest others (default 16)")
+      ->type_name("K");
+  verb.add_option("--viewpoint", arguments.viewpoint,
+                  "Turn normals, also those of the file, toward the place from which the points were seen, or "
+                  "toward the places in three columns, one for each point")
+      ->type_name("X,Y,Z");
+  add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after everything else");
+  verb.add_option("--color", arguments.color,
+                  "Color files and pictures by points, the colors of the file (default), or by normals, the "
+                  "confidence of each estimated normal: blue, or orange if it is in doubt")
+      ->type_name("NAME");
+  verb.add_option("--drop-outliers", arguments.drop_outliers,
+                  "Leave out points more than K times as far from their 8th nearest point as the median point "
+                  "(auto: 4); do not use it for scans whose density differs by more than that")
+      ->type_name("K|auto");
+  verb.add_option("--scale-space", arguments.scale_space,
+                  "Reduce noise: roll the ball over points moved onto local planes in N steps, or until they lie "
+                  "still (auto); files have the original points")
+      ->type_name("N|auto");
+  add_switch(verb, "--moved", arguments.moved, "Write the points as moved by --scale-space");
+  add_output_options(verb, arguments, surface_formats);
+  add_switch(verb, "--compact", arguments.compact,
+             "Leave out vertices that no triangle uses (.npy keeps input indices)");
+  add_switch(verb, "--manifold", arguments.manifold,
+             "Write a vertex for each sheet where sheets of the surface touch, so that all edges have one or "
+             "two triangles; .ply has the input index of each vertex as 'point'. Leave out unused vertices "
+             "too (.npy keeps input indices)");
+  verb.add_option("--keep-largest", arguments.keep_largest, "Keep only the K components of the largest area")
+      ->type_name("K");
+  verb.add_option("--drop-small", arguments.drop_small,
+                  "Drop components of fewer than N triangles, or of an area below A, in squared units of the points")
+      ->type_name("N|area=A");
+  verb.add_option("--shell", arguments.shell,
+                  "Keep, with --normals none, all shells (default), outer: those that the ball touches from "
+                  "outside, or largest: the one of these with the largest area")
+      ->type_name("all|outer|largest");
+  verb.add_option("--fill-holes", arguments.fill_holes,
+                  "Fill holes by triangles between their points that cross nothing: all, rims as well, holes of at "
+                  "most N edges, or of a length of at most L")
+      ->type_name("all|rims|N|length=L");
+  add_switch(verb, "--watertight", arguments.watertight,
+             "Drop open islands, fill holes and rims, and write a closed --manifold surface without "
+             "crossings, also after the rounding of .stl and .glb; if that is not possible, write nothing, "
+             "print what stays open, and exit with 1");
+  verb.add_option("--shift", arguments.shift,
+                  "Subtract X,Y,Z, or the middle of their box, from all coordinates of .stl and .glb, which are in "
+                  "single precision. The shift is printed, and is in the header of .stl; .glb keeps the place, as "
+                  "its node is moved back")
+      ->type_name("X,Y,Z|auto");
+  add_switch(verb, "--refine", arguments.refine,
+             "Add points inside the fillings of --fill-holes or --watertight, so that they are as fine and "
+             "smooth as the surface around them");
+  verb.add_option("--holes", arguments.holes,
+                  "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
+      ->type_name("FILE");
+  add_switch(verb, "--remedies", arguments.remedies,
+             "Suggest a repair for each hole: one more radius, normals to turn, or a filling; each is tried. "
+             "Shown in the summary, --json and --stats");
+  add_switch(verb, "--json", arguments.json, "Print everything as JSON, with each hole and its causes");
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa surface scan.ply --radius 0.01 -o mesh.ply -o picture.png\n"
+      "  rbpa surface scan.xyz --radius auto -o mesh.obj --holes holes.obj\n"
+      "  rbpa surface scan.ply --radius auto --drop-small 100 --manifold -o mesh.ply\n"
+      "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
+      "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
+      "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight --refine -o print.stl\n"
+      "  rbpa surface scan.ply --radius 0.01 --remedies -o mesh.ply\n"
+      "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
+      "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
+      "Vertices of a mesh file are the input points in input order. The summary says why the surface ends at a hole, "
+      "and why points are unused.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "solid", "Make tetrahedra of points in space: the solid alpha complex, with its boundary and voids");
+  add_space_point_options(verb, arguments);
+  verb.add_option("--alpha", arguments.alpha,
+                  "Set the largest circumradius (required), in units of the points; inf: the Delaunay "
+                  "triangulation; min: the least that covers every point; auto: the least that has every point in "
+                  "one solid component; plateau, plateau:K: one around which parts and voids hardly change")
+      ->type_name("R|inf|auto|min|plateau")
+      ->required();
+  verb.add_option("--cover", arguments.cover,
+                  "Let auto and min cover only this share of the points, such as 0.99, so that single points do "
+                  "not decide")
+      ->type_name("SHARE");
+  verb.add_option("--box", arguments.box,
+                  "Take the points as those of a periodic box with these sides; coordinates count modulo the "
+                  "sides. Voids have a dimension: the number of directions in which they percolate, 0 if they are "
+                  "closed. auto: the cell of a molecule's file")
+      ->type_name("LX,LY,LZ|auto");
+  add_output_options(verb, arguments, solid_formats);
+  verb.add_option("--boundary", arguments.boundary,
+                  "Write the boundary as a closed surface, with a vertex for each side where the solid touches "
+                  "itself: ply (with the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "
+                  "input indices of its triangles, npy")
+      ->type_name("FILE");
+  verb.add_option("--shift", arguments.shift,
+                  "Subtract X,Y,Z, or the middle of their box, from all coordinates of a boundary as .stl or .glb, "
+                  "which are in single precision. The shift is printed, and is in the header of .stl; .glb keeps "
+                  "the place, as its node is moved back")
+      ->type_name("X,Y,Z|auto");
+  verb.add_option("--voids", arguments.voids,
+                  "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the "
+                  "input indices of its points and triangles, and the names of atoms in a molecule's file; csv. "
+                  "volume_between_points is the volume of its tetrahedra, volume_outside_balls the part at least "
+                  "alpha from every point")
+      ->type_name("FILE");
+  add_switch(verb, "--void-radii", arguments.void_radii,
+             "Add to --voids, as csv or json, the radii at which each void closes and is filled, and how many "
+             "larger voids it was split from (needs the whole triangulation)");
+  verb.add_option("--pockets", arguments.pockets,
+                  "Write the pockets, which close only above alpha, as csv or json: volume and radius when they "
+                  "close, and the triangle that closes them, their mouth")
+      ->type_name("FILE");
+  verb.add_option("--voids-above", arguments.voids_above, "Write only voids and pockets of more volume")
+      ->type_name("VOLUME");
+  verb.add_option("--top", arguments.top, "Write only the K largest voids and pockets")->type_name("K");
+  verb.add_option("--complex", arguments.complex,
+                  "Bound voids by full, the full alpha complex, whose triangles without a tetrahedron stop a ball "
+                  "of radius alpha as well, or by solid, the tetrahedra alone (default full with --voids, "
+                  "--pockets or --box, else solid)")
+      ->type_name("solid|full");
+  add_switch(verb, "--balls", arguments.balls,
+             "Also compute volume and area of the union of balls of radius alpha around all points");
+  add_switch(verb, "--json", arguments.json, "Print counts and sizes as JSON, also of each component and each void");
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"
+      "  rbpa solid foam.ply --alpha 0.2 --voids voids.obj --json > foam.json\n"
+      "  rbpa solid atoms.pdb --alpha 3.1 --voids voids.csv --void-radii --pockets pockets.csv --top 20\n"
+      "  rbpa solid points.npy --alpha inf -o delaunay.npy --threads 1\n"
+      "  rbpa solid frame.xyz --alpha 2.5 --box 40,40,60 --voids channels.csv\n\n"
+      "Vertices of a mesh file are the input points in input order; rows of .npy are four input indices. A void is a "
+      "bounded component of the outside. A picture shows the boundary. With --box each tetrahedron is written once, "
+      "with its corner of the least index in the box; other corners may be periodic images of points.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+}  // namespace rbpa::app

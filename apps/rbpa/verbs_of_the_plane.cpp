@@ -1,0 +1,194 @@
+// What: declares the verbs about points in the plane.
+#include <CLI/App.hpp>
+#include <string>
+
+#include "io/polygon/ogr.h"
+#include "program/exit_code.h"
+#include "shared/shared_options.h"
+#include "shared/verbs.h"
+
+namespace rbpa::app {
+
+CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "mesh", "Make the triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  add_group_options(verb, arguments, "Make triangles");
+  add_alpha_options(verb, arguments);
+  add_output_options(verb, arguments, target_formats(Use::triangles));
+  add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
+  verb.add_option("--complex", arguments.complex,
+                  "Make the solid complex, or the full one, with the edges and points of the alpha complex that "
+                  "are in no triangle")
+      ->type_name("NAME")
+      ->capture_default_str();
+  add_method_options(verb, arguments.method);
+  verb.add_option("--search", arguments.method.search,
+                  "Search near each edge, or as in the published paper (slow); the result is the same")
+      ->type_name("NAME")
+      ->capture_default_str();
+  verb.add_option("--levels", arguments.levels,
+                  "Write the triangles made on each level of hrbpa and the topology after it, as csv or json; - is "
+                  "CSV on standard output")
+      ->type_name("FILE");
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
+      "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
+      "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
+      "  rbpa mesh lidar.las --where \"classification == 2\" --alpha inf -o tin.ply -o tin.geojson\n"
+      "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
+      "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
+      "  rbpa mesh trees.csv --columns x,y --group-by crown --alpha auto -o crowns.vtu\n"
+      "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
+      "Vertices of a mesh file are the input points in input order: an index means the same in both. They keep z if "
+      "the input has it. In arrays.npy indices also count points that --where or --skip-invalid leaves out. The full "
+      "complex is in lines f, l and p of an .obj; arrays.npy has its triangles, and arrays.edges.npy and "
+      "arrays.points.npy beside it the rest. For groups .vtu and .ply have the number of each triangle's group, from "
+      "0 in the order in which rbpa shape --group-by lists them.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
+  CLI::App& verb =
+      *app.add_subcommand("alpha", "Print the radii at which the complex changes, and which of them to choose");
+  add_group_options(verb, arguments, "Print the radii to choose");
+  add_auto_options(verb, arguments);
+  CLI::Option* json = add_switch(verb, "--json", arguments.json, "Print everything as JSON");
+  add_switch(verb, "--csv", arguments.csv, "Print a line for every radius, or with --persistence for every pair")
+      ->excludes(json);
+  add_switch(verb, "--persistence", arguments.persistence, "Add births and deaths of components and holes");
+  verb.add_option(
+          "--dimension", arguments.dimension,
+          "Take points of the plane (2), or of space (3), with tunnels and voids: then the full alpha complex, and CSV "
+          "has every pair")
+      ->type_name("2|3")
+      ->capture_default_str();
+  add_waters_option(verb, arguments.waters);
+  verb.add_option("--complex", arguments.complex,
+                  "Compute the persistence of the solid complex (default), or of the full one, with edges and "
+                  "points in no triangle")
+      ->type_name("NAME");
+  verb.add_option("-o,--output", arguments.picture,
+                  "Write a picture, .svg: the counts against alpha, and the persistence")
+      ->type_name("OUT");
+  verb.add_option("--representatives", arguments.representatives,
+                  "Write where the pairs are: as .geojson, holes as polygons at their birth and before their "
+                  "death; in space as " +
+                      std::string(cycle_formats) + ", cycles around tunnels and surfaces around voids")
+      ->type_name("FILE");
+  verb.add_option("--top", arguments.top,
+                  "Write only the K most persistent pairs of each dimension (default 100, unless --min-persistence "
+                  "is given)")
+      ->type_name("K");
+  verb.add_option("--min-persistence", arguments.min_persistence, "Write only pairs with death - birth at least P")
+      ->type_name("P");
+  verb.add_option("--levels", arguments.levels,
+                  "Write only pairs alive at one of these radii, with commas between them, as they are at the "
+                  "first and the last of these; hrbpa, hrbpa:K: at the levels of rbpa mesh --method hrbpa "
+                  "[--leaf-capacity K]")
+      ->type_name("RADII");
+  add_run_options(verb, arguments.run, "Print no progress");
+  verb.footer(
+      "min is the least alpha at which every distinct point is in a triangle; auto the least at which there are also "
+      "at most K solid components. A plateau is a range of alpha over which parts and holes hardly change; the best "
+      "is recommended. Parts are solid components, connected through edges; components are connected through "
+      "points.\n\n"
+      "Examples:\n"
+      "  rbpa alpha points.xy\n"
+      "  rbpa alpha points.xy --csv > radii.csv\n"
+      "  rbpa alpha points.xy --json --persistence --complex full > diagram.json\n"
+      "  rbpa alpha points.xy --representatives holes.geojson --top 10\n"
+      "  rbpa alpha points.xy --representatives holes.geojson --levels hrbpa:64\n"
+      "  rbpa alpha atoms.pdb --dimension 3 --representatives cycles.obj --min-persistence 1\n"
+      "  rbpa alpha fixes.csv --columns x,y --group-by animal --csv\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "shape",
+      "Make polygons with holes of the alpha solid, valid under OGC Simple Features\n\n"
+      "Which alpha to choose: plateau first. It is a radius around which the shape hardly changes, and single points "
+      "far from the others do not decide it. Give a number if you know which gaps are to stay open. min covers every "
+      "point, and auto does so in one piece, so the most isolated point decides; with --cover 0.99 they leave out 1 "
+      "point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
+  add_group_options(verb, arguments, "Make a shape");
+  add_alpha_options(verb, arguments);
+  add_output_options(verb, arguments, target_formats(Use::shape));
+  add_method_options(verb, arguments.method);
+  verb.add_option("--min-hole-area", arguments.min_hole_area,
+                  "Fill holes that enclose less than this area, with everything in them; inf fills all")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--isolated", arguments.isolated,
+                  "Write the points in no polygon to this file, in the format of its ending: " +
+                      std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""))
+      ->type_name("FILE");
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
+      "  rbpa shape cities.csv --columns lon,lat --alpha 0.5 --min-hole-area 0.1 -o - --output-format wkt\n"
+      "  rbpa shape lidar.las --where \"classification == 6\" --alpha 2 -o roofs.geojson\n"
+      "  rbpa shape fixes.csv --columns x,y --group-by animal --alpha auto --cover 0.95 -o ranges.geojson\n"
+      "  rbpa shape tiles/*.las --group-by-file --alpha 2 -o footprints.geojson\n"
+      "  rbpa shape points.xy --alpha auto --cover 0.99 --min-part-area 2 --min-hole-area 2 -o shape.wkt\n\n"
+      "GeoJSON has a Feature for each polygon, with its number, area, perimeter, holes and points; WKT is one "
+      "MULTIPOLYGON; CSV has the points, each with the number of the polygon that contains it. For groups GeoJSON "
+      "has a Feature for each group, and CSV a line; --alpha is chosen for each group by itself, and may be "
+      "column:NAME, a column of radii. Coordinates are those of the input, to the last bit, and areas are in their "
+      "unit squared.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App& verb =
+      *app.add_subcommand("info", "Print the number of points and duplicates, their box and their spacing");
+  add_group_options(verb, arguments, "Print this");
+  add_switch(verb, "--json", arguments.json, "Print JSON");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Accepted as by the other verbs; without effect here");
+  verb.footer(
+      "The spacing is the square root of box area / distinct points: a first guess of a good alpha.\n\n"
+      "Examples:\n"
+      "  rbpa info points.xy --json\n"
+      "  rbpa info fixes.csv --columns x,y --group-by animal\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("report", "Write a page for the browser that shows the complex at every radius");
+  add_point_options(verb, arguments);
+  verb.add_option("-o,--output", arguments.output, "Write this page, .html; - is standard output")
+      ->type_name("OUT")
+      ->required();
+  verb.add_option("--dimension", arguments.dimension,
+                  "Take points of the plane (2), or of space (3), with tunnels and voids, and a boundary to turn "
+                  "around")
+      ->type_name("2|3")
+      ->capture_default_str();
+  add_waters_option(verb, arguments.waters);
+  add_auto_options(verb, arguments);
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "The page is one file with everything in it, for any browser, offline: a slider over alpha, counts, the "
+      "persistence diagram, and the shape as GeoJSON and SVG. It takes about 110 bytes a point, and is smooth with "
+      "some hundred thousand points. In space the boundary can be turned, and a click on a pair shows its cycle, or "
+      "the surface around its void; about 190 bytes a point.\n\n"
+      "Examples:\n"
+      "  rbpa report points.xy -o report.html\n"
+      "  rbpa report atoms.pdb --dimension 3 -o report.html\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+}  // namespace rbpa::app

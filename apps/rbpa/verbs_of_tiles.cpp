@@ -1,0 +1,58 @@
+// What: declares the verb that works tile by tile, on more points than fit into memory.
+#include <CLI/App.hpp>
+#include <string>
+#include <utility>
+
+#include "program/exit_code.h"
+#include "shared/shared_options.h"
+#include "shared/verbs.h"
+#include "tiles/stream_arguments.h"
+
+namespace rbpa::app {
+
+CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "stream",
+      "Make the same triangles and polygons of more points than fit into memory, through tiles on a "
+      "disk");
+  verb.add_option("POINTS", arguments.inputs,
+                  "Files of points, .gz or not, and folders of such files; for a folder the files that are read, "
+                  "and are not, are printed")
+      ->required();
+  add_format_options(verb, arguments);
+  verb.add_option("--alpha", arguments.radius.alpha,
+                  "Set the largest circumradius (required): a finite radius in units of the points (rbpa alpha on "
+                  "a sample shows which to choose)")
+      ->type_name("R")
+      ->required();
+  add_output_options(verb, arguments, stream_formats);
+  verb.add_option("--memory", arguments.memory, "Limit the memory of the run, such as 500M or 4G")
+      ->type_name("SIZE")
+      ->capture_default_str();
+  verb.add_option("--scratch", arguments.scratch,
+                  "Keep tiles in this folder, new or empty (by default in one beside the first OUT, removed at the "
+                  "end)")
+      ->type_name("DIR");
+  add_switch(verb, "--resume", arguments.resume, "Continue the run in --scratch where it stopped, or begin one");
+  verb.add_option("--tile-size", arguments.tile_size,
+                  "Limit tiles to S points, at least 16 (by default as many as memory allows)")
+      ->type_name("S");
+  add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Keep the files of tiles in --scratch");
+  // Options of rbpa shape, hidden from the help: the refusal names the verb that has them.
+  for (const auto& [name, value] :
+       {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
+    verb.add_option(name, *value)->group("");
+  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa stream lidar/*.las --alpha 2 --memory 1G --scratch /data/scratch -o footprint.geojson\n"
+      "  rbpa stream lidar/ --alpha 2 -o footprint.wkt -o triangles.npy -o 'tiles/*.ply'\n"
+      "  rbpa stream lidar/*.las --alpha 2 --scratch /data/scratch -o footprint.geojson --resume\n\n"
+      "The files have the same bytes as those of rbpa shape and rbpa mesh for all points in one file. Files are read "
+      "twice, and the scratch takes about as much room as LAS files do. Some megabytes of .npy, .f64xy, LAS and text "
+      "are in memory at a time; files in other formats are read as a whole.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+}  // namespace rbpa::app
