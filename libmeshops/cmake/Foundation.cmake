@@ -7,7 +7,6 @@ if(NOT RBPA_ARRAYS_ONLY)
 endif()
 find_package(Boost ${RBPA_LEAST_BOOST} REQUIRED)
 include(InstallLibrary)
-include(ForwardHeaders)
 
 # Compile options of all targets of the project, but not of its consumers.
 add_library(rbpa_development INTERFACE)

@@ -13,6 +13,7 @@
 #include "rbpa/plane/hierarchy/level_record.h"
 #include "rbpa/plane/hierarchy/levels_at_once.h"
 #include "rbpa/plane/mesh/assembly.h"
+#include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
-#include "rbpa/hrbpa.h"
+#include "rbpa/plane/levels.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa::paper {

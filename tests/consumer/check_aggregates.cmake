@@ -2,11 +2,11 @@
 # OpenMesh's handles have an explicit default constructor, so that a handle without an initializer forbids it.
 # usage: cmake -DSOURCE=... -DWORK=... -DCOMPILERS=... -P check_aggregates.cmake
 file(GLOB_RECURSE headers RELATIVE "${SOURCE}/libmeshops" "${SOURCE}/libmeshops/meshops/*.h")
-file(GLOB of_rbpa RELATIVE "${SOURCE}/librbpa" "${SOURCE}/librbpa/rbpa/*.h" "${SOURCE}/librbpa/rbpa/base/*.h")
+include("${SOURCE}/librbpa/cmake/PublicHeaders.cmake")
 set(includes "#include <type_traits>\n")
 set(calls "")
 set(count 0)
-foreach(header IN LISTS headers of_rbpa)
+foreach(header IN LISTS headers rbpa_public_headers)
   set(path "${SOURCE}/libmeshops/${header}")
   set(namespace meshops)
   if(header MATCHES "^rbpa/")

@@ -1,12 +1,12 @@
 cmake_minimum_required(VERSION 3.22)
 # Fails if docs/reference/cpp_headers.md is not the table of the public headers and their "What:" lines. Regenerate it by
 #   cmake -DROOT=. -DWRITE=ON -P tests/structure/check_cpp_headers.cmake
-# Public headers are directly in these folders: in librbpa those that its CMakeLists.txt installs by name; in
-# libmeshops, which installs all headers, those that are not in a namespace detail.
-set(librbpa_folders rbpa rbpa/base rbpa/base/parallel)
+# Public headers are directly in these folders: in librbpa those of PublicHeaders.cmake; in libmeshops, which installs all headers, those that are not in a namespace detail.
+set(librbpa_folders rbpa rbpa/plane rbpa/fill rbpa/space/solid rbpa/space/surface rbpa/space/repair rbpa/space/persistence rbpa/space/balls rbpa/base)
 set(libmeshops_folders meshops meshops/core meshops/handle meshops/stellar meshops/history meshops/patch meshops/front
   meshops/topology meshops/graph)
 get_filename_component(ROOT "${ROOT}" ABSOLUTE)
+include(${ROOT}/librbpa/cmake/PublicHeaders.cmake)
 set(page ${ROOT}/docs/reference/cpp_headers.md)
 
 set(text "# C++ headers
@@ -17,16 +17,14 @@ found by CMake, and [architecture](../explanation/architecture.md) what is behin
 ")
 set(count 0)
 foreach(library librbpa libmeshops)
-  file(READ ${ROOT}/${library}/CMakeLists.txt build)
   foreach(folder IN LISTS ${library}_folders)
     string(APPEND text "\n## ${folder}\n\n| header | what it has |\n|---|---|\n")
     file(GLOB headers RELATIVE ${ROOT}/${library} ${ROOT}/${library}/${folder}/*.h)
     list(SORT headers)
     foreach(header IN LISTS headers)
       file(READ ${ROOT}/${library}/${header} source)
-      string(FIND "${build}" "${header}" named)
       string(FIND "${source}" "\nnamespace meshops::detail {" inner)
-      if((library STREQUAL "librbpa" AND named EQUAL -1) OR NOT inner EQUAL -1)
+      if((library STREQUAL "librbpa" AND NOT header IN_LIST rbpa_public_headers) OR NOT inner EQUAL -1)
         continue()
       endif()
       # The comment continues as long as lines are indented.

@@ -12,134 +12,205 @@ set(allowed
   "meshops/stellar: meshops/core"
   "meshops/topology: meshops/core meshops/graph meshops/handle meshops/stellar"
 
-  "rbpa/base: meshops/core rbpa/base/parallel"
+  "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/parallel rbpa/base/run rbpa/base/sort
+    rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
+    rbpa/plane/patches rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/solid
+    rbpa/space/surface"
+  "rbpa/base: meshops/core"
+  "rbpa/base/arrays: meshops/core rbpa/base rbpa/base/run"
   "rbpa/base/exact: rbpa/base"
+  "rbpa/base/parallel: rbpa/base"
+  "rbpa/base/run: meshops/core rbpa/base rbpa/base/parallel"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
-  "rbpa: meshops/core meshops/front meshops/stellar rbpa/base"
-  "rbpa/plane: meshops/core meshops/topology rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/arrays rbpa/plane/divide
-    rbpa/plane/grid rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
-  "rbpa/plane/arrays: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
-  "rbpa/plane/divide: meshops/core meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/plane/arrays rbpa/plane/predicate"
+  "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/plane
+    rbpa/plane/shape"
+  "rbpa/fill/front: meshops/core meshops/front meshops/patch meshops/stellar rbpa/base rbpa/base/exact rbpa/base/run
+    rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/grid rbpa/plane/predicate"
+  "rbpa/fill/rings: meshops/core rbpa/base rbpa/base/exact rbpa/base/run rbpa/fill rbpa/plane rbpa/plane/grid
+    rbpa/plane/predicate rbpa/plane/shape"
+  "rbpa/paper: meshops/front meshops/patch rbpa/base rbpa/plane/mesh rbpa/plane/predicate"
+  "rbpa/plane: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/arrays rbpa/base/exact
+    rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/plane/arrays rbpa/plane/divide rbpa/plane/filtration
+    rbpa/plane/grid rbpa/plane/groups rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/partial rbpa/plane/patches
+    rbpa/plane/predicate rbpa/plane/shape"
+  "rbpa/plane/arrays: meshops/core meshops/patch rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel
+    rbpa/base/run rbpa/base/sort rbpa/plane rbpa/plane/predicate"
+  "rbpa/plane/divide: meshops/core meshops/patch rbpa/base rbpa/base/parallel rbpa/plane rbpa/plane/arrays
+    rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
-  "rbpa/plane/filtration: meshops/core rbpa rbpa/base rbpa/plane/arrays rbpa/plane/predicate rbpa/plane/shape"
+  "rbpa/plane/filtration: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/plane rbpa/plane/arrays
+    rbpa/plane/predicate"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
-  "rbpa/plane/groups: rbpa rbpa/base rbpa/base/parallel rbpa/plane/filtration rbpa/plane/shape"
-  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/base/parallel rbpa/base/sort
-    rbpa/plane/filtration rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
-  "rbpa/plane/mesh: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/grid"
-  "rbpa/plane/partial: meshops/core rbpa rbpa/base rbpa/plane/predicate rbpa/plane/shape"
-  "rbpa/plane/patches: meshops/patch rbpa/plane/enumeration rbpa/plane/pivots rbpa/plane/remainder rbpa/plane/tile"
+  "rbpa/plane/groups: rbpa/base rbpa/base/parallel rbpa/base/run rbpa/plane rbpa/plane/filtration rbpa/plane/shape"
+  "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa/base rbpa/base/parallel rbpa/base/sort
+    rbpa/plane rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
+  "rbpa/plane/mesh: meshops/core meshops/front meshops/patch rbpa/base rbpa/plane rbpa/plane/grid"
+  "rbpa/plane/partial: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/plane rbpa/plane/predicate
+    rbpa/plane/shape"
+  "rbpa/plane/patches: rbpa/base rbpa/plane/enumeration rbpa/plane/grid rbpa/plane/pivots rbpa/plane/remainder
+    rbpa/plane/tile"
   "rbpa/plane/pivots: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/predicate: rbpa/base rbpa/base/exact"
   "rbpa/plane/remainder: meshops/patch rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid rbpa/plane/predicate
     rbpa/plane/tile"
-  "rbpa/plane/shape: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/plane/predicate"
+  "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/space: meshops/core meshops/front meshops/handle meshops/patch rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/space/boundary rbpa/space/cells
-    rbpa/space/closing rbpa/space/full rbpa/space/insertion rbpa/space/levels
-    rbpa/space/normals rbpa/space/periodic rbpa/space/persistence rbpa/space/pivot rbpa/space/predicate rbpa/space/refining rbpa/space/spacing rbpa/space/star rbpa/space/tiles rbpa/space/triples"
-  "rbpa/space/boundary: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/space/levels rbpa/space/predicate"
-  "rbpa/space/cells: rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort"
-  "rbpa/space/closing: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
-  "rbpa/space/full: meshops/core rbpa rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/space rbpa/space/predicate"
-  "rbpa/space/insertion: meshops/core rbpa/base rbpa/space rbpa/space/predicate"
-  "rbpa/space/levels: rbpa rbpa/base rbpa/space/cells"
-  "rbpa/space/normals: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/cells"
-  "rbpa/space/periodic: rbpa rbpa/base rbpa/base/exact rbpa/space rbpa/space/full"
-  "rbpa/space/persistence: meshops/core rbpa rbpa/base rbpa/base/parallel rbpa/space/predicate"
-  "rbpa/space/pivot: rbpa/space/predicate"
-  "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
-  "rbpa/space/refining: meshops/core meshops/stellar rbpa rbpa/space/predicate"
-  "rbpa/space/spacing: rbpa/base"
-  "rbpa/space/star: meshops/core rbpa rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/pivot rbpa/space/predicate"
-  "rbpa/space/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort rbpa/space rbpa/space/insertion
+  "rbpa/space/balls: meshops/core rbpa/base rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
+    rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/predicate rbpa/space/solid
+    rbpa/space/solid/boundary rbpa/space/surface"
+  "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
+    rbpa/space/predicate rbpa/space/solid"
+  "rbpa/space/balls/periodic: rbpa/base/exact rbpa/space/balls/full rbpa/space/predicate rbpa/space/solid"
+  "rbpa/space/cells: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/base/sort
     rbpa/space/predicate"
-  "rbpa/space/triples: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
-  "rbpa/fill: meshops/core meshops/front meshops/patch meshops/stellar meshops/topology rbpa rbpa/base rbpa/base/exact
-    rbpa/plane/grid rbpa/plane/mesh rbpa/plane/predicate rbpa/plane/shape"
-  "rbpa/paper: meshops/core meshops/front meshops/patch rbpa rbpa/base rbpa/plane/hierarchy rbpa/plane/mesh
-    rbpa/plane/predicate"
+  "rbpa/space/persistence: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii rbpa/base/run
+    rbpa/space/cells rbpa/space/persistence/pairing rbpa/space/predicate rbpa/space/solid rbpa/space/solid/boundary
+    rbpa/space/solid/insertion rbpa/space/surface"
+  "rbpa/space/persistence/pairing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run
+    rbpa/space/persistence rbpa/space/predicate rbpa/space/solid"
+  "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
+  "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
+    rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/repair/closing
+    rbpa/space/repair/refining rbpa/space/surface rbpa/space/surface/levels"
+  "rbpa/space/repair/closing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/space/cells
+    rbpa/space/predicate"
+  "rbpa/space/repair/refining: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/surface"
+  "rbpa/space/solid: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/base/sort
+    rbpa/space/cells rbpa/space/predicate rbpa/space/solid/boundary rbpa/space/solid/insertion
+    rbpa/space/solid/periodic rbpa/space/solid/rows rbpa/space/solid/tiles rbpa/space/solid/triples rbpa/space/surface
+    rbpa/space/surface/levels"
+  "rbpa/space/solid/boundary: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
+    rbpa/space/predicate rbpa/space/solid rbpa/space/surface rbpa/space/surface/levels"
+  "rbpa/space/solid/insertion: meshops/core rbpa/base rbpa/space/predicate"
+  "rbpa/space/solid/periodic: rbpa/base rbpa/base/run rbpa/space/predicate rbpa/space/solid"
+  "rbpa/space/solid/rows: meshops/core rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/space/solid"
+  "rbpa/space/solid/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort
+    rbpa/space/predicate rbpa/space/solid/insertion rbpa/space/solid/rows"
+  "rbpa/space/solid/triples: meshops/core rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
+  "rbpa/space/surface: meshops/core meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
+    rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/surface/levels
+    rbpa/space/surface/normals rbpa/space/surface/pivot rbpa/space/surface/spacing rbpa/space/surface/star"
+  "rbpa/space/surface/levels: rbpa/base rbpa/base/arrays rbpa/space/cells rbpa/space/surface"
+  "rbpa/space/surface/normals: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/surface"
+  "rbpa/space/surface/pivot: rbpa/space/predicate"
+  "rbpa/space/surface/spacing: rbpa/base"
+  "rbpa/space/surface/star: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/run rbpa/space/cells
+    rbpa/space/predicate rbpa/space/surface rbpa/space/surface/pivot"
 
-  # Programs: for each, first the folders of apps, then those of the libraries.
-  "cli: rbpa rbpa/base io io/bytes io/cloud io/mesh io/polygon picture program report stream triangulation"
-  "examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa"
-  "io: rbpa/base"
-  "io/bytes: meshops/core io"
-  "io/cloud: rbpa/base io io/bytes io/polygon io/text"
-  "io/mesh: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/cloud io/polygon io/text"
-  "io/polygon: rbpa rbpa/base io io/bytes io/text"
-  "io/text: io io/bytes"
-  "javascript: rbpa rbpa/base"
-  "meshtopo: meshops/core meshops/topology rbpa rbpa/base io io/bytes io/mesh program triangulation"
-  "picture: meshops/front rbpa rbpa/base io io/bytes io/mesh io/text"
-  "program: rbpa/base io io/bytes"
-  "python: meshops/core meshops/front meshops/handle meshops/stellar meshops/topology rbpa rbpa/base io io/bytes io/cloud io/mesh
-    io/polygon"
-  "report: rbpa rbpa/base io io/bytes io/text"
-  "stream: rbpa rbpa/base rbpa/base/parallel io io/bytes io/cloud io/mesh io/polygon"
-  "triangulation: meshops/core rbpa rbpa/base io io/bytes io/mesh")
+  # Programs: folders of ours first, then what each uses of the libraries.
+  "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa/space/repair
+    rbpa/space/surface"
+  "apps/io: rbpa/base"
+  "apps/io/bytes: apps/io meshops/core"
+  "apps/io/cloud: apps/io apps/io/bytes apps/io/polygon apps/io/text rbpa/base"
+  "apps/io/mesh: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/io/text meshops/core meshops/topology
+    rbpa/base rbpa/plane"
+  "apps/io/polygon: apps/io apps/io/bytes apps/io/text rbpa rbpa/base rbpa/fill rbpa/plane"
+  "apps/io/text: apps/io apps/io/bytes"
+  "apps/javascript: rbpa/base rbpa/plane rbpa/space/surface"
+  "apps/meshtopo: apps/io apps/io/bytes apps/io/mesh apps/program apps/triangulation meshops/core meshops/topology
+    rbpa/base rbpa/space/repair rbpa/space/surface"
+  "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
+  "apps/program: apps/io apps/io/bytes rbpa/base"
+  "apps/python: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon meshops/core meshops/front
+    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/plane rbpa/space/balls rbpa/space/persistence
+    rbpa/space/repair rbpa/space/solid rbpa/space/surface"
+  "apps/rbpa: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/picture apps/program apps/rbpa/plane
+    apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/persistence"
+  "apps/rbpa/plane: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon apps/picture apps/rbpa/shared
+    apps/report rbpa rbpa/base rbpa/fill rbpa/plane"
+  "apps/rbpa/shared: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon apps/picture apps/report rbpa
+    rbpa/base rbpa/plane rbpa/space/persistence"
+  "apps/rbpa/space: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/picture apps/rbpa/shared apps/triangulation
+    rbpa/base rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/solid rbpa/space/surface"
+  "apps/rbpa/tiles: apps/io apps/io/bytes apps/io/polygon apps/rbpa/shared apps/stream"
+  "apps/report: apps/io apps/io/bytes apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
+  "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
+  "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/surface")
+# Rooms, from the ground floor up: no folder may include one of a room above its own, and the plane and space are siblings.
+set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/repair
+  rbpa/space/solid rbpa/space/persistence rbpa/space/balls rbpa apps)
+function(floor_of folder result)
+  if(folder MATCHES "^(meshops|apps|rbpa$)")
+    set(room ${CMAKE_MATCH_1})
+  else()
+    string(REGEX MATCH "^rbpa/(space/)?[a-z]+" room ${folder})
+  endif()
+  list(FIND floors "${room}" floor)
+  if(floor LESS 0)
+    message(FATAL_ERROR "${folder} is in no room of the list of floors")
+  endif()
+  set(${result} ${floor} PARENT_SCOPE)
+endfunction()
 set(arrows "")
 foreach(line ${allowed})
   string(REGEX MATCHALL "[^: \n]+" folders "${line}")
   list(POP_FRONT folders from)
+  floor_of(${from} upper)
   foreach(to ${folders})
     list(APPEND arrows "${from}>${to}")
-    # plane and space are siblings on base, which has what both need.
-    if("${from}>${to}" MATCHES "^rbpa/plane.*>rbpa/space" OR "${from}>${to}" MATCHES "^rbpa/space.*>rbpa/plane"
-       OR "${from}>${to}" MATCHES "^rbpa/base.*>rbpa/(plane|space|fill|paper)" OR "${from}>${to}" MATCHES "^meshops.*>rbpa")
+    floor_of(${to} lower)
+    if(lower GREATER upper OR (from MATCHES "^rbpa/(plane|fill|paper)" AND to MATCHES "^rbpa/space") OR
+       (from MATCHES "^rbpa/space" AND to MATCHES "^rbpa/(plane|fill|paper)"))
       message(FATAL_ERROR "${from} must not be allowed to include ${to}")
     endif()
   endforeach()
 endforeach()
 
+include(${ROOT}/librbpa/cmake/PublicHeaders.cmake)
 set(checked 0)
 set(bad "")
 foreach(root libmeshops librbpa apps)
   file(GLOB_RECURSE files RELATIVE ${ROOT}/${root} ${ROOT}/${root}/*.h ${ROOT}/${root}/*.cpp)
   foreach(file ${files})
     get_filename_component(from ${file} DIRECTORY)
+    if(root STREQUAL apps)
+      set(from apps/${from})
+    endif()
     file(STRINGS ${ROOT}/${root}/${file} includes REGEX "^#include \"")
     foreach(line ${includes})
       string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included ${line})
       get_filename_component(to ${included} DIRECTORY)
+      if(root STREQUAL apps)
+        # Programs see the folders of apps/ and of apps/rbpa/, and of librbpa what is installed.
+        if(EXISTS ${ROOT}/apps/${included})
+          set(to apps/${to})
+        elseif(EXISTS ${ROOT}/apps/rbpa/${included})
+          set(to apps/rbpa/${to})
+        elseif(included MATCHES "^rbpa/" AND NOT included IN_LIST rbpa_public_headers)
+          string(APPEND bad "\n  ${file} includes ${included}, which is inside librbpa")
+        endif()
+      elseif("${root}/${file}" MATCHES "^librbpa/" AND file IN_LIST rbpa_public_headers AND included MATCHES "^rbpa/" AND
+             NOT included IN_LIST rbpa_public_headers)
+        string(APPEND bad "\n  ${file} is public and includes ${included}, which is not")
+      endif()
       math(EXPR checked "${checked} + 1")
       if(NOT from STREQUAL to AND NOT "${from}>${to}" IN_LIST arrows)
-        string(APPEND bad "\n  ${file} includes ${included}")
+        string(APPEND bad "\n  ${root}/${file} includes ${included}")
       endif()
     endforeach()
   endforeach()
 endforeach()
+list(LENGTH rbpa_public_headers count)
+if(count LESS 60)
+  message(FATAL_ERROR "only ${count} public headers found in librbpa")
+endif()
 
-# Public headers, and programs, which are users too, include no internal header of librbpa: these are not installed,
-# their symbols are hidden in a shared library, and they are exact only with the compile options of this project.
-# docs/drawings may include them, as it draws internals.
-file(STRINGS ${ROOT}/librbpa/CMakeLists.txt lines REGEX "rbpa/[a-z0-9_/]+\\.h")
-list(FILTER lines EXCLUDE REGEX ">")  # old paths
-string(REGEX MATCHALL "rbpa/[a-z0-9_/]+\\.h" installed "${lines}")
-list(LENGTH installed count)
-file(GLOB root_headers RELATIVE ${ROOT}/librbpa ${ROOT}/librbpa/rbpa/*.h)
-foreach(header ${root_headers})
-  if(NOT header IN_LIST installed)
-    string(APPEND bad "\n  ${header} is among the public headers and is not installed")
-  endif()
-endforeach()
-file(GLOB_RECURSE programs RELATIVE ${ROOT} ${ROOT}/apps/*.h ${ROOT}/apps/*.cpp)
-set(users ${programs})
-foreach(header ${installed})
-  list(APPEND users librbpa/${header})
-endforeach()
-foreach(file ${users})
-  file(STRINGS ${ROOT}/${file} includes REGEX "^#include \"rbpa/")
-  foreach(line ${includes})
-    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included ${line})
-    if(NOT included IN_LIST installed)
-      string(APPEND bad "\n  ${file}: ${line}, which is inside librbpa")
+# A base name once in each library; and no header of a program hides one of librbpa.
+foreach(library libmeshops librbpa)
+  file(GLOB_RECURSE headers RELATIVE ${ROOT}/${library} ${ROOT}/${library}/*.h)
+  set(names "")
+  foreach(header ${headers})
+    get_filename_component(name ${header} NAME)
+    if(name IN_LIST names)
+      string(APPEND bad "\n  ${library}/${header} has the name of another header")
+    endif()
+    list(APPEND names ${name})
+    if(EXISTS ${ROOT}/apps/${header})
+      string(APPEND bad "\n  apps/${header} hides ${library}/${header}")
     endif()
   endforeach()
 endforeach()
-if(count LESS 30)
-  message(FATAL_ERROR "only ${count} public headers found in librbpa/CMakeLists.txt")
-endif()
 
 if(checked LESS 500)
   message(FATAL_ERROR "only ${checked} includes found under ${ROOT}: the check looks in the wrong place")

@@ -6,7 +6,7 @@
 #include "io/failure.h"
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
-#include "plane/levels.h"
+#include "plane/level_report.h"
 #include "plane/triangle_outputs.h"
 #include "shared/arguments.h"
 #include "shared/complex_run.h"

@@ -10,7 +10,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/stellar/effect.h"
+#include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
 
 namespace meshops {

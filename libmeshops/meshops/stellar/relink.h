@@ -9,7 +9,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
-#include "meshops/stellar/effect.h"
+#include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
 
 namespace meshops::detail {

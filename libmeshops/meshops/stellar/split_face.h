@@ -8,7 +8,7 @@
 
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/stellar/effect.h"
+#include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/split_hooks.h"
 
 namespace meshops {

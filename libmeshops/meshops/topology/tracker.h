@@ -14,7 +14,7 @@
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/handle/zip_curves.h"
-#include "meshops/stellar/effect.h"
+#include "meshops/stellar/count_effects.h"
 #include "meshops/topology/count.h"
 
 namespace meshops {

@@ -11,7 +11,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/mesh.h"
-#include "rbpa/fill.h"
+#include "rbpa/fill/filling.h"
 
 namespace rbpa {
 

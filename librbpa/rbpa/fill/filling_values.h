@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
-#include "rbpa/fill.h"
+#include "rbpa/fill/filling.h"
 
 namespace rbpa {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "meshops/core/contract.h"
-#include "rbpa/hrbpa.h"
 #include "rbpa/plane/filtration/growth.h"
+#include "rbpa/plane/levels.h"
 #include "rbpa/plane/mesh/linked_faces.h"
 
 namespace rbpa {

@@ -5,7 +5,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/topology/count.h"
-#include "rbpa/rbpa.h"
+#include "rbpa/plane/complex.h"
 
 namespace rbpa {
 

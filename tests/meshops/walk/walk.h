@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "meshops/handle/glue.h"
-#include "meshops/stellar/effect.h"
+#include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/flip.h"
 #include "walk/arguments.h"
 #include "walk/choices.h"

@@ -1,7 +1,7 @@
 // What: finds the neighbors of triangles that fill groups of polygons.
 #pragma once
 
-#include "rbpa/fill.h"
+#include "rbpa/fill/filling.h"
 
 namespace rbpa {
 

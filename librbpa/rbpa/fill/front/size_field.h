@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/fill.h"
+#include "rbpa/fill/filling.h"
 
 namespace rbpa {
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <span>
 
-#include "rbpa/hrbpa.h"
+#include "rbpa/plane/levels.h"
 #include "rbpa/plane/predicate/radius.h"
 
 namespace rbpa {

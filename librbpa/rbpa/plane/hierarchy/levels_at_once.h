@@ -16,9 +16,9 @@
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
-#include "rbpa/hrbpa.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/hierarchy/ladder.h"
+#include "rbpa/plane/levels.h"
 #include "rbpa/plane/mesh/assembly.h"
 #include "rbpa/plane/mesh/monitor.h"
 

@@ -1,10 +1,10 @@
 // Polygons of a complex that is a mesh: its faces as triangles in arrays, on the input points.
 #include <algorithm>
 
+#include "rbpa/plane/complex.h"
 #include "rbpa/plane/mesh/linked_faces.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/polygon_of_points.h"
-#include "rbpa/rbpa.h"
 
 namespace rbpa {
 namespace {

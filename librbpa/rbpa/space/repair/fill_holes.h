@@ -80,9 +80,4 @@ struct FilledSurface {
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                                   const SurfaceOptions& options = {});
 
-/// Returns the boundary curves of any surface as holes() does, without causes.
-/// Throws: as surface_components(); `go_on` is as there.
-RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
-                                          const std::function<bool()>& go_on = {});
-
 }  // namespace rbpa

@@ -15,7 +15,6 @@
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/agreement.h"
 #include "rbpa/space/predicate/vector3.h"
-#include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/surface/levels/interior.h"
 #include "rbpa/space/surface/levels/neighborhood_subset.h"
 #include "rbpa/space/surface/levels/sub_surface.h"

@@ -58,4 +58,9 @@ RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                                  const Surface& surface, const SurfaceOptions& options = {});
 
+/// Returns the boundary curves of any surface as holes() does, without causes.
+/// Throws: as surface_components(); `go_on` is as there.
+RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
+                                          const std::function<bool()>& go_on = {});
+
 }  // namespace rbpa

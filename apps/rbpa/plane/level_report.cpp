@@ -1,4 +1,4 @@
-#include "plane/levels.h"
+#include "plane/level_report.h"
 
 #include <array>
 #include <cmath>

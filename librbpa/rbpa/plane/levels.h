@@ -1,0 +1,68 @@
+// What: the options and the result of hrbpa(): the levels of a hierarchy of radii.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meshops/front/front.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/plane/complex.h"
+
+namespace rbpa {
+
+/// One level of a hierarchy of radii: its size and its work.
+struct Level {
+  double alpha = 0;  ///< the radius: 2^number α₀, or on the last level the alpha of the whole run
+  int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
+  std::size_t transferred = 0;  ///< number of points transferred from the level before: isolated or on the boundary
+  /// Number of these points that got a triangle or were examined; the others were skipped.
+  std::size_t taking_part = 0;
+  std::size_t advancing = 0;  ///< number of halfedges on the front when the level began
+  /// Number of triangles of the mesh when the level ended; those of this level are the last.
+  std::size_t triangles = 0;
+  /// Time in seconds, including the work before the level: α₀ or the transfer, and levels left out. Without a function
+  /// that is called at the end of each level, all triangles are laid at once: then the first level has the time of all,
+  /// and the others 0.
+  double seconds = 0;
+};
+
+/// A level that has just ended, and the mesh so far: exactly the complex of `level.alpha`, an oriented 2-manifold whose
+/// boundary halfedges are all frozen. Valid during the call only.
+struct EndedLevel {
+  const Level& level;
+  /// The front on the mesh. The first front.faces() faces of its mesh are those of the complex, with their final
+  /// numbers. The elements behind them, and behind the first front.edges() edges, are not yet in use. Vertices have no
+  /// coordinates yet.
+  const meshops::Front& front;
+  std::span<const std::uint32_t> input_index;  ///< for each site of the front, its input point
+};
+
+struct HierarchyOptions {
+  /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent:
+  /// usual_leaf_capacity.
+  std::optional<std::size_t> leaf_capacity = std::nullopt;
+  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. The result does
+  /// not depend on it.
+  unsigned threads = 0;
+  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
+  /// The intervals are longer while points are sorted before the first triangle, while triangles that tiles leave over
+  /// are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on sets where tiles
+  /// find no triangle. Empty: never called.
+  std::function<bool(const Progress&)> progress = {};
+  /// Called at the end of each level of Hierarchy::levels, before the next one begins; its time counts for no level. An
+  /// exception that it throws ends the run. Empty: never called.
+  std::function<void(const EndedLevel&)> level_ended = {};
+};
+
+struct Hierarchy {
+  SolidAlphaComplex complex;       ///< faces are in the order of the levels
+  double least_radius = 0;         ///< α₀; 0 if there can be no triangle
+  std::vector<Level> levels;       ///< ascending in alpha
+  std::size_t looked_in_vain = 0;  ///< number of points that took part on levels left out
+};
+
+}  // namespace rbpa
