@@ -1,67 +1,64 @@
 // What: runs work in several threads.
-// Law:  the result depends on how work is divided, never on the number of threads or their order. With RBPA_SERIAL
-//       there is one thread, and no oneTBB.
+// Law:  the result depends on how work is divided, never on the number of threads or on which of them is first.
+//       With RBPA_SERIAL there is one, and no oneTBB.
+// Why:  oneTBB is included by threads.cpp alone, as its headers take longer to compile than most of their callers.
 #pragma once
-
-#ifndef RBPA_SERIAL
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#endif
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
-
-#ifndef RBPA_SERIAL
-#include "rbpa/base/parallel/plain_threads.h"
-#endif
+#include <memory>
+#include <type_traits>
+#include <utility>
 
 namespace rbpa {
 
-/// The number of threads that may work on a task, the calling one included.
-#ifdef RBPA_SERIAL
+/// A number of threads that may work on something, the calling one included.
 class Threads {
  public:
-  explicit Threads(unsigned = 1) {}
-  static constexpr std::size_t count() { return 1; }
-};
-#else
-class Threads {
- public:
-  /// Uses `count` threads, but at most the number of processors; 0 = all processors.
-  explicit Threads(unsigned count = 1) {
-    const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
-    count_ = count == 0 ? processors : std::min(count, processors);
-  }
+  /// Allows at most `count` threads, and no more than there are processors; 0: as many as there are.
+  explicit Threads(unsigned count = 1);
+  Threads(Threads&&) noexcept;
+  ~Threads();
 
   std::size_t count() const { return count_; }
 
-  /// Calls run() in an arena of this number of threads. Throws its exceptions.
-  template <typename Run>
-  void execute(Run run) {
-    if (!arena_) arena_.emplace(static_cast<int>(count_));
-    arena_->execute(run);
-  }
+  /// A reference to a function, valid while the function is.
+  template <typename Signature>
+  class Call;
+  template <typename Result, typename... Arguments>
+  class Call<Result(Arguments...)> {
+   public:
+    template <typename Function>
+    Call(Function&& function)  // NOLINT(google-explicit-constructor): a lambda is passed
+        requires(!std::is_same_v<std::remove_cvref_t<Function>, Call>)
+        : function_(&function), call_([](const void* f, Arguments... arguments) -> Result {
+            using Called = std::remove_reference_t<Function>;
+            return (*static_cast<Called*>(const_cast<void*>(f)))(arguments...);
+          }) {}
+    Result operator()(Arguments... arguments) const { return call_(function_, arguments...); }
+
+   private:
+    const void* function_;
+    Result (*call_)(const void*, Arguments...);
+  };
+
+  /// Calls visit(i) for each i below `number`, in any order and thread. Rethrows an exception of a call.
+  void share(std::size_t number, Call<void(std::size_t)> visit);
+  /// Does the work of in_order() (in_order.h) on workspaces that make() returns.
+  void share_in_order(std::size_t number, Call<std::shared_ptr<void>()> make, Call<void(std::size_t, void*)> work,
+                      Call<void(std::size_t, void*)> join, Call<void(std::size_t, void*)> finish);
 
  private:
+  struct Arena;
   unsigned count_;
-  std::optional<tbb::task_arena> arena_;  // absent for one thread
+  std::unique_ptr<Arena> arena_;  // null until several threads are first needed
 };
-#endif
 
-/// Calls visit(i) for each i below `count`, in any order and thread. Rethrows an exception of any call.
+/// Calls visit(i) for each i below `count`, in any order and thread. Rethrows an exception of a call.
 template <typename Visit>
 void for_each_index(Threads& threads, std::size_t count, Visit visit) {
-  if (threads.count() == 1 || count <= 1) {
-    for (std::size_t i = 0; i < count; ++i) visit(i);
-    return;
-  }
-#if defined(RBPA_PLAIN_THREADS)
-  plain_threads::for_each_index(threads.count(), count, visit);
-#elif !defined(RBPA_SERIAL)
-  threads.execute([&] { tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { visit(i); }); });
-#endif
+  if (threads.count() > 1 && count > 1) return threads.share(count, visit);
+  for (std::size_t i = 0; i < count; ++i) visit(i);
 }
 
 /// Calls visit(first, last) for parts of the range from 0 to `size` of at most `part`, in any order and thread.
