@@ -122,12 +122,12 @@ tables() {
     same rbpa info "in/$name" --columns lat,lon
     same rbpa info "in/$name" --where 'class == 1 and not z > 5'
   done
-  awk 'NF > 2 {print $1, $2, $3, NR % 256, 7, 255}' "$solid" > "$cells/colours.xyz"
+  awk 'NF > 2 {print $1, $2, $3, NR % 256, 7, 255}' "$solid" > "$cells/colors.xyz"
   awk 'NF > 2 {print $1, $2, $3, 0.5, 0, -1}' "$solid" > "$cells/normals.xyz"
   awk 'BEGIN {print "x,y,z,red,green,blue,nx,ny,nz,class"} NF > 2 {printf "%s,%s,%s,%d,1,0,0,0,1,%d\n", $1, $2, $3, NR % 256, NR % 2}' "$solid" \
     > "$cells/all.csv"
   awk 'NF > 2 {print $1, $2, $3, NR % 9 == 0 ? "0 0 0" : "0 0 1"}' "$solid" > "$cells/undirected.xyz"
-  for name in colours.xyz normals.xyz all.csv undirected.xyz; do
+  for name in colors.xyz normals.xyz all.csv undirected.xyz; do
     space "in/$name"
     same rbpa surface "in/$name" --radius auto --skip-invalid -o out/x.ply
     same rbpa surface "in/$name" --radius auto --columns 3,1,2 -o out/x.npy
@@ -202,7 +202,7 @@ open(f"{sys.argv[3]}/text.pcd", "w").write(head + "ascii\n" + "".join(f"{p[0]} {
 open(f"{sys.argv[3]}/bytes.pcd", "wb").write((head + "binary\n").encode() + b"".join(struct.pack("<6fI", *p, 0, 1, 0, i * 77) for i, p in enumerate(solid)))
 text = "".join(f"{p[0]} {p[1]} {p[2]} 0 0 1 {i % 256} 3 4\n" for i, p in enumerate(solid))
 open(f"{sys.argv[3]}/noff.off", "w").write(f"CNOFF\n{len(solid)} 0 0\n" + text)
-open(f"{sys.argv[3]}/colours.obj", "w").write("".join(f"v {p[0]} {p[1]} {p[2]} 0.5 1 0\n" for p in solid))
+open(f"{sys.argv[3]}/colors.obj", "w").write("".join(f"v {p[0]} {p[1]} {p[2]} 0.5 1 0\n" for p in solid))
 PYTHON
   for file in "$work"/in/{f8,f4,i4,columns,nan,three,three_columns,six,undirected,four}.npy "$work"/in/raw.f64xy "$work"/in/{plane,noff}.off \
     "$work"/in/{plane,lists,little,big}.ply; do
@@ -210,7 +210,7 @@ PYTHON
     same rbpa stream "in/$(basename "$file")" --alpha 1 -o out/x.npy
   done
   for file in "$work"/in/{three,three_columns,six,undirected,f8,four}.npy "$work"/in/{solid,lists,little,big}.ply "$work"/in/{text,bytes}.pcd \
-    "$work"/in/noff.off "$work"/in/{plane,solid,colours}.obj "$work"/in/solid.xyz; do
+    "$work"/in/noff.off "$work"/in/{plane,solid,colors}.obj "$work"/in/solid.xyz; do
     space_all "in/$(basename "$file")"
   done
   for file in "$work"/in/plane.{off,ply,obj} "$work"/in/solid.{ply,stl,obj} "$work"/in/{lists,little,big}.ply; do mesh "in/$(basename "$file")"; done
@@ -218,7 +218,7 @@ PYTHON
   for file in "$work"/in/{f8,columns}.npy "$work"/in/raw.f64xy "$work"/in/{header,comma,geometries}.csv ${las:+"$las"}; do broken "$file" info_only; done
   for file in "$work"/in/{plane,little,lists}.ply "$work"/in/{plane,noff}.off "$work"/in/points.{geojson,ewkt}; do broken "$file" plane; done
   for file in "$work"/in/{six,three_columns}.npy "$work"/in/{lists,big}.ply "$work"/in/{text,bytes}.pcd "$work"/in/noff.off "$work"/in/solid.obj \
-    "$work"/in/{all.csv,colours.xyz} ${las:+"$las"}; do broken "$file" space; done
+    "$work"/in/{all.csv,colors.xyz} ${las:+"$las"}; do broken "$file" space; done
   for file in "$work"/in/solid.{ply,stl,obj} "$work"/in/plane.off; do broken "$file" mesh; done
 
   same rbpa stream "in/$(basename "$points")" --alpha 1 --tile-size 500 -o out/x.npy -o out/x.geojson

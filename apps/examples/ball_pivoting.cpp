@@ -78,7 +78,7 @@ Samples torus() {
 /// Returns points on two merged tori.
 Samples double_torus() {
   return on_surface("double torus", 2.5, 0.12, 100'000, [](double x, double y, double z) {
-    const auto torus_at = [&](double centre) { return std::hypot(std::hypot(x - centre, y) - 1, z) - 0.35; };
+    const auto torus_at = [&](double center) { return std::hypot(std::hypot(x - center, y) - 1, z) - 0.35; };
     return -std::log(std::exp(-12 * torus_at(-1)) + std::exp(-12 * torus_at(1))) / 12;
   });
 }

@@ -30,7 +30,7 @@ class Ears {
   explicit Ears(const std::vector<Place>& polygon) : at_(polygon) {}
 
   /// Returns the square of the length of the cut. A cut nearby changes it; the key is then computed again.
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
   std::int64_t key(const Front& front, Halfedge h) const {
     const auto [a, b, c] = ear(front, h);
     const std::int64_t x = at_[c].x - at_[a].x, y = at_[c].y - at_[a].y;

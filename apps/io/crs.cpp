@@ -118,7 +118,7 @@ constexpr std::string_view how_to_name = " (--crs EPSG:CODE names it)";
 
 std::optional<Crs> crs_of_name(std::string_view name) { return plane(system_of_name(name)); }
 
-std::string remark_on_crs(std::string_view name) {
+std::string warning_on_crs(std::string_view name) {
   const std::optional<Crs> crs = system_of_name(name);
   if (crs && is_vertical(*crs))
     return crs->text() + " is a system of heights, and the horizontal system is not known" + std::string(how_to_name);

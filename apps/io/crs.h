@@ -38,7 +38,7 @@ std::optional<Crs> crs_of_wkt(std::string_view text);
 std::optional<double> unit_of_wkt(std::string_view text);
 
 /// Returns the warning that a file's name of a system, which crs_of_name() does not know, is dropped.
-std::string remark_on_crs(std::string_view name);
+std::string warning_on_crs(std::string_view name);
 
 /// Throws BadInput unless two files name the same system, or neither names one.
 void require_same_crs(const std::optional<Crs>& crs, const std::string& name, const std::optional<Crs>& first,

@@ -45,7 +45,7 @@ struct PointFile {
   /// Third coordinates that were dropped, to warn if they differ. Never set for LAS, whose users want footprints.
   Heights heights = {};
   /// Warnings, one sentence each: guesses that may be wrong, and data that were left out.
-  std::vector<std::string> remarks = {};
+  std::vector<std::string> warnings = {};
 };
 
 }  // namespace rbpa::app

@@ -20,7 +20,7 @@ export type Alpha = number | "auto" | "min" | "plateau" | `plateau:${number}`;
 export class InvalidInput extends Error {}
 
 /** Triangles of circumradius at most alpha; corners are indices of points. */
-export interface Triangulation {
+export interface AlphaComplex {
   /** Three corners per triangle, counter-clockwise if y points up, the least index first; triangles are in
    * lexicographic order. Only the first of equal points is a corner. */
   triangles: Uint32Array;
@@ -48,7 +48,7 @@ export interface Polygon {
   perimeter: number;
 }
 
-export interface AlphaShape extends Triangulation {
+export interface AlphaShape extends AlphaComplex {
   /** The given or chosen radius; null if the rule chooses none, as all points are on one line. */
   alpha: number | null;
   /** One polygon per solid component: simple, and valid by the rules of the OGC. */
@@ -105,7 +105,7 @@ export interface DelaunatorConstructor {
 /** All functions throw InvalidInput, and RangeError if memory does not suffice. */
 export interface Rbpa {
   /** Returns the Delaunay triangles of circumradius at most alpha, by default all. */
-  triangulate(points: Points, alpha?: number): Triangulation;
+  alphaComplex(points: Points, alpha?: number): AlphaComplex;
   /** Returns these triangles and their outline as polygons; alpha is "plateau" by default. Holes smaller than
    * minHoleArea are filled, and polygons smaller than minPartArea are left out. */
   alphaShape(points: Points, alpha?: Alpha, options?: { minHoleArea?: number; minPartArea?: number }): AlphaShape;

@@ -15,18 +15,18 @@
 #include "javascript/exports.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/plateaus.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace {
 
+using rbpa::AlphaComplex;
 using rbpa::Point;
 using rbpa::Triangle;
-using rbpa::Triangulation;
 using rbpa::javascript::completes;
 using rbpa::javascript::results;
 
@@ -48,8 +48,8 @@ std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, c
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t here = side(t, i);
       const std::uint32_t beyond = neighbors[t][(i + 2) % 3];
-      if (beyond == Triangulation::none) halfedges[here] = -1;
-      if (beyond == Triangulation::none || beyond < t) continue;  // a lesser triangle has set both
+      if (beyond == AlphaComplex::none) halfedges[here] = -1;
+      if (beyond == AlphaComplex::none || beyond < t) continue;  // a lesser triangle has set both
       const Triangle& other = triangles[beyond];
       const std::uint32_t end = triangles[t][(i + 1) % 3];
       const std::size_t there = side(beyond, other[1] == end ? 1U : other[2] == end ? 2U : 0U);
@@ -59,8 +59,8 @@ std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, c
   return halfedges;
 }
 
-Triangulation triangulated(std::span<const Point> points, double alpha) {
-  return rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
+AlphaComplex triangulated(std::span<const Point> points, double alpha) {
+  return rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true});
 }
 
 enum class Rule { given, automatic, least, plateau };
@@ -83,7 +83,7 @@ double chosen(const rbpa::Delaunay& delaunay, Rule rule, double number) {
   return plateaus[rank - 1].alpha;
 }
 
-void add_triangulation(Triangulation made) {
+void add_triangulation(AlphaComplex made) {
   results.add(halfedges_of(made.triangles, made.neighbors, Seen::y_up));
   results.add(std::move(made.triangles));
   results.add(std::move(made.neighbors));
@@ -118,7 +118,7 @@ void add_polygons(const std::vector<rbpa::Polygon>& polygons) {
 
 }  // namespace
 
-RBPA_EXPORT bool rbpa_triangulate(const double* points, std::size_t count, double alpha) {
+RBPA_EXPORT bool rbpa_alpha_complex(const double* points, std::size_t count, double alpha) {
   return completes([&] { add_triangulation(triangulated(points_of(points, count), alpha)); });
 }
 
@@ -126,7 +126,7 @@ RBPA_EXPORT bool rbpa_triangulate(const double* points, std::size_t count, doubl
 /// sides of the hull.
 RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   return completes([&] {
-    Triangulation made = triangulated(points_of(points, count), infinity);
+    AlphaComplex made = triangulated(points_of(points, count), infinity);
     std::vector<std::int32_t> halfedges = halfedges_of(made.triangles, made.neighbors, Seen::y_down);
     for (Triangle& t : made.triangles) std::swap(t[1], t[2]);
     results.add(std::move(made.triangles));
@@ -141,7 +141,7 @@ RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int r
                                   double min_hole_area, double min_part_area) {
   return completes([&] {
     const auto input = points_of(points, count);
-    Triangulation made;
+    AlphaComplex made;
     double alpha = number;
     if (rule == 0) {
       made = triangulated(input, alpha);
@@ -150,7 +150,8 @@ RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int r
       alpha = chosen(rbpa::Delaunay(made, input, {}, "alphaShape"), static_cast<Rule>(rule), number);
       if (alpha > 0) made = triangulated(input, alpha);
     }
-    const auto polygons = rbpa::polygons(input, made, {.min_hole_area = min_hole_area, .min_part_area = min_part_area});
+    const auto polygons =
+        rbpa::outline_polygons(input, made, {.min_hole_area = min_hole_area, .min_part_area = min_part_area});
     results.add(std::vector<double>{alpha});
     add_triangulation(std::move(made));
     add_polygons(polygons);
@@ -160,7 +161,7 @@ RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int r
 RBPA_EXPORT bool rbpa_filtration(const double* points, std::size_t count) {
   return completes([&] {
     const auto input = points_of(points, count);
-    const Triangulation made = triangulated(input, infinity);
+    const AlphaComplex made = triangulated(input, infinity);
     const rbpa::Delaunay delaunay(made, input, {}, "filtration");
     const rbpa::Filtration filtration = rbpa::filtration(delaunay);
     std::vector<double> alpha, area;

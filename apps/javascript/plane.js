@@ -49,10 +49,10 @@ class Rbpa {
     return this.#module.memoryBytes;
   }
 
-  triangulate(points, alpha = Infinity) {
+  alphaComplex(points, alpha = Infinity) {
     check(alpha, "alpha", (a) => a > 0, "a radius above 0, or Infinity");
     const coords = flat(points, 2, "points");
-    return this.#module.call("rbpa_triangulate", [coords], coords.length / 2, [alpha], (made) => triangulation(made, 0));
+    return this.#module.call("rbpa_alpha_complex", [coords], coords.length / 2, [alpha], (made) => triangulation(made, 0));
   }
 
   alphaShape(points, alpha = "plateau", { minHoleArea = 0, minPartArea = 0 } = {}) {

@@ -60,7 +60,7 @@ class Run {
   template <typename Report>
   void examine_mesh(const MeshSource& source, Report report) {
     const MeshFile mesh = read(source);
-    for (const std::string& remark : mesh.remarks) say("meshtopo", name_of(source) + ": " + remark);
+    for (const std::string& warning : mesh.warnings) say("meshtopo", name_of(source) + ": " + warning);
     Findings findings = {.mesh = mesh, .given = examine(mesh)};
     std::optional<EditedMesh> edited;
     if (plan_.edits.any()) {

@@ -35,7 +35,7 @@ class LineCoverage {
  public:
   LineCoverage(int width, int height);
   void add_line(const Pixel& from, const Pixel& to, double line_width);
-  void add_dot(const Pixel& centre, double radius) { add_line(centre, centre, 2 * radius); }
+  void add_dot(const Pixel& center, double radius) { add_line(center, center, 2 * radius); }
   const std::vector<float>& values() const { return covered_; }
 
  private:

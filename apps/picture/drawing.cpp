@@ -30,18 +30,18 @@ void put_in_order(Drawing& drawing) {
 
 }  // namespace
 
-Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind) {
+Drawing drawing_of(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind) {
   Drawing drawing{.points = points,
                   .inner_edges = {},
                   .curves = boundary_curves(complex, until_interrupted()),
-                  .isolated = kind == Complex::full ? complex.points : complex.isolated,
+                  .isolated = kind == ComplexKind::full ? complex.points : complex.isolated,
                   .dangling = complex.edges};
   drawing.inner_edges.reserve(complex.triangles.size() * 3 / 2);
   for (std::uint32_t t = 0; t < complex.triangles.size(); ++t) {
     if (t % 16384 == 0) stop_if_interrupted();
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = complex.neighbors[t][k];
-      if (other == Triangulation::none || other < t) continue;
+      if (other == AlphaComplex::none || other < t) continue;
       const std::uint32_t a = complex.triangles[t][(k + 1) % 3], b = complex.triangles[t][(k + 2) % 3];
       drawing.inner_edges.push_back({std::min(a, b), std::max(a, b)});
     }

@@ -9,8 +9,8 @@
 
 #include "io/mesh/write_triangles.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/outline_polygons.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa::app {
 
@@ -29,7 +29,7 @@ struct Drawing {
 
 /// Returns the drawing of a complex. It refers to both arguments. In a full complex, isolated points are those in
 /// neither a triangle nor an edge. Requires: `points` are those of the complex, and it has neighbors.
-Drawing drawing_of(std::span<const Point> points, const Triangulation& complex, Complex kind);
+Drawing drawing_of(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind);
 
 /// Returns the drawing of polygons: their rings, without inner edges. It refers to `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,

@@ -75,7 +75,7 @@ void draw_frame(std::string& svg, const Axis& x, int top, int bottom, const char
 
 /// Draws a curve. Each column of pixels gets its least, its greatest and its last value.
 void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, const PlotCurve& curve) {
-  svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + curve.colour + "\" d=\"M" +
+  svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + curve.color + "\" d=\"M" +
          std::to_string(left) + " " + std::to_string(y.from);
   const auto column = [&](std::size_t i) { return x.at(std::log10(plot.alpha[i])); };
   for (std::size_t i = 0; i < plot.alpha.size();) {
@@ -108,8 +108,8 @@ void draw_band(std::string& svg, const Axis& x, const Plateau& plateau) {
 }
 
 /// Draws a key to the right of the plot.
-void draw_key(std::string& svg, int y, const std::string& name, const std::string& colour) {
-  line(svg, right + 15, y - 5, right + 35, y - 5, ("stroke-width=\"3\" stroke=\"" + colour + "\"").c_str());
+void draw_key(std::string& svg, int y, const std::string& name, const std::string& color) {
+  line(svg, right + 15, y - 5, right + 35, y - 5, ("stroke-width=\"3\" stroke=\"" + color + "\"").c_str());
   text(svg, right + 42, y, name, "start");
 }
 
@@ -129,7 +129,7 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   int row = curves_top + 20;
   for (const PlotCurve& curve : plot.curves) {
     draw_curve(svg, plot, x, y, curve);
-    draw_key(svg, row, curve.name, curve.colour);
+    draw_key(svg, row, curve.name, curve.color);
     row += 24;
   }
   if (plot.plateau) draw_mark(svg, x, plot.plateau->alpha, "plateau", 18);
@@ -152,10 +152,10 @@ void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
         {pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : never_dies});
   for (const auto& [dimension, at, death] : dots)
     svg += std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
-           "\" fill=\"" + plot.dimensions[static_cast<std::size_t>(dimension)].colour + "\"/>\n";
+           "\" fill=\"" + plot.dimensions[static_cast<std::size_t>(dimension)].color + "\"/>\n";
   int row = last_death + 20;
   for (const PlotDimension& dimension : plot.dimensions) {
-    draw_key(svg, row, dimension.name, dimension.colour);
+    draw_key(svg, row, dimension.name, dimension.color);
     row += 24;
   }
 }

@@ -16,13 +16,13 @@ namespace rbpa::app {
 
 struct PlotCurve {
   std::string name;
-  const char* colour;                    ///< in the syntax of SVG
+  const char* color;                     ///< in the syntax of SVG
   std::vector<std::size_t> counts = {};  ///< from each value of FiltrationPlot::alpha up to the next
 };
 
 struct PlotDimension {
   std::string name;
-  const char* colour;
+  const char* color;
 };
 
 struct FiltrationPlot {

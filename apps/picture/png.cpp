@@ -22,26 +22,26 @@ class Canvas {
   explicit Canvas(const Scene& scene)
       : bytes_(3 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)) {
     for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-      bytes_[i] = background_colour.red;
-      bytes_[i + 1] = background_colour.green;
-      bytes_[i + 2] = background_colour.blue;
+      bytes_[i] = background_color.red;
+      bytes_[i + 1] = background_color.green;
+      bytes_[i + 2] = background_color.blue;
     }
   }
-  void paint(const std::vector<float>& coverage, const Colour& colour, float opacity = 1) {
+  void paint(const std::vector<float>& coverage, const Color& color, float opacity = 1) {
     stop_if_interrupted();
     for (std::size_t i = 0; i < coverage.size(); ++i) {
       if (coverage[i] <= 0) continue;
       const float share = opacity * std::min(coverage[i], 1.0F);  // outlines of groups may overlap
-      mix(bytes_[3 * i], colour.red, share);
-      mix(bytes_[3 * i + 1], colour.green, share);
-      mix(bytes_[3 * i + 2], colour.blue, share);
+      mix(bytes_[3 * i], color.red, share);
+      mix(bytes_[3 * i + 1], color.green, share);
+      mix(bytes_[3 * i + 2], color.blue, share);
     }
   }
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
  private:
-  static void mix(std::uint8_t& value, std::uint8_t colour, float share) {
-    const float mixed = static_cast<float>(value) * (1 - share) + static_cast<float>(colour) * share;
+  static void mix(std::uint8_t& value, std::uint8_t color, float share) {
+    const float mixed = static_cast<float>(value) * (1 - share) + static_cast<float>(color) * share;
     value = static_cast<std::uint8_t>(std::lround(mixed));
   }
   std::vector<std::uint8_t> bytes_;
@@ -66,17 +66,17 @@ void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
 void draw_groups(Canvas& canvas, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   const std::size_t count = begin.size() - 1;
-  for (std::size_t k = 0; k < std::min(count, group_colour_count); ++k) {
+  for (std::size_t k = 0; k < std::min(count, group_color_count); ++k) {
     AreaCoverage solid(scene.width, scene.height);
     LineCoverage boundary(scene.width, scene.height);
-    for (std::size_t g = k; g < count; g += group_colour_count)
+    for (std::size_t g = k; g < count; g += group_color_count)
       for_each_boundary_piece(scene, std::span(scene.drawing->curves).subspan(begin[g], begin[g + 1] - begin[g]),
                               [&](const Pixel& a, const Pixel& b) {
                                 solid.add_piece(a, b);
                                 boundary.add_line(a, b, scene.strokes.boundary_width);
                               });
-    canvas.paint(solid.take(), group_colours(k).fill, static_cast<float>(group_opacity));
-    canvas.paint(boundary.values(), group_colours(k).boundary);
+    canvas.paint(solid.take(), group_colors(k).fill, static_cast<float>(group_opacity));
+    canvas.paint(boundary.values(), group_colors(k).boundary);
   }
 }
 
@@ -96,17 +96,17 @@ Canvas draw(const Scene& scene) {
   }
   AreaCoverage solid(scene.width, scene.height);
   for_each_boundary_piece(scene, [&](const Pixel& a, const Pixel& b) { solid.add_piece(a, b); });
-  canvas.paint(solid.take(), fill_colour);
+  canvas.paint(solid.take(), fill_color);
 
   LineCoverage edges(scene.width, scene.height);
   add_lines(edges, scene, scene.drawing->inner_edges, scene.strokes.edge_width);
-  canvas.paint(edges.values(), edge_colour);
+  canvas.paint(edges.values(), edge_color);
 
   LineCoverage boundary(scene.width, scene.height);
   for_each_boundary_piece(
       scene, [&](const Pixel& a, const Pixel& b) { boundary.add_line(a, b, scene.strokes.boundary_width); });
   add_lines(boundary, scene, scene.drawing->dangling, scene.strokes.boundary_width);
-  canvas.paint(boundary.values(), boundary_colour);
+  canvas.paint(boundary.values(), boundary_color);
 
   LineCoverage isolated(scene.width, scene.height);
   std::size_t done = 0;
@@ -114,7 +114,7 @@ Canvas draw(const Scene& scene) {
     if (++done % 4096 == 0) stop_if_interrupted();
     isolated.add_dot(scene.at[point], scene.strokes.dot_radius);
   }
-  canvas.paint(isolated.values(), isolated_colour);
+  canvas.paint(isolated.values(), isolated_color);
   return canvas;
 }
 

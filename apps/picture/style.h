@@ -7,30 +7,30 @@
 
 namespace rbpa::app {
 
-struct Colour {
+struct Color {
   std::uint8_t red, green, blue;
 };
 
-constexpr Colour background_colour{0xFD, 0xFC, 0xFA};
-constexpr Colour fill_colour{0xCF, 0xE3, 0xF1};
-constexpr Colour edge_colour{0x4A, 0x86, 0xB4};
-constexpr Colour boundary_colour{0x10, 0x33, 0x5C};
-constexpr Colour isolated_colour{0xD5, 0x5E, 0x00};
+constexpr Color background_color{0xFD, 0xFC, 0xFA};
+constexpr Color fill_color{0xCF, 0xE3, 0xF1};
+constexpr Color edge_color{0x4A, 0x86, 0xB4};
+constexpr Color boundary_color{0x10, 0x33, 0x5C};
+constexpr Color isolated_color{0xD5, 0x5E, 0x00};
 
 /// The colors of a group of polygons, which may overlap others.
-struct GroupColours {
-  Colour fill, boundary;
+struct GroupColors {
+  Color fill, boundary;
 };
 constexpr double group_opacity = 0.6;  ///< opacity of fills
-constexpr std::size_t group_colour_count = 24;
+constexpr std::size_t group_color_count = 24;
 
-/// Returns the colors of group k; they repeat from group_colour_count on. The first eight hues differ for every kind of
+/// Returns the colors of group k; they repeat from group_color_count on. The first eight hues differ for every kind of
 /// color vision (Okabe and Ito); lighter and darker ones follow.
-constexpr GroupColours group_colours(std::size_t k) {
-  constexpr Colour hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
-                             {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
+constexpr GroupColors group_colors(std::size_t k) {
+  constexpr Color hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
+                            {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
   constexpr int shades[] = {60, 35, 85};  // percent of the hue in white
-  const Colour hue = hues[k % 8];
+  const Color hue = hues[k % 8];
   const int shade = shades[k / 8 % 3];
   const auto lit = [shade](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) * shade / 100); };
   const auto dark = [](std::uint8_t value) { return static_cast<std::uint8_t>(value * 2 / 3); };

@@ -15,11 +15,11 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-constexpr Colour front_colour{0xA9, 0xCD, 0xE6};
-constexpr Colour back_colour{0xC9, 0xC2, 0xB8};
-constexpr Colour filled_colour{0x9F, 0xD3, 0xB4};  // lighter than the boundary, greener than the surface
-constexpr Colour rim_colour{0xE6, 0x9F, 0x00};
-constexpr Colour island_colour{0xCC, 0x79, 0xA7};
+constexpr Color front_color{0xA9, 0xCD, 0xE6};
+constexpr Color back_color{0xC9, 0xC2, 0xB8};
+constexpr Color filled_color{0x9F, 0xD3, 0xB4};  // lighter than the boundary, greener than the surface
+constexpr Color rim_color{0xE6, 0x9F, 0x00};
+constexpr Color island_color{0xCC, 0x79, 0xA7};
 
 /// Samples with a depth; the nearest to the viewer remains.
 class DepthCanvas {
@@ -29,17 +29,17 @@ class DepthCanvas {
         height_(height),
         depths_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
                 -std::numeric_limits<float>::infinity()),
-        colours_(depths_.size(), background_colour) {}
+        colors_(depths_.size(), background_color) {}
 
-  void put(int x, int y, double depth, const Colour& colour) {
+  void put(int x, int y, double depth, const Color& color) {
     const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     if (static_cast<float>(depth) <= depths_[i]) return;
     depths_[i] = static_cast<float>(depth);
-    colours_[i] = colour;
+    colors_[i] = color;
   }
 
   /// Draws the samples whose centers are in the triangle.
-  void triangle(const Place& a, const Place& b, const Place& c, const Colour& colour) {
+  void triangle(const Place& a, const Place& b, const Place& c, const Color& color) {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if (area == 0) return;
     const double sign = area > 0 ? 1 : -1;
@@ -53,29 +53,29 @@ class DepthCanvas {
         const double at_a = (c[0] - b[0]) * (py - b[1]) - (c[1] - b[1]) * (px - b[0]);
         const double at_b = area - at_a - at_c;
         if (sign * at_a < 0 || sign * at_b < 0 || sign * at_c < 0) continue;
-        put(x, y, (at_a * a[2] + at_b * b[2] + at_c * c[2]) / area, colour);
+        put(x, y, (at_a * a[2] + at_b * b[2] + at_c * c[2]) / area, color);
       }
   }
 
-  void disc(const Place& centre, double radius, const Colour& colour) {
-    const int y_end = inside(std::ceil(centre[1] + radius), height_),
-              x_end = inside(std::ceil(centre[0] + radius), width_);
-    for (int y = inside(std::floor(centre[1] - radius), height_); y < y_end; ++y)
-      for (int x = inside(std::floor(centre[0] - radius), width_); x < x_end; ++x) {
-        const double dx = x + 0.5 - centre[0], dy = y + 0.5 - centre[1];
-        if (dx * dx + dy * dy <= radius * radius) put(x, y, centre[2], colour);
+  void disc(const Place& center, double radius, const Color& color) {
+    const int y_end = inside(std::ceil(center[1] + radius), height_),
+              x_end = inside(std::ceil(center[0] + radius), width_);
+    for (int y = inside(std::floor(center[1] - radius), height_); y < y_end; ++y)
+      for (int x = inside(std::floor(center[0] - radius), width_); x < x_end; ++x) {
+        const double dx = x + 0.5 - center[0], dy = y + 0.5 - center[1];
+        if (dx * dx + dy * dy <= radius * radius) put(x, y, center[2], color);
       }
   }
 
   /// Draws a line as a row of discs.
-  void line(const Place& from, const Place& to, double radius, const Colour& colour) {
+  void line(const Place& from, const Place& to, double radius, const Color& color) {
     const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
     const int steps = 1 + static_cast<int>(2 * length / radius);
     for (int i = 0; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
       Place at;
       for (std::size_t k = 0; k < 3; ++k) at[k] = from[k] + t * (to[k] - from[k]);
-      disc(at, radius, colour);
+      disc(at, radius, color);
     }
   }
 
@@ -88,8 +88,8 @@ class DepthCanvas {
         unsigned red = 0, green = 0, blue = 0;
         for (int j = 0; j < side; ++j)
           for (int i = 0; i < side; ++i) {
-            const Colour& c = colours_[static_cast<std::size_t>(y + j) * static_cast<std::size_t>(width_) +
-                                       static_cast<std::size_t>(x + i)];
+            const Color& c = colors_[static_cast<std::size_t>(y + j) * static_cast<std::size_t>(width_) +
+                                     static_cast<std::size_t>(x + i)];
             red += c.red;
             green += c.green;
             blue += c.blue;
@@ -107,28 +107,28 @@ class DepthCanvas {
   int width_;
   int height_;
   std::vector<float> depths_;
-  std::vector<Colour> colours_;
+  std::vector<Color> colors_;
 };
 
 /// Returns the shade of a triangle. Light comes from the viewer's upper left. As y points down, a triangle that is
 /// counter-clockwise for the viewer has a negative area.
-Colour shade(const Place& a, const Place& b, const Place& c, const Colour& front_own) {
+Color shade(const Place& a, const Place& b, const Place& c, const Color& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const double length = std::hypot(n[0], n[1], n[2]);
   const bool front = n[2] >= 0;
   const double toward = length > 0 ? (front ? 1 : -1) * (-0.4 * n[0] + 0.45 * n[1] + 0.8 * n[2]) / length : 1;
   const double light = 0.42 + 0.58 * std::clamp(toward, 0.0, 1.0);
-  const Colour& own = front ? front_own : back_colour;
+  const Color& own = front ? front_own : back_color;
   const auto lit = [&](std::uint8_t part) { return static_cast<std::uint8_t>(std::lround(part * light)); };
   return {lit(own.red), lit(own.green), lit(own.blue)};
 }
 
 /// Returns the mean color of the corners, the default color without colors, or the color of filled holes.
-Colour own_colour(const SurfacePicture& picture, std::size_t triangle) {
-  if (!picture.filled.empty() && picture.filled[triangle]) return filled_colour;
+Color own_color(const SurfacePicture& picture, std::size_t triangle) {
+  if (!picture.filled.empty() && picture.filled[triangle]) return filled_color;
   const auto& t = picture.triangles[triangle];
-  if (picture.colors.empty()) return front_colour;
+  if (picture.colors.empty()) return front_color;
   const auto mean = [&](std::size_t k) {
     return static_cast<std::uint8_t>((picture.colors[t[0]][k] + picture.colors[t[1]][k] + picture.colors[t[2]][k] + 1) /
                                      3);
@@ -152,24 +152,24 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
     go_on();
     const auto& t = picture.triangles[i];
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
-    canvas.triangle(a, b, c, shade(a, b, c, own_colour(picture, i)));
+    canvas.triangle(a, b, c, shade(a, b, c, own_color(picture, i)));
   }
   // Lines are raised by their thickness towards the viewer, so that a rim is visible along its whole length.
   const double radius = side * std::max(1.0, width / 700.0);
   const auto raised = [&](std::uint32_t i) { return Place{view.at[i][0], view.at[i][1], view.at[i][2] + 2 * radius}; };
   for (const std::uint32_t i : picture.unused) {
     go_on();
-    canvas.disc(view.at[i], radius, boundary_colour);
+    canvas.disc(view.at[i], radius, boundary_color);
   }
-  const auto draw = [&](std::span<const std::array<std::uint32_t, 2>> sides, const Colour& colour) {
+  const auto draw = [&](std::span<const std::array<std::uint32_t, 2>> sides, const Color& color) {
     for (const auto& [from, to] : sides) {
       go_on();
-      canvas.line(raised(from), raised(to), radius, colour);
+      canvas.line(raised(from), raised(to), radius, color);
     }
   };
-  draw(picture.rims, rim_colour);
-  draw(picture.islands, island_colour);
-  draw(picture.holes, isolated_colour);
+  draw(picture.rims, rim_color);
+  draw(picture.islands, island_color);
+  draw(picture.holes, isolated_color);
   write_png(file, view.width, view.height, canvas.pixels(side));
 }
 

@@ -61,10 +61,10 @@ class Path {
   Step at_{0, 0};
 };
 
-std::string hex(const Colour& colour) {
+std::string hex(const Color& color) {
   constexpr char digits[] = "0123456789abcdef";
   std::string text = "#";
-  for (const unsigned value : {colour.red, colour.green, colour.blue}) {
+  for (const unsigned value : {color.red, color.green, color.blue}) {
     text += digits[value >> 4U];
     text += digits[value & 15U];
   }
@@ -76,8 +76,8 @@ void begin_path(OutputFile& file, const std::string& id, const std::string& attr
 }
 void end_path(OutputFile& file) { file.write("\"/>\n"); }
 
-std::string stroke(const Colour& colour, double width) {
-  return "fill=\"none\" stroke=\"" + hex(colour) + "\" stroke-width=\"" + decimal(std::lround(width * 100)) +
+std::string stroke(const Color& color, double width) {
+  return "fill=\"none\" stroke=\"" + hex(color) + "\" stroke-width=\"" + decimal(std::lround(width * 100)) +
          "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
 }
 
@@ -106,7 +106,7 @@ void write_curves(OutputFile& file, const Scene& scene, std::span<const std::vec
 void write_groups(OutputFile& file, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   for (std::size_t g = 0; g + 1 < begin.size(); ++g) {
-    const auto [fill, boundary] = group_colours(g);
+    const auto [fill, boundary] = group_colors(g);
     begin_path(file, "group-" + std::to_string(g),
                "fill=\"" + hex(fill) + "\" fill-opacity=\"" + decimal(std::lround(group_opacity * 100)) +
                    "\" stroke=\"" + hex(boundary) + "\" stroke-width=\"" +
@@ -138,7 +138,7 @@ void write_svg(OutputFile& file, const Scene& scene) {
   const std::string width = std::to_string(scene.width), height = std::to_string(scene.height);
   file.write("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
              "\" viewBox=\"0 0 " + width + " " + height + "\">\n");
-  file.write("<rect width=\"100%\" height=\"100%\" fill=\"" + hex(background_colour) + "\"/>\n");
+  file.write("<rect width=\"100%\" height=\"100%\" fill=\"" + hex(background_color) + "\"/>\n");
 
   if (!scene.drawing->groups.empty()) {
     write_groups(file, scene);
@@ -146,21 +146,21 @@ void write_svg(OutputFile& file, const Scene& scene) {
     return;
   }
   const std::span<const std::vector<std::uint32_t>> curves = scene.drawing->curves;
-  begin_path(file, "solid", "fill=\"" + hex(fill_colour) + "\"");
+  begin_path(file, "solid", "fill=\"" + hex(fill_color) + "\"");
   write_curves(file, scene, curves, false);
   end_path(file);
-  begin_path(file, "edges", stroke(edge_colour, scene.strokes.edge_width));
+  begin_path(file, "edges", stroke(edge_color, scene.strokes.edge_width));
   write_edges(file, scene, scene.drawing->inner_edges, false);
   end_path(file);
-  begin_path(file, "boundary", stroke(boundary_colour, scene.strokes.boundary_width));
+  begin_path(file, "boundary", stroke(boundary_color, scene.strokes.boundary_width));
   write_curves(file, scene, curves, true);
   end_path(file);
   if (!scene.drawing->dangling.empty()) {
-    begin_path(file, "dangling", stroke(boundary_colour, scene.strokes.boundary_width));
+    begin_path(file, "dangling", stroke(boundary_color, scene.strokes.boundary_width));
     write_edges(file, scene, scene.drawing->dangling, true);
     end_path(file);
   }
-  begin_path(file, "isolated", stroke(isolated_colour, 2 * scene.strokes.dot_radius));
+  begin_path(file, "isolated", stroke(isolated_color, 2 * scene.strokes.dot_radius));
   Path path(file);
   for (const std::uint32_t point : scene.drawing->isolated) {
     path.move_to(step_of(scene.at[point]));

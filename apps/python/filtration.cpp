@@ -84,7 +84,7 @@ py::list representatives_of(const Doubles& points, bool full, double min_persist
     if (leaf_capacity) {
       levels.emplace();
       for (const ArrayLevel& level :
-           hrbpa_arrays(input, infinity, {.leaf_capacity = *leaf_capacity, .threads = threads}).levels)
+           triangles_by_level(input, infinity, {.leaf_capacity = *leaf_capacity, .threads = threads}).levels)
         levels->push_back(level.alpha);
     }
     return level_representatives(delaunay, steps, *levels, kind, choice, watch.until_stopped());

@@ -84,7 +84,7 @@ py::dict periodic_topology_of(const Doubles& points, const Box& box, double alph
     const PeriodicSolid all =
         periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
     return periodic_topology(all, circumradii(all.positions, all.simplices, 0, go_on), alpha,
-                             full ? VoidWalls::full : VoidWalls::solid, 0, go_on);
+                             full ? ComplexKind::full : ComplexKind::solid, 0, go_on);
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.betti[0], made.betti[1], made.betti[2], made.betti[3]);

@@ -106,9 +106,9 @@ py::dict dict_of(File& file, const app::PointSource& source) {
       fields.append(line<double>(std::move(file.fields[k])));
   result["fields"] = std::move(fields);
   result["crs"] = file.crs ? py::object(py::str(file.crs->text())) : py::none();
-  py::list remarks;
-  for (const std::string& remark : file.remarks) remarks.append(app::printable(remark));
-  result["remarks"] = std::move(remarks);
+  py::list warnings;
+  for (const std::string& warning : file.warnings) warnings.append(app::printable(warning));
+  result["warnings"] = std::move(warnings);
   std::vector<std::int64_t> index(file.index.begin(), file.index.end());
   result["selected"] = index.empty() ? py::object(py::none()) : py::object(line<std::int64_t>(std::move(index)));
   return result;

@@ -16,7 +16,7 @@ py::dict polygons(const Doubles& points, const Indices& simplices, const Indices
   const TriangleArrays triangles = triangle_arrays_of(simplices, neighbors);
   PolygonTotals totals;
   auto flat = watched(triangles.triangles.size(), py::none(), [&](Watch& watch) {
-    const std::vector<Polygon> made = rbpa::polygons(
+    const std::vector<Polygon> made = rbpa::outline_polygons(
         input, triangles, {.min_hole_area = min_hole_area, .min_part_area = min_part_area}, watch.until_stopped());
     FlatPolygons<std::uint32_t> all;
     for (const Polygon& polygon : made) all.add(polygon);

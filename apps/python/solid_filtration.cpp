@@ -132,7 +132,7 @@ py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Ind
   const auto input = points3_of(points, "points");
   const VoidTree tree = watched(input.size(), py::none(), [&](Watch& watch) {
     return void_tree(input, solid_again(simplices, neighbors), line_of(radii),
-                     full ? VoidWalls::full : VoidWalls::solid, threads, watch.until_stopped());
+                     full ? ComplexKind::full : ComplexKind::solid, threads, watch.until_stopped());
   });
   std::vector<double> closes, filled, volume;
   std::vector<std::uint32_t> parent;

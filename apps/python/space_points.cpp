@@ -22,10 +22,10 @@ std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighb
   const auto input = points3_of(points, "points");
   const auto from = viewpoints ? points3_of(*viewpoints, "viewpoint") : std::span<const Point3>();
   EstimatedNormals made = watched(input.size(), progress, [&](Watch& watch) {
-    return estimate_normals_and_certainty(
+    return estimate_normals_and_confidence(
         input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});
   });
-  return {rows<double>(std::move(made.normals)), line<double>(std::move(made.certainty))};
+  return {rows<double>(std::move(made.normals)), line<double>(std::move(made.confidence))};
 }
 
 /// Returns the moved points, and the number of steps.

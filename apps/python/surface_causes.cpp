@@ -74,9 +74,9 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
 
 /// Returns for each curve of kind hole its number, the kind of the suggested repair, the radius, the begin of its
 /// points, and these points.
-py::dict remedies_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
-                     const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
-                     const py::object& progress) {
+py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
+                    const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
+                    const py::object& progress) {
   const SurfaceInput input(points, normals, radii);
   const Surface made = surface_again(input, triangles, neighbors, levels, duplicates);
   std::vector<std::int32_t> number;
@@ -91,18 +91,18 @@ py::dict remedies_of(const Doubles& points, const Doubles& normals, const Double
       number.push_back(static_cast<std::int32_t>(i));
       wanted.push_back(curves[i]);
     }
-    return hole_remedies(input.points, input.normals, input.radii, made, wanted, options);
+    return suggested_repairs(input.points, input.normals, input.radii, made, wanted, options);
   });
   std::vector<std::uint8_t> kinds, outcomes;
   std::vector<double> larger;
   std::vector<std::int64_t> begin = {0};
   std::vector<std::int32_t> turned;
   constexpr std::uint8_t not_tried = 255;
-  for (const HoleRemedy& remedy : found) {
-    kinds.push_back(static_cast<std::uint8_t>(remedy.kind));
-    outcomes.push_back(remedy.filled ? static_cast<std::uint8_t>(*remedy.filled) : not_tried);
-    larger.push_back(remedy.radius);
-    for (const std::uint32_t point : remedy.points) turned.push_back(static_cast<std::int32_t>(point));
+  for (const SuggestedRepair& repair : found) {
+    kinds.push_back(static_cast<std::uint8_t>(repair.kind));
+    outcomes.push_back(repair.filled ? static_cast<std::uint8_t>(*repair.filled) : not_tried);
+    larger.push_back(repair.radius);
+    for (const std::uint32_t point : repair.points) turned.push_back(static_cast<std::int32_t>(point));
     begin.push_back(static_cast<std::int64_t>(turned.size()));
   }
   py::dict result;
@@ -141,7 +141,7 @@ void bind_surface_causes(py::module_& module) {
   module.def("surface_holes", &holes_of, arg("points").noconvert(), arg("normals").noconvert(),
              arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
              arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
-  module.def("surface_remedies", &remedies_of, arg("points").noconvert(), arg("normals").noconvert(),
+  module.def("surface_repairs", &repairs_of, arg("points").noconvert(), arg("normals").noconvert(),
              arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
              arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"), arg("progress"));
   module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),

@@ -1,4 +1,4 @@
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 #include <pybind11/pybind11.h>
 
@@ -19,9 +19,9 @@ namespace {
 
 py::dict triangulate(const Doubles& points, double alpha, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
-  Triangulation made = watched(input.size(), progress, [&](Watch& watch) {
-    return rbpa::triangulate(input, alpha,
-                             {.neighbors = true, .boundary = true, .threads = threads, .progress = watch.progress()});
+  AlphaComplex made = watched(input.size(), progress, [&](Watch& watch) {
+    return rbpa::alpha_complex(input, alpha,
+                               {.neighbors = true, .boundary = true, .threads = threads, .progress = watch.progress()});
   });
   py::dict result;
   result["simplices"] = rows<std::int32_t>(std::move(made.triangles));

@@ -44,10 +44,10 @@ std::vector<Representative> find_representatives(RadiiRun& run, ComplexKind kind
     return representatives(run.delaunay(), filtration, kind, request.choice, until_interrupted());
   std::vector<double> levels = request.levels.value_or(std::vector<double>());
   if (request.leaf_capacity)
-    for (const ArrayLevel& level : hrbpa_arrays(run.file.points, std::numeric_limits<double>::infinity(),
-                                                {.leaf_capacity = *request.leaf_capacity,
-                                                .threads = threads,
-                                                .progress = [](const Progress&) { return !interrupted(); }})
+    for (const ArrayLevel& level : triangles_by_level(run.file.points, std::numeric_limits<double>::infinity(),
+                                                      {.leaf_capacity = *request.leaf_capacity,
+                                                      .threads = threads,
+                                                      .progress = [](const Progress&) { return !interrupted(); }})
                                        .levels)
       levels.push_back(level.alpha);
   return level_representatives(run.delaunay(), filtration, levels, kind, request.choice, until_interrupted());

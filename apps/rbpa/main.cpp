@@ -38,6 +38,8 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
 /// Returns the command, last word first, as CLI takes it. "help VERB" becomes "VERB --help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
+  // Spelled so up to version 0.1.
+  std::replace(words.begin(), words.end(), std::string("--remedies"), std::string("--suggest-repairs"));
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
     const auto is_asked_for = [&](const CLI::App* verb) { return verb->check_name(words[0]); };

@@ -139,7 +139,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
-  add_switch(verb, "--remedies", arguments.remedies,
+  add_switch(verb, "--suggest-repairs", arguments.repairs,
              "Suggest a repair for each hole: one more radius, normals to turn, or a filling; each is tried. "
              "Shown in the summary, --json and --stats");
   add_switch(verb, "--json", arguments.json, "Print everything as JSON, with each hole and its causes");
@@ -154,7 +154,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight --refine -o print.stl\n"
-      "  rbpa surface scan.ply --radius 0.01 --remedies -o mesh.ply\n"
+      "  rbpa surface scan.ply --radius 0.01 --suggest-repairs -o mesh.ply\n"
       "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"
       "Vertices of a mesh file are the input points in input order. The summary says why the surface ends at a hole, "

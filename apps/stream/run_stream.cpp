@@ -69,8 +69,8 @@ class Run {
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
   }
 
-  void remark(const std::string& text, const std::string& name) {
-    if (remarks_.insert(text).second && !request_.quiet) say("rbpa", name + ": " + text);
+  void warning(const std::string& text, const std::string& name) {
+    if (warnings_.insert(text).second && !request_.quiet) say("rbpa", name + ": " + text);
   }
 
   void take_crs(const InputBlock& block) {
@@ -78,10 +78,10 @@ class Run {
     if (block.file > 0) require_same_crs(block.about.crs, name, manifest_.facts.crs, request_.sources.front().path);
     manifest_.facts.crs = block.about.crs;
     manifest_.facts.degrees = manifest_.facts.degrees || block.about.degrees;
-    for (const std::string& text : block.about.remarks) remark(text, name);
+    for (const std::string& text : block.about.warnings) warning(text, name);
     const bool has_heights = block.about.heights.differ() || request_.sources[block.file].format == Format::las;
     if (has_heights && request_.wants(StreamFormat::ply))
-      remark("meshes of tiles have z = 0 (rbpa mesh keeps heights, of points that fit into memory)", name);
+      warning("meshes of tiles have z = 0 (rbpa mesh keeps heights, of points that fit into memory)", name);
   }
 
   void count() {
@@ -155,7 +155,7 @@ class Run {
   Manifest manifest_ = {};
   std::optional<TriangleRows> rows_ = std::nullopt;
   std::optional<PolygonLog> polygons_ = std::nullopt;
-  std::set<std::string> remarks_ = {};
+  std::set<std::string> warnings_ = {};
   StreamResult result_ = {};
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -30,7 +30,7 @@ SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components) 
   return counts;
 }
 
-std::size_t crowded_edges(std::span<const std::array<Index, 3>> triangles) {
+std::size_t non_manifold_edges(std::span<const std::array<Index, 3>> triangles) {
   // For each point, the other ends of the sides at which it is the lesser end.
   Index most = 0;
   for (const auto& triangle : triangles) most = std::max({most, triangle[0], triangle[1], triangle[2]});

@@ -28,7 +28,7 @@ struct SurfaceCounts {
 SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 
 /// Returns the number of non-manifold edges: pairs of corners with more than two triangles, however these are glued.
-std::size_t crowded_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
+std::size_t non_manifold_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Returns the numbers of the triangles sorted by component: the one with the largest box first, of equal boxes the one
 /// that encloses more. Triangles of a component, and components without such a difference, keep the order of the

@@ -15,7 +15,7 @@ std::string why_file_is_open(Format format, const std::string& file, std::span<c
   if (!has_single_precision(format)) return "";
   std::string why = why_not_kept(format, points, triangles, shift, file);
   if (!why.empty()) return why;
-  if (const std::size_t edges = crowded_edges(triangles); format == Format::stl && edges > 0)
+  if (const std::size_t edges = non_manifold_edges(triangles); format == Format::stl && edges > 0)
     return file + ": STL joins what is at equal positions, and " + counted(edges, "edge") +
            " would have more than two triangles (.ply, .obj and .off keep them apart)";
   constexpr std::size_t most = 1000;  // pairs to count at most

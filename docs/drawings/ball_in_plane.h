@@ -12,7 +12,7 @@ namespace figures {
 
 /// Section of a ball by the plane.
 struct Disc {
-  Place centre;
+  Place center;
   double radius;
 };
 

@@ -55,8 +55,8 @@ Site apex_of(const std::vector<Candidate>& candidates) {
 }
 
 void draw_ball(Canvas& canvas, const Frame& frame, const Disc& ball, const Stroke& stroke, double dot) {
-  canvas.circle(frame(ball.centre), frame.scale * ball.radius, stroke);
-  canvas.dot(frame(ball.centre), dot, stroke.colour);
+  canvas.circle(frame(ball.center), frame.scale * ball.radius, stroke);
+  canvas.dot(frame(ball.center), dot, stroke.color);
 }
 
 std::string paper_3_candidate() {
@@ -78,11 +78,11 @@ std::string paper_3_candidate() {
     constexpr int steps = 4;
     for (int i = 1; i < steps; ++i) {
       const Disc between = ball.on_edge(a, b, from + (to - from) * i / steps);
-      canvas.circle(frame(between.centre), frame.scale * between.radius, {colour::pale, 1});
+      canvas.circle(frame(between.center), frame.scale * between.radius, {color::pale, 1});
     }
-    draw_ball(canvas, frame, ball.on_edge(a, b, from), {colour::inner, 1, true}, 2.2);
-    draw_ball(canvas, frame, at_rest, {colour::text, 1.6}, 2.2);
-    canvas.arrow({frame(ball.on_edge(a, b, from).centre), frame(at_rest.centre), {}}, {colour::text, 1.2}, 7);
+    draw_ball(canvas, frame, ball.on_edge(a, b, from), {color::inner, 1, true}, 2.2);
+    draw_ball(canvas, frame, at_rest, {color::text, 1.6}, 2.2);
+    canvas.arrow({frame(ball.on_edge(a, b, from).center), frame(at_rest.center), {}}, {color::text, 1.2}, 7);
   };
 
   const Corners second = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
@@ -98,8 +98,8 @@ std::string paper_3_candidate() {
     for (const Candidate& c : seen)
       for (const Site end : {a, b})
         if (c.site != apex) sights.push_back({frame(places[c.site]), frame(places[end]), {}});
-    canvas.segments(sights, {colour::pale, 1});
-    draw_ball(canvas, frame, at_rest, {colour::text, 1.6}, 2.2);
+    canvas.segments(sights, {color::pale, 1});
+    draw_ball(canvas, frame, at_rest, {color::text, 1.6}, 2.2);
     for (const Candidate& c : seen)
       canvas.text(frame(places[c.site]) - Place{0, 9}, rounded(c.angle, "%.0f") + "°",
                   c.site == apex ? Lettering::plain : Lettering::small, Align::middle);
@@ -109,7 +109,7 @@ std::string paper_3_candidate() {
     for (const double half_chords : {from, to})
       for (const Place corner : {Place{-1, -1}, {1, 1}}) {
         const Disc disc = ball.on_edge(a, b, half_chords);
-        panel->extent.push_back(disc.centre + disc.radius * corner);
+        panel->extent.push_back(disc.center + disc.radius * corner);
       }
   }
   return Sheet("Which point the ball touches first: the one that sees the edge under the largest angle", 62)

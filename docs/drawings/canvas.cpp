@@ -61,7 +61,7 @@ std::string path_of(const std::vector<std::vector<Place>>& rings) {
 }
 
 std::string attributes(const Stroke& stroke) {
-  std::string text = attribute("stroke", stroke.colour) + attribute("stroke-width", decimal(stroke.width));
+  std::string text = attribute("stroke", stroke.color) + attribute("stroke-width", decimal(stroke.width));
   if (stroke.dashed) text += attribute("stroke-dasharray", "5 4");
   return text + " fill=\"none\"/>\n";
 }
@@ -80,9 +80,9 @@ Place direction(Place p) {
   return size > 0 ? (1 / size) * p : p;
 }
 
-Place polar(double degrees, double radius, Place centre) {
+Place polar(double degrees, double radius, Place center) {
   const double angle = degrees * std::numbers::pi / 180;
-  return centre + Place{radius * std::cos(angle), radius * std::sin(angle)};
+  return center + Place{radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 void Canvas::outline(const std::vector<Segment>& sides, std::string_view fill) {
@@ -113,16 +113,16 @@ void Canvas::segments(const std::vector<Segment>& all, const Stroke& stroke) {
   body_ += joined({"<path d=\"", path, "\"", attributes(stroke)});
 }
 
-void Canvas::head(Place at, Place along, std::string_view colour, double size) {
+void Canvas::head(Place at, Place along, std::string_view color, double size) {
   const Place u = (size / 2) * direction(along), side{-0.8 * u.y, 0.8 * u.x};
   body_ += joined({"<path d=\"M", pair(at + u), "L", pair(at - u + side), "L", pair(at - u - side), "Z\"",
-                   attribute("fill", colour), "/>\n"});
+                   attribute("fill", color), "/>\n"});
 }
 
 void Canvas::arrow(const Segment& s, const Stroke& stroke, double head_size) {
   const Place along = direction(s.to - s.bend.value_or(s.from));
   segment({s.from, s.to - (head_size / 2) * along, s.bend}, stroke);
-  head(s.to - (head_size / 2) * along, along, stroke.colour, head_size);
+  head(s.to - (head_size / 2) * along, along, stroke.color, head_size);
 }
 
 void Canvas::dot(Place at, double radius, std::string_view fill) {
@@ -137,14 +137,14 @@ void Canvas::dots(const std::vector<Place>& at, double radius, std::string_view 
   body_ += joined({"<path d=\"", path, "\"", attributes({fill, 2 * radius})});
 }
 
-void Canvas::circle(Place centre, double radius, const Stroke& stroke) {
-  body_ += joined({"<circle", attribute("cx", decimal(centre.x)), attribute("cy", decimal(centre.y)),
+void Canvas::circle(Place center, double radius, const Stroke& stroke) {
+  body_ += joined({"<circle", attribute("cx", decimal(center.x)), attribute("cy", decimal(center.y)),
                    attribute("r", decimal(radius)), attributes(stroke)});
 }
 
-void Canvas::ring(Place at, double radius, std::string_view colour) {
+void Canvas::ring(Place at, double radius, std::string_view color) {
   body_ += joined({"<circle", attribute("cx", decimal(at.x)), attribute("cy", decimal(at.y)),
-                   attribute("r", decimal(radius)), attribute("fill", colour::paper), attribute("stroke", colour),
+                   attribute("r", decimal(radius)), attribute("fill", color::paper), attribute("stroke", color),
                    " stroke-width=\"1.4\"/>\n"});
 }
 

@@ -20,7 +20,7 @@ double length(Place p);
 /// Returns the vector scaled to length 1; the zero vector stays.
 Place direction(Place p);
 /// Returns the point at an angle in degrees on a circle about the origin or another center.
-Place polar(double degrees, double radius, Place centre = {});
+Place polar(double degrees, double radius, Place center = {});
 
 /// Line from place to place. With `bend` it is a parabola that leaves and arrives in the direction of `bend`.
 struct Segment {
@@ -31,7 +31,7 @@ struct Segment {
 };
 
 /// Colors that are distinct for every kind of color vision, and in gray: blue against orange, dark against light.
-namespace colour {
+namespace color {
 constexpr std::string_view paper = "#ffffff";
 constexpr std::string_view text = "#1b2733";
 constexpr std::string_view muted = "#5b6b7a";
@@ -42,13 +42,13 @@ constexpr std::string_view face = "#dcebf8";
 constexpr std::string_view curve = "#1f6fb2";
 constexpr std::string_view touched = "#d9730d";
 constexpr std::string_view touched_face = "#fadcb9";
-}  // namespace colour
+}  // namespace color
 
 enum class Lettering { plain, italic, code, small };
 enum class Align { start, middle, end };
 
 struct Stroke {
-  std::string_view colour = colour::inner;
+  std::string_view color = color::inner;
   double width = 1;
   bool dashed = false;
 };
@@ -63,15 +63,15 @@ class Canvas {
   /// Draws straight segments as one element.
   void segments(const std::vector<Segment>& all, const Stroke& stroke);
   /// Draws an arrow head: a triangle of `size` pixels whose middle is at a place.
-  void head(Place at, Place along, std::string_view colour, double size);
+  void head(Place at, Place along, std::string_view color, double size);
   /// Draws a line that ends in a head.
   void arrow(const Segment& s, const Stroke& stroke, double head_size);
   void dot(Place at, double radius, std::string_view fill);
   /// Draws dots as one element.
   void dots(const std::vector<Place>& at, double radius, std::string_view fill);
-  void ring(Place at, double radius, std::string_view colour);
+  void ring(Place at, double radius, std::string_view color);
   /// Draws a circle and leaves its inside as it is.
-  void circle(Place centre, double radius, const Stroke& stroke);
+  void circle(Place center, double radius, const Stroke& stroke);
   /// Writes text whose base line begins, has its middle, or ends at a place.
   void text(Place at, std::string_view words, Lettering lettering, Align align = Align::start);
 

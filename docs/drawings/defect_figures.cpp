@@ -63,19 +63,19 @@ bool is_of_edge(const SoupDefect& defect) {
 /// Draws a face a little inside its corners, with its direction; the second of two equal faces lies further inside.
 void draw_face(Canvas& canvas, const Frame& frame, const Specimen& specimen, std::size_t f, bool bad, double inset) {
   const Corners& face = specimen.faces[f];
-  Place centre;
+  Place center;
   for (const std::uint32_t place : face)
-    centre = centre + (1.0 / static_cast<double>(face.size())) * specimen.places[place];
+    center = center + (1.0 / static_cast<double>(face.size())) * specimen.places[place];
   std::vector<Segment> sides;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const auto corner = [&](std::size_t c) {
       const Place at = specimen.places[face[c % face.size()]];
-      return frame(at + inset * (centre - at));
+      return frame(at + inset * (center - at));
     };
     sides.push_back({corner(i), corner(i + 1), {}});
   }
-  const std::string_view ink = bad ? colour::touched : colour::inner;
-  canvas.outline(sides, bad ? colour::touched_face : colour::face);
+  const std::string_view ink = bad ? color::touched : color::inner;
+  canvas.outline(sides, bad ? color::touched_face : color::face);
   for (const Segment& side : sides) {
     canvas.segment(side, {ink, 1.4});
     if (length(side.to - side.from) > 20) canvas.head(side.middle(), side.to - side.from, ink, 8);
@@ -99,16 +99,16 @@ void draw_specimen(Canvas& canvas, const Frame& frame, const Specimen& specimen,
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::uint32_t a = face[i], b = face[(i + 1) % face.size()];
         if (has(a) && has(b))
-          canvas.segment(frame.of({specimen.places[a], specimen.places[b], {}}), {colour::touched, 3.2});
+          canvas.segment(frame.of({specimen.places[a], specimen.places[b], {}}), {color::touched, 3.2});
       }
   for (std::uint32_t p = 0; p < specimen.places.size(); ++p) {
     const Place at = frame(specimen.places[p]);
     const bool missing = p + specimen.missing >= specimen.places.size();
     const bool bad = has(p) && (of_edge || defect.kind == SoupDefectKind::pinch);
     if (missing)
-      canvas.ring(at, 4, colour::touched);
+      canvas.ring(at, 4, color::touched);
     else
-      canvas.dot(at, bad ? 4.6 : 3.4, bad ? colour::touched : colour::text);
+      canvas.dot(at, bad ? 4.6 : 3.4, bad ? color::touched : color::text);
     const Place outward = direction(at - frame(middle));
     const Place beside = length(at - frame(middle)) < 5 ? Place{0, -1} : outward;
     canvas.text(at + 14 * beside + Place{0, 4}, std::to_string(specimen.point(p)), Lettering::small, Align::middle);

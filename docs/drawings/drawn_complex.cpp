@@ -39,9 +39,9 @@ void draw_complex(Canvas& canvas, const Frame& frame, const rbpa::SolidAlphaComp
   meshops::for_each_edge(mesh, [&](Edge e) {
     (mesh.is_boundary(e) ? boundary : inner).push_back(frame.of(segment_of(mesh, mesh.halfedge_handle(e, 0))));
   });
-  canvas.region(faces, colour::face);
-  canvas.segments(inner, {colour::inner, width / 2});
-  canvas.segments(boundary, {colour::curve, width});
+  canvas.region(faces, color::face);
+  canvas.segments(inner, {color::inner, width / 2});
+  canvas.segments(boundary, {color::curve, width});
 }
 
 void draw_solid(Canvas& canvas, const Frame& frame, const Points& points, std::span<const rbpa::Polygon> solid,
@@ -55,8 +55,8 @@ void draw_solid(Canvas& canvas, const Frame& frame, const Points& points, std::s
     add(polygon.shell);
     for (const rbpa::Ring& hole : polygon.holes) add(hole);
   }
-  canvas.region(rings, colour::face);
-  canvas.closed_lines(rings, {colour::curve, width});
+  canvas.region(rings, color::face);
+  canvas.closed_lines(rings, {color::curve, width});
 }
 
 }  // namespace figures

@@ -13,9 +13,9 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
   meshops::for_each_face(drawn.mesh, [&](Face f) {
     std::vector<Segment> sides;
     for (const Halfedge h : drawn.mesh.fh_range(f)) sides.push_back(frame.of(drawn.segment(h)));
-    canvas.outline(sides, marks.faces.contains(f)        ? colour::touched_face
-                          : marks.pale_faces.contains(f) ? colour::pale_face
-                                                         : colour::face);
+    canvas.outline(sides, marks.faces.contains(f)        ? color::touched_face
+                          : marks.pale_faces.contains(f) ? color::pale_face
+                                                         : color::face);
   });
 }
 
@@ -23,7 +23,7 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
 void draw_inner_edge(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, Edge e, bool touched) {
   const Halfedge h = drawn.mesh.halfedge_handle(e, 0);
   const Segment one = frame.of(drawn.segment(h)), other = frame.of(drawn.segment(Halfedge(h.idx() ^ 1)).reversed());
-  const std::string_view ink = touched ? colour::touched : colour::inner;
+  const std::string_view ink = touched ? color::touched : color::inner;
   const double width = touched ? 2.6 : 1.2;
   canvas.segment(one, {ink, width});
   if (one.from == other.from && one.to == other.to) return;
@@ -37,7 +37,7 @@ void draw_boundary(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, c
   meshops::for_each_halfedge(drawn.mesh, [&](Halfedge h) {
     if (!drawn.mesh.is_boundary(h)) return;
     const Segment s = frame.of(drawn.segment(h));
-    const auto ink = marks.edges.contains(drawn.mesh.edge_handle(h)) ? colour::touched : colour::curve;
+    const auto ink = marks.edges.contains(drawn.mesh.edge_handle(h)) ? color::touched : color::curve;
     canvas.segment(s, {ink, 2.6});
     if (length(s.to - s.from) > 20) canvas.head(s.middle(), s.to - s.from, ink, 9);
   });
@@ -46,11 +46,11 @@ void draw_boundary(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, c
 void draw_vertices(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
   const auto dot = [&](Place at, Vertex v) {
     if (marks.vertices.contains(v))
-      canvas.dot(frame(at), 4.6, colour::touched);
+      canvas.dot(frame(at), 4.6, color::touched);
     else if (marks.pale_vertices.contains(v))
-      canvas.ring(frame(at), 2.6, colour::inner);
+      canvas.ring(frame(at), 2.6, color::inner);
     else
-      canvas.dot(frame(at), 3.4, colour::text);
+      canvas.dot(frame(at), 3.4, color::text);
   };
   meshops::for_each_vertex(drawn.mesh, [&](Vertex v) {
     if (drawn.mesh.is_isolated(v)) dot(drawn.place(v), v);

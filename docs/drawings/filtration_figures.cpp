@@ -44,8 +44,8 @@ std::string filtration_plot() {
     const Points some = sampled(ring, random);
     points.insert(points.end(), some.begin(), some.end());
   }
-  const rbpa::Triangulation delaunay =
-      rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const rbpa::AlphaComplex delaunay =
+      rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
   const auto pairs = rbpa::persistence(delaunay, points, filtration);
   rbpa::app::FiltrationPlot plot = rbpa::app::plot_of(filtration.steps, pairs);

@@ -36,7 +36,7 @@ Point3 point_with_cap(Vector direction, double degrees) {
 Vector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// Returns the center of the ball on (v, x, y).
-Vector centre_on(const Vector& x, const Vector& y) {
+Vector center_on(const Vector& x, const Vector& y) {
   const Vector n = cross(x, y), w = minus(x, y);
   const double nn = dot(n, n), xx = dot(x, x), yy = dot(y, y), rise = std::sqrt(4 * nn - xx * yy * dot(w, w));
   const Vector sum = plus(plus(scaled(cross(y, n), xx), scaled(cross(n, x), yy)), scaled(n, rise));
@@ -90,8 +90,8 @@ Region region_without(std::span<const Point3> points) {
                           const std::size_t size = cycle.size();
                           for (std::size_t k = 0; k < size; ++k) {
                             const Vector &y = cycle[(k + size - 1) % size], &x = cycle[k], &z = cycle[(k + 1) % size];
-                            drawn.corners.push_back(centre_on(x, y));
-                            drawn.arcs.push_back(circle_of(x, centre_on(x, y), centre_on(z, x)));
+                            drawn.corners.push_back(center_on(x, y));
+                            drawn.arcs.push_back(circle_of(x, center_on(x, y), center_on(z, x)));
                           }
                           ++drawn.cycles;
                           cycle.clear();
@@ -103,8 +103,8 @@ Region region_without(std::span<const Point3> points) {
 class View {
  public:
   View(Canvas& canvas, Place middle) : canvas_(canvas), middle_(middle) {
-    canvas_.region({seen(rim())}, colour::face);
-    canvas_.circle(middle_, radius, {colour::inner, 1});
+    canvas_.region({seen(rim())}, color::face);
+    canvas_.circle(middle_, radius, {color::inner, 1});
   }
 
   void heading(const std::string& words, const std::string& caption) {
@@ -122,7 +122,7 @@ class View {
       const std::vector<Place> places = seen(arc);
       std::vector<Segment> segments;
       for (std::size_t i = 1; i < places.size(); ++i) segments.push_back({places[i - 1], places[i], {}});
-      canvas_.segments(segments, {colour::curve, 2.4});
+      canvas_.segments(segments, {color::curve, 2.4});
     }
   }
   void corners(const std::vector<Vector>& corners, std::string_view fill) {
@@ -168,34 +168,34 @@ std::string free_region() {
   constexpr double width = 270, y = 142;
   View first(canvas, {width / 2, y});
   first.heading("(a) two caps", "two corners, two arcs");
-  first.cap(p, colour::pale);
-  first.cap(q, colour::pale);
-  for (const Point3& of : two) first.circle(of, {colour::inner, 0.8, true});
+  first.cap(p, color::pale);
+  first.cap(q, color::pale);
+  for (const Point3& of : two) first.circle(of, {color::inner, 0.8, true});
   first.boundary(crossed);
-  first.corners(crossed.corners, colour::text);
+  first.corners(crossed.corners, color::text);
   first.name(p, "p");
   first.name(q, "q");
 
   View second(canvas, {1.5 * width, y});
   second.heading("(b) x bites the arc about p", "two corners more, and an arc about x");
-  second.cap(p, colour::pale);
-  second.cap(q, colour::pale);
-  second.cap(x, colour::touched_face);
-  for (const Point3& of : three) second.circle(of, {colour::inner, 0.8, true});
+  second.cap(p, color::pale);
+  second.cap(q, color::pale);
+  second.cap(x, color::touched_face);
+  for (const Point3& of : three) second.circle(of, {color::inner, 0.8, true});
   second.boundary(bitten);
-  second.corners(bitten.corners, colour::touched);
-  second.corners(crossed.corners, colour::text);
+  second.corners(bitten.corners, color::touched);
+  second.corners(crossed.corners, color::text);
   second.name(p, "p");
   second.name(q, "q");
   second.name(x, "x");
 
   View third(canvas, {2.5 * width, y});
   third.heading("(c) the circle of w waits", "it crosses no arc, and no cap covers it");
-  for (const Point3& of : three) third.cap(of, colour::pale);
-  for (const Point3& of : three) third.circle(of, {colour::inner, 0.8, true});
+  for (const Point3& of : three) third.cap(of, color::pale);
+  for (const Point3& of : three) third.circle(of, {color::inner, 0.8, true});
   third.boundary(waiting);
-  third.corners(waiting.corners, colour::text);
-  third.circle(w, {colour::touched, 1.8, true});
+  third.corners(waiting.corners, color::text);
+  third.circle(w, {color::touched, 1.8, true});
   third.name(p, "p");
   third.name(q, "q");
   third.name(x, "x");

@@ -159,8 +159,8 @@ Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& fac
   panel.more = [=, refused = refusal.has_value()](Canvas& canvas, const Frame& frame) {
     for (unsigned i = 0; i < 3; ++i) {
       const Place a = frame(places[triangle[i]]), b = frame(places[triangle[(i + 1) % 3]]);
-      canvas.segment({a, b, {}}, {refused ? colour::touched : colour::curve, 2.5, true});
-      canvas.dot(a, 4, refused ? colour::touched : colour::curve);
+      canvas.segment({a, b, {}}, {refused ? color::touched : color::curve, 2.5, true});
+      canvas.dot(a, 4, refused ? color::touched : color::curve);
     }
   };
   return panel;

@@ -66,9 +66,9 @@ void draw_leaves(Canvas& canvas, const Frame& frame, const std::vector<Leaf>& le
     if (leaf.side == marked) filled.push_back(corners);
     all.push_back(std::move(corners));
   }
-  canvas.region(filled, colour::touched_face);
-  canvas.closed_lines(all, {colour::inner, 0.8});
-  canvas.closed_lines(filled, {colour::touched, 1.2});
+  canvas.region(filled, color::touched_face);
+  canvas.closed_lines(all, {color::inner, 0.8});
+  canvas.closed_lines(filled, {color::touched, 1.2});
 }
 
 /// State after a level, and the points that are carried to the next one.
@@ -125,12 +125,12 @@ std::vector<Segment> in_frame(const Frame& frame, std::vector<Segment> segments)
 
 /// Draws a level: earlier triangles are gray; the boundary and the carried points are marked, if any point is carried.
 void draw_level(Canvas& canvas, const Frame& frame, const AfterLevel& after, double dot) {
-  canvas.region(in_frame(frame, after.earlier), colour::pale);
-  canvas.region(in_frame(frame, after.fresh), colour::face);
-  canvas.segments(in_frame(frame, after.inner), {colour::inner, 0.7});
-  canvas.segments(in_frame(frame, after.boundary), {after.is_last ? colour::curve : colour::touched, 2});
-  draw_points(canvas, frame, after.left_behind, dot * 0.6, colour::inner);
-  if (!after.is_last) draw_points(canvas, frame, after.carried, dot, colour::touched);
+  canvas.region(in_frame(frame, after.earlier), color::pale);
+  canvas.region(in_frame(frame, after.fresh), color::face);
+  canvas.segments(in_frame(frame, after.inner), {color::inner, 0.7});
+  canvas.segments(in_frame(frame, after.boundary), {after.is_last ? color::curve : color::touched, 2});
+  draw_points(canvas, frame, after.left_behind, dot * 0.6, color::inner);
+  if (!after.is_last) draw_points(canvas, frame, after.carried, dot, color::touched);
 }
 
 /// Returns points that get denser toward a place: random candidates, kept if no other is nearer than their distance
@@ -170,18 +170,18 @@ void draw_enlarged(Canvas& canvas, const Frame& frame, const Window& window, con
     if (corners[0].x >= corners[2].x || corners[0].y <= corners[2].y) continue;
     (leaf.side == smallest.side ? marked : rings).push_back(corners);
   }
-  canvas.region(marked, colour::touched_face);
-  canvas.closed_lines(rings, {colour::inner, 0.8});
-  canvas.closed_lines(marked, {colour::touched, 1.4});
+  canvas.region(marked, color::touched_face);
+  canvas.closed_lines(rings, {color::inner, 0.8});
+  canvas.closed_lines(marked, {color::touched, 1.4});
   const Place middle = smallest.middle();
-  canvas.circle(frame(middle), frame.scale * smallest.side / 2, {colour::text, 1.6});
+  canvas.circle(frame(middle), frame.scale * smallest.side / 2, {color::text, 1.6});
   const Segment radius{middle, middle + Place{smallest.side / 2, 0}, {}};
-  canvas.segment(frame.of(radius), {colour::text, 1.6});
+  canvas.segment(frame.of(radius), {color::text, 1.6});
   canvas.text(frame(radius.middle()) + Place{0, 16}, "α₀", Lettering::italic, Align::middle);
   Points near;
   for (const rbpa::Point& p : points)
     if (window.holds(place_of(p))) near.push_back(p);
-  draw_points(canvas, frame, near, 3.2, colour::text);
+  draw_points(canvas, frame, near, 3.2, color::text);
 }
 
 std::string paper_4_least_radius() {
@@ -209,10 +209,10 @@ std::string paper_4_least_radius() {
   tree.extent = {{0, 0}, {size, size}};
   tree.more = [=](Canvas& canvas, const Frame& frame) {
     draw_leaves(canvas, frame, leaves, side);
-    draw_points(canvas, frame, points, 2.2, colour::text);
+    draw_points(canvas, frame, points, 2.2, color::text);
     std::vector<Place> border = window.corners();
     for (Place& corner : border) corner = frame(corner);
-    canvas.closed_lines({border}, {colour::text, 1.2, true});
+    canvas.closed_lines({border}, {color::text, 1.2, true});
   };
   Panel radius = panel_over(points, "(b) the smallest leaves, " + rounded(times) + " times as large",
                             {"side " + rounded(side) + " · α₀ " + rounded(side / 2)});
@@ -224,7 +224,7 @@ std::string paper_4_least_radius() {
     draw_enlarged(canvas, enlarged, window, leaves, points, smallest);
     std::vector<Place> border = window.corners();
     for (Place& p : border) p = enlarged(p);
-    canvas.closed_lines({border}, {colour::text, 1.2, true});
+    canvas.closed_lines({border}, {color::text, 1.2, true});
   };
   return Sheet("The least radius: half the side of the smallest leaf of a quadtree", 56).row({tree, radius}).svg();
 }
@@ -302,7 +302,7 @@ std::string paper_9_two_levels() {
                                std::to_string(small) + " leaves of side 2α₀ = " + rounded(side)});
   sampling.more = [=](Canvas& canvas, const Frame& frame) {
     draw_leaves(canvas, frame, leaves, side);
-    draw_points(canvas, frame, points, 1.5, colour::text);
+    draw_points(canvas, frame, points, 1.5, color::text);
   };
   std::vector<Panel> panels = {sampling};
   const char* names[] = {"(b) α = α₀ = ", "(c) α = 2α₀ = "};
@@ -321,7 +321,7 @@ std::string paper_9_two_levels() {
 }
 
 /// Colors from the first level to the last.
-constexpr std::array level_colours = {"#0b3d6b", "#1f6fb2", "#5b9bcf", "#9cc4e4", "#cfe2f2", "#f1f4f7"};
+constexpr std::array level_colors = {"#0b3d6b", "#1f6fb2", "#5b9bcf", "#9cc4e4", "#cfe2f2", "#f1f4f7"};
 
 /// Draws a bar for each level, whose length is its number of triangles, up to a width; and the number in words.
 void draw_levels(Canvas& canvas, const Frame& frame, const std::vector<rbpa::Level>& levels, Place top, double width) {
@@ -334,8 +334,8 @@ void draw_levels(Canvas& canvas, const Frame& frame, const std::vector<rbpa::Lev
     const double length = width * static_cast<double>(fresh[i]) / most;
     const std::vector<Place> bar = {frame(at), frame(at + Place{length, 0}), frame(at + Place{length, -0.42}),
                                     frame(at + Place{0, -0.42})};
-    canvas.region({bar}, level_colours[i]);
-    canvas.closed_lines({bar}, {colour::inner, 0.7});
+    canvas.region({bar}, level_colors[i]);
+    canvas.closed_lines({bar}, {color::inner, 0.7});
     canvas.text(frame(at) - Place{0, 5}, "alpha = " + rounded(levels[i].alpha) + ": " + std::to_string(fresh[i]),
                 Lettering::small);
   }
@@ -345,8 +345,8 @@ std::string levels() {
   const Points points = thinning_out({3.2, 3.6}, {9.6, 7.6}, 20000, 0.05, 0.16, 8);
   const Hierarchy hierarchy = rbpa::hrbpa(points, 3, {.leaf_capacity = 6, .progress = {}});
   const auto& levels = hierarchy.levels;
-  if (levels.size() > level_colours.size() || hierarchy.complex.mesh.n_faces() != levels.back().triangles)
-    throw std::logic_error("there are more levels than colours: " + std::to_string(levels.size()));
+  if (levels.size() > level_colors.size() || hierarchy.complex.mesh.n_faces() != levels.back().triangles)
+    throw std::logic_error("there are more levels than colors: " + std::to_string(levels.size()));
   std::vector<std::vector<std::vector<Place>>> by_level(levels.size());
   const rbpa::Mesh& mesh = hierarchy.complex.mesh;
   meshops::for_each_face(mesh, [&](Face f) {
@@ -358,8 +358,8 @@ std::string levels() {
                                 "least radius " + rounded(hierarchy.least_radius)});
   triangles.more = [=](Canvas& canvas, const Frame& frame) {
     for (std::size_t i = by_level.size(); i-- > 0;) {
-      canvas.region(in_frame(frame, by_level[i]), level_colours[i]);
-      canvas.closed_lines(in_frame(frame, by_level[i]), {colour::text, 0.4});
+      canvas.region(in_frame(frame, by_level[i]), level_colors[i]);
+      canvas.closed_lines(in_frame(frame, by_level[i]), {color::text, 0.4});
     }
   };
   Panel counts =

@@ -84,15 +84,15 @@ void draw(Canvas& canvas, const LogChart& chart, Place upper_left, Place size) {
     grid.push_back({foot, foot + Place{size.x, 0}, {}});
     canvas.text(foot + Place{-8, 5}, chart.y_label(tick), Lettering::plain, Align::end);
   }
-  canvas.segments(grid, {colour::pale, 1});
-  canvas.segments({{upper_left, corner, {}}, {corner, corner + Place{size.x, 0}, {}}}, {colour::text, 1});
+  canvas.segments(grid, {color::pale, 1});
+  canvas.segments({{upper_left, corner, {}}, {corner, corner + Place{size.x, 0}, {}}}, {color::text, 1});
   for (const Curve& curve : chart.curves) {
     std::vector<Place> places;
     for (const Place p : curve.points) places.push_back({x.axis.at(p.x), y.axis.at(p.y)});
     std::vector<Segment> pieces;
     for (std::size_t i = 1; i < places.size(); ++i) pieces.push_back({places[i - 1], places[i], {}});
-    canvas.segments(pieces, {curve.colour, 2, curve.dashed});
-    canvas.dots(places, 3, curve.colour);
+    canvas.segments(pieces, {curve.color, 2, curve.dashed});
+    canvas.dots(places, 3, curve.color);
   }
   canvas.text(upper_left + Place{size.x / 2, -14}, chart.heading, Lettering::plain, Align::middle);
   canvas.text(corner + Place{size.x / 2, 42}, chart.below, Lettering::plain, Align::middle);
@@ -101,8 +101,8 @@ void draw(Canvas& canvas, const LogChart& chart, Place upper_left, Place size) {
 void draw_legend(Canvas& canvas, const std::vector<Curve>& curves, Place at) {
   constexpr double letter = 8;  // approximate width of a letter
   for (const Curve& curve : curves) {
-    canvas.segment({at, at + Place{26, 0}, {}}, {curve.colour, 2, curve.dashed});
-    canvas.dot(at + Place{13, 0}, 3, curve.colour);
+    canvas.segment({at, at + Place{26, 0}, {}}, {curve.color, 2, curve.dashed});
+    canvas.dot(at + Place{13, 0}, 3, curve.color);
     canvas.text(at + Place{34, 5}, curve.name, Lettering::plain);
     at = at + Place{60 + letter * static_cast<double>(curve.name.size()), 0};
   }

@@ -13,7 +13,7 @@ namespace figures {
 
 struct Curve {
   std::string_view name;
-  std::string_view colour;
+  std::string_view color;
   bool dashed = false;
   std::vector<Place> points = {};  ///< values, above 0, ascending in x
 };

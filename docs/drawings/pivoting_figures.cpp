@@ -97,16 +97,16 @@ Panel panel_of(const Moment& moment, const std::string& heading) {
   panel.caption = {"triangles " + std::to_string(moment.triangles) + " · active " +
                    std::to_string(moment.active.size()) + " · frozen " + std::to_string(moment.frozen)};
   for (const Disc& ball : moment.balls)
-    for (const Place corner : {Place{-1, -1}, {1, 1}}) panel.extent.push_back(ball.centre + ball.radius * corner);
+    for (const Place corner : {Place{-1, -1}, {1, 1}}) panel.extent.push_back(ball.center + ball.radius * corner);
   panel.more = [balls = moment.balls](Canvas& canvas, const Frame& frame) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const bool before = i + 1 < balls.size();
-      canvas.circle(frame(balls[i].centre), frame.scale * balls[i].radius,
-                    {before ? colour::inner : colour::text, before ? 1.0 : 1.6, before});
-      canvas.dot(frame(balls[i].centre), 2.2, before ? colour::inner : colour::text);
+      canvas.circle(frame(balls[i].center), frame.scale * balls[i].radius,
+                    {before ? color::inner : color::text, before ? 1.0 : 1.6, before});
+      canvas.dot(frame(balls[i].center), 2.2, before ? color::inner : color::text);
     }
     if (balls.size() < 2) return;
-    canvas.arrow({frame(balls[0].centre), frame(balls[1].centre), {}}, {colour::text, 1.2}, 7);
+    canvas.arrow({frame(balls[0].center), frame(balls[1].center), {}}, {color::text, 1.2}, 7);
   };
   return panel;
 }

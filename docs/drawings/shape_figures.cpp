@@ -92,9 +92,9 @@ std::string paper_1_complexes() {
   const Points points = scattered(68, 4);
   const auto complex = rbpa::rbpa(points, alpha);
   const auto counts = rbpa::count(complex);
-  const auto solid = rbpa::polygons(complex);
+  const auto solid = rbpa::outline_polygons(complex);
   const std::vector<Segment> dangling = dangling_edges(points, complex, alpha);
-  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const auto delaunay = rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const Pieces full =
       alive_at(alpha, rbpa::persistence(delaunay, points, rbpa::filtration(delaunay, points), rbpa::ComplexKind::full));
   const std::size_t edges = counts.edges + dangling.size();
@@ -104,7 +104,7 @@ std::string paper_1_complexes() {
   const auto dangle = [dangling](Canvas& canvas, const Frame& frame) {
     std::vector<Segment> placed;
     for (const Segment& s : dangling) placed.push_back(frame.of(s));
-    canvas.segments(placed, {colour::touched, 2.4});
+    canvas.segments(placed, {color::touched, 2.4});
   };
   Panel alpha_complex =
       panel_over(points, "(a) alpha complex, alpha = " + rounded(alpha),
@@ -113,7 +113,7 @@ std::string paper_1_complexes() {
   alpha_complex.more = [=](Canvas& canvas, const Frame& frame) {
     draw_complex(canvas, frame, complex, 2);
     dangle(canvas, frame);
-    draw_points(canvas, frame, points, 2.6, colour::text);
+    draw_points(canvas, frame, points, 2.6, color::text);
   };
   Panel solid_complex = panel_over(points, "(b) solid alpha complex",
                                    {of("points", counts.points_covered) + " · " + of("edges", counts.edges) + " · " +
@@ -123,7 +123,7 @@ std::string paper_1_complexes() {
     draw_complex(canvas, frame, complex, 2);
     std::vector<rbpa::Point> covered;
     for (const std::uint32_t i : complex.input_index) covered.push_back(points[i]);
-    draw_points(canvas, frame, covered, 2.6, colour::text);
+    draw_points(canvas, frame, covered, 2.6, color::text);
   };
   Panel alpha_shape = panel_over(
       points, "(c) alpha shape",
@@ -131,7 +131,7 @@ std::string paper_1_complexes() {
   alpha_shape.more = [=](Canvas& canvas, const Frame& frame) {
     draw_solid(canvas, frame, points, solid, 2);
     dangle(canvas, frame);
-    draw_points(canvas, frame, isolated_points(points, complex), 2.6, colour::touched);
+    draw_points(canvas, frame, isolated_points(points, complex), 2.6, color::touched);
   };
   Panel alpha_solid = panel_over(points, "(d) alpha solid",
                                  {of("polygons", solid.size()) + " · " + of("holes", rbpa::total(solid).holes) +
@@ -167,7 +167,7 @@ Points sampled_alpha() {
 
 std::string paper_7_alpha_symbol() {
   const Points points = sampled_alpha();
-  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const auto delaunay = rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const auto filtration = rbpa::filtration(delaunay, points);
   const auto step = std::find_if(filtration.steps.begin(), filtration.steps.end(), [&](const rbpa::FiltrationStep& s) {
     return s.covered == points.size() && s.solid_components == 1 && s.holes == 1;
@@ -176,11 +176,11 @@ std::string paper_7_alpha_symbol() {
   const double alpha = step->alpha;
   const auto complex = rbpa::rbpa(points, alpha);
   const auto counts = rbpa::count(complex);
-  const auto solid = rbpa::polygons(complex);
+  const auto solid = rbpa::outline_polygons(complex);
   const auto totals = rbpa::total(solid);
 
   Panel sampling = panel_over(points, "(a) sampling", {of("points", points.size())});
-  sampling.more = [=](Canvas& canvas, const Frame& frame) { draw_points(canvas, frame, points, 1.3, colour::text); };
+  sampling.more = [=](Canvas& canvas, const Frame& frame) { draw_points(canvas, frame, points, 1.3, color::text); };
   Panel triangles = panel_over(points, "(b) solid alpha complex",
                                {"alpha " + rounded(alpha) + " · " + of("triangles", counts.triangles),
                                 of("components", counts.components) + " · " + of("holes", counts.holes)});
@@ -199,10 +199,10 @@ std::string paper_7_alpha_symbol() {
 Shades molecule_image() {
   constexpr std::size_t width = 96, height = 72;
   Shades image{width, height, std::vector<Shade>(width * height, Shade::light)};
-  const auto atom = [&](Place centre, double radius) {
+  const auto atom = [&](Place center, double radius) {
     for (std::size_t row = 0; row < height; ++row)
       for (std::size_t column = 0; column < width; ++column)
-        if (length(Place{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5} - centre) <= radius)
+        if (length(Place{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5} - center) <= radius)
           image.pixels[row * width + column] = Shade::dark;
   };
   constexpr double bond = 17, large = 7.4, small = 4.2;
@@ -222,7 +222,7 @@ Shades molecule_image() {
 std::string paper_8_molecule() {
   const Shades image = molecule_image();
   const Points points = rbpa::app::foreground_points(image, std::nullopt);
-  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const auto delaunay = rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
 
   Panel pixels = panel_over(points, "(a) image",
@@ -237,7 +237,7 @@ std::string paper_8_molecule() {
       runs.push_back({frame(left + Place{-0.5, -0.5}), frame(right + Place{0.5, -0.5}), frame(right + Place{0.5, 0.5}),
                       frame(left + Place{-0.5, 0.5})});
     }
-    canvas.region(runs, colour::text);
+    canvas.region(runs, color::text);
   };
   std::vector<Panel> panels = {pixels};
   const auto closed = std::find_if(filtration.steps.rbegin(), filtration.steps.rend(),
@@ -247,13 +247,13 @@ std::string paper_8_molecule() {
   for (const double alpha : {least_alpha(filtration), least_alpha(filtration, 1), closed.base()->alpha}) {
     const auto complex = rbpa::rbpa(points, alpha);
     const auto counts = rbpa::count(complex);
-    const auto solid = rbpa::polygons(complex);
+    const auto solid = rbpa::outline_polygons(complex);
     panels.push_back(panel_over(
         points, names[i++] + ("alpha = " + rounded(alpha) + " pixels"),
         {of("triangles", counts.triangles), of("components", counts.components) + " · " + of("holes", counts.holes)}));
     panels.back().more = [=](Canvas& canvas, const Frame& frame) {
       draw_solid(canvas, frame, points, solid, 1.4);
-      draw_points(canvas, frame, isolated_points(points, complex), 1, colour::touched);
+      draw_points(canvas, frame, isolated_points(points, complex), 1, color::touched);
     };
   }
   return Sheet("A molecule from the pixels of an image, at three radii", 3.2)
@@ -315,7 +315,7 @@ std::string shape_rings() {
   triangles.more = [=](Canvas& canvas, const Frame& frame) { draw_complex(canvas, frame, complex, 2); };
   std::vector<Panel> panels = {triangles};
   const auto add = [&](std::string heading, const rbpa::PolygonFilter& filter) {
-    const auto solid = rbpa::polygons(complex, filter);
+    const auto solid = rbpa::outline_polygons(complex, filter);
     const auto totals = rbpa::total(solid);
     const Points touching = touching_points(points, solid);
     panels.push_back(panel_over(
@@ -330,8 +330,8 @@ std::string shape_rings() {
           holes.emplace_back();
           for (const std::uint32_t i : hole.points) holes.back().push_back(frame(place_of(points[i])));
         }
-      canvas.closed_lines(holes, {colour::touched, 2});
-      draw_points(canvas, frame, touching, 3.6, colour::text);
+      canvas.closed_lines(holes, {color::touched, 2});
+      draw_points(canvas, frame, touching, 3.6, color::text);
     };
   };
   add("(b) polygons: shells blue, holes orange", {});

@@ -40,7 +40,7 @@ void draw_arrow(Canvas& canvas, Place left, double width, const Arrow& arrow) {
   const Place from = left + Place{14, 0}, to = left + Place{width - 14, 0};
   const double middle = left.x + width / 2;
   const double apart = arrow.back.empty() ? 0 : 5;
-  const Stroke stroke{colour::text, 1.6};
+  const Stroke stroke{color::text, 1.6};
   canvas.arrow({from - Place{0, apart}, to - Place{0, apart}, {}}, stroke, 10);
   canvas.text({middle, left.y - apart - 9}, arrow.there, Lettering::code, Align::middle);
   if (!arrow.back.empty()) {

@@ -15,10 +15,10 @@
 #include "drawings/random.h"
 #include "drawings/sheet.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/patches/find_patch.h"
 #include "rbpa/plane/remainder/remainder.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/plane/tile/cut.h"
 
 namespace figures {
@@ -81,7 +81,7 @@ void require_complex(const Tiling& tiling, const rbpa::Sites& sites, const Point
   for (const OfTile& tile : tiling.tiles) add(tile.triangles);
   add(tiling.missing);
   std::sort(found.begin(), found.end());
-  if (found != rbpa::triangulate(points, alpha).triangles)
+  if (found != rbpa::alpha_complex(points, alpha).triangles)
     throw std::logic_error("the patches that are drawn are not the complex");
 }
 
@@ -135,7 +135,7 @@ void draw_cells(Canvas& canvas, const Frame& frame, const rbpa::Tile& tile) {
                     tile.y0 + static_cast<double>(c / columns) * tile.cell};
     unknown.push_back(box(frame, low, low + Place{tile.cell, tile.cell}));
   }
-  canvas.region(unknown, colour::touched_face);
+  canvas.region(unknown, color::touched_face);
   std::vector<Segment> lines;
   for (int i = 0; i <= tile.columns; ++i) {
     const double x = tile.x0 + i * tile.cell;
@@ -145,7 +145,7 @@ void draw_cells(Canvas& canvas, const Frame& frame, const rbpa::Tile& tile) {
     const double y = tile.y0 + i * tile.cell;
     lines.push_back({frame({tile.x0, y}), frame({tile.x1(), y}), {}});
   }
-  canvas.segments(lines, {colour::pale, 0.7});
+  canvas.segments(lines, {color::pale, 0.7});
 }
 
 void draw_triangles(Canvas& canvas, const Frame& frame, const std::vector<Place>& places,
@@ -153,7 +153,7 @@ void draw_triangles(Canvas& canvas, const Frame& frame, const std::vector<Place>
   std::vector<std::vector<Place>> faces;
   for (const Corners3& t : triangles) faces.push_back({frame(places[t[0]]), frame(places[t[1]]), frame(places[t[2]])});
   canvas.region(faces, fill);
-  canvas.closed_lines(faces, {colour::inner, 0.7});
+  canvas.closed_lines(faces, {color::inner, 0.7});
 }
 
 std::vector<Place> owned(const rbpa::Tile& tile, bool wanted) {
@@ -180,9 +180,9 @@ std::string tile() {
        "of " + std::to_string(points.size()) + " points, " + std::to_string(tiling.tiles.size()) + " tiles"});
   cut.more = [=](Canvas& canvas, const Frame& frame) {
     draw_cells(canvas, frame, one.tile);
-    canvas.dots(seen(frame, tiling.places), 1.4, colour::pale);
-    canvas.dots(seen(frame, owned(one.tile, false)), 1.8, colour::inner);
-    canvas.dots(seen(frame, owned(one.tile, true)), 2.2, colour::text);
+    canvas.dots(seen(frame, tiling.places), 1.4, color::pale);
+    canvas.dots(seen(frame, owned(one.tile, false)), 1.8, color::inner);
+    canvas.dots(seen(frame, owned(one.tile, true)), 2.2, color::text);
   };
 
   std::vector<Place> settled, unsettled;
@@ -194,10 +194,10 @@ std::string tile() {
                             of("settled stars", settled.size()) + " · others " + std::to_string(unsettled.size())});
   patch.more = [=](Canvas& canvas, const Frame& frame) {
     draw_cells(canvas, frame, one.tile);
-    canvas.dots(seen(frame, tiling.places), 1.4, colour::pale);
-    draw_triangles(canvas, frame, tiling.places, one.triangles, colour::face);
-    canvas.dots(seen(frame, settled), 2.2, colour::text);
-    canvas.dots(seen(frame, unsettled), 2.6, colour::touched);
+    canvas.dots(seen(frame, tiling.places), 1.4, color::pale);
+    draw_triangles(canvas, frame, tiling.places, one.triangles, color::face);
+    canvas.dots(seen(frame, settled), 2.2, color::text);
+    canvas.dots(seen(frame, unsettled), 2.6, color::touched);
   };
 
   std::size_t found = 0;
@@ -206,11 +206,11 @@ std::string tile() {
                           {of("triangles of all patches", found) + " · left " + std::to_string(tiling.missing.size()),
                            "points for these " + std::to_string(tiling.not_done.size())});
   rest.more = [=](Canvas& canvas, const Frame& frame) {
-    for (const OfTile& tile : tiling.tiles) draw_triangles(canvas, frame, tiling.places, tile.triangles, colour::face);
-    draw_triangles(canvas, frame, tiling.places, tiling.missing, colour::touched_face);
+    for (const OfTile& tile : tiling.tiles) draw_triangles(canvas, frame, tiling.places, tile.triangles, color::face);
+    draw_triangles(canvas, frame, tiling.places, tiling.missing, color::touched_face);
     std::vector<Place> places;
     for (const std::uint32_t site : tiling.not_done) places.push_back(tiling.places[site]);
-    canvas.dots(seen(frame, places), 1.8, colour::touched);
+    canvas.dots(seen(frame, places), 1.8, color::touched);
   };
   for (Panel* panel : {&cut, &patch, &rest})
     for (const Place corner : {Place{one.tile.x0, one.tile.y0}, {one.tile.x1(), one.tile.y1()}})

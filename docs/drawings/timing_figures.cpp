@@ -12,7 +12,7 @@ namespace {
 
 /// Measured column, and the style of its curve.
 struct Look {
-  std::string_view column, name, colour;
+  std::string_view column, name, color;
   bool dashed = false;
 };
 
@@ -26,7 +26,7 @@ std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks, d
   for (const Look& look : looks) {
     const auto column = all.column(look.column);
     if (!column) continue;
-    Curve curve{look.name, look.colour, look.dashed};
+    Curve curve{look.name, look.color, look.dashed};
     for (const std::vector<double>& row : all.rows)
       curve.points.push_back({row[0], row[*column] * unit / (divisor ? row[*divisor] : 1)});
     curves.push_back(std::move(curve));
@@ -65,23 +65,23 @@ std::string two_charts(const std::string& title, const Measured& all, const LogC
 }
 
 std::string paper_6_timing() {
-  static constexpr std::array looks{Look{"paper", "the paper's RBPA: cells of side 2α", colour::inner},
-                                    Look{"rbpa", "rbpa", colour::curve},
-                                    Look{"hrbpa_small_leaves", "hrbpa, leaves of 16 points", colour::touched, true},
-                                    Look{"hrbpa", "hrbpa", colour::touched}};
+  static constexpr std::array looks{Look{"paper", "the paper's RBPA: cells of side 2α", color::inner},
+                                    Look{"rbpa", "rbpa", color::curve},
+                                    Look{"hrbpa_small_leaves", "hrbpa, leaves of 16 points", color::touched, true},
+                                    Look{"hrbpa", "hrbpa", color::touched}};
   const Measured all = read_measured("paper_6_timing.csv");
   return two_charts("Time against the number of points: HRBPA, RBPA and the paper's RBPA", all,
                     {"(a) time", "points", thousands, seconds, curves_of(all, looks, 1)},
                     {"(b) time a point", "points", thousands, seconds, curves_of(all, looks, 1, "points")});
 }
 
-constexpr Look rbpa_look{"rbpa", "rbpa", colour::curve},
-    rbpa_2_look{"rbpa_2_threads", "rbpa 2 threads", colour::curve, true},
-    cgal_look{"cgal_points", "CGAL points", colour::touched};
+constexpr Look rbpa_look{"rbpa", "rbpa", color::curve},
+    rbpa_2_look{"rbpa_2_threads", "rbpa 2 threads", color::curve, true},
+    cgal_look{"cgal_points", "CGAL points", color::touched};
 
 std::string performance_scaling() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
-                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
+                                    Look{"cgal_indices", "CGAL indices", color::inner}};
   const Measured all = read_measured("performance_scaling.csv");
   return one_chart("Time a point against the number of points: rbpa and CGAL", all,
                    {"time a point", "points", thousands, seconds, curves_of(all, looks, nanosecond)});
@@ -89,7 +89,7 @@ std::string performance_scaling() {
 
 std::string performance_alpha() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look,
-                                    Look{"cgal_points_filter", "CGAL points + filter", colour::touched}};
+                                    Look{"cgal_points_filter", "CGAL points + filter", color::touched}};
   const Measured all = read_measured("performance_alpha.csv");
   std::vector<Curve> of_triangles = curves_of(all, looks, nanosecond, "triangles");
   // The time per point, times points per triangle.
@@ -104,7 +104,7 @@ std::string performance_alpha() {
 
 std::string performance_density() {
   static constexpr std::array looks{rbpa_look, rbpa_2_look, cgal_look,
-                                    Look{"cgal_indices", "CGAL indices", colour::inner}};
+                                    Look{"cgal_indices", "CGAL indices", color::inner}};
   const Measured all = read_measured("performance_density.csv");
   return one_chart(
       "Time a point against how uneven the points are: rbpa and CGAL", all,
@@ -118,9 +118,9 @@ std::vector<Curve> curves_of(const Measured& all, std::span<const Look> looks) {
 
 /// Returns a chart of memory and disk use of a run, from its first tenth of a second on.
 std::string scale_run() {
-  static constexpr std::array looks{Look{"resident", "resident memory", colour::curve},
-                                    Look{"memory", "--memory", colour::touched, true},
-                                    Look{"scratch", "files in the scratch", colour::inner}};
+  static constexpr std::array looks{Look{"resident", "resident memory", color::curve},
+                                    Look{"memory", "--memory", color::touched, true},
+                                    Look{"scratch", "files in the scratch", color::inner}};
   Measured all = read_measured("scale_run.csv");
   std::erase_if(all.rows, [](const std::vector<double>& row) { return row[0] < 0.1; });
   return one_chart("Memory and disk of a run of rbpa stream over time", all,

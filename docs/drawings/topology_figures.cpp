@@ -51,18 +51,18 @@ Panel view_panel(const DrawnMesh& drawn, const char* name, PlaceOf place_of) {
     for (const Face f : drawn.mesh.faces()) {
       std::vector<Segment> sides;
       for (const Halfedge h : drawn.mesh.fh_range(f)) sides.push_back(frame.of(drawn.segment(h)));
-      canvas.outline(sides, colour::pale_face);
+      canvas.outline(sides, color::pale_face);
     }
     for (const Edge e : drawn.mesh.edges())
-      canvas.segment(frame.of(drawn.segment(drawn.mesh.halfedge_handle(e, 0))), {colour::pale, 1.2});
+      canvas.segment(frame.of(drawn.segment(drawn.mesh.halfedge_handle(e, 0))), {color::pale, 1.2});
     const View graph(drawn.mesh);
     const bool directed = std::is_same_v<View, meshops::BoundaryGraph>;
     BGL_FORALL_EDGES_T(h, graph, View) {
       const Place from = frame(place_of(source(h, graph))), to = frame(place_of(target(h, graph)));
-      canvas.segment({from, to, {}}, {colour::curve, 2});
-      if (directed) canvas.head(0.5 * (from + to), to - from, colour::curve, 9);
+      canvas.segment({from, to, {}}, {color::curve, 2});
+      if (directed) canvas.head(0.5 * (from + to), to - from, color::curve, 9);
     }
-    BGL_FORALL_VERTICES_T(v, graph, View) { canvas.dot(frame(place_of(v)), 3.8, colour::touched); }
+    BGL_FORALL_VERTICES_T(v, graph, View) { canvas.dot(frame(place_of(v)), 3.8, color::touched); }
   };
   return panel;
 }
@@ -111,12 +111,12 @@ void draw_sides(Canvas& canvas, const Frame& frame) {
   const double right = torus_step * torus_columns, top = torus_step * torus_rows;
   const auto side = [&](Place from, Place to, bool twice) {
     const Segment s = frame.of({from, to, {}});
-    canvas.segment(s, {colour::text, 1.6});
+    canvas.segment(s, {color::text, 1.6});
     const Place along = direction(s.to - s.from);
     // Off the middle, because a loop may cross there.
     const Place at = s.from + 0.3 * (s.to - s.from);
-    canvas.head(at, along, colour::text, 11);
-    if (twice) canvas.head(at + 9 * along, along, colour::text, 11);
+    canvas.head(at, along, color::text, 11);
+    if (twice) canvas.head(at + 9 * along, along, color::text, 11);
   };
   for (const double y : {0.0, top}) side({0, y}, {right, y}, false);
   for (const double x : {0.0, right}) side({x, 0}, {x, top}, true);
@@ -143,7 +143,7 @@ std::string homology() {
     draw_sides(canvas, frame);
     bool first = true;
     for (const meshops::Loop& loop : found.generators) {
-      for (const Halfedge h : loop) draw_edge(canvas, frame, drawn, h, first ? colour::touched : colour::curve, true);
+      for (const Halfedge h : loop) draw_edge(canvas, frame, drawn, h, first ? color::touched : color::curve, true);
       first = false;
     }
   };
@@ -151,7 +151,7 @@ std::string homology() {
   cut.more = [&](Canvas& canvas, const Frame& frame) {
     draw_sides(canvas, frame);
     for (const Edge e : found.cut_graph)
-      draw_edge(canvas, frame, drawn, drawn.mesh.halfedge_handle(e, 0), colour::touched, false);
+      draw_edge(canvas, frame, drawn, drawn.mesh.halfedge_handle(e, 0), color::touched, false);
   };
   return Sheet("Generators of the homology of a torus, and edges along which it becomes a disc")
       .row({loops, cut})

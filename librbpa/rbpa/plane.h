@@ -1,6 +1,7 @@
 // What: all public headers about points in the plane: complexes, polygons, filtrations, groups, parts that merge.
 #pragma once
 
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/boundary_curves.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/complex.h"
@@ -22,6 +23,5 @@
 #include "rbpa/plane/region.h"
 #include "rbpa/plane/representatives.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/plane/triangles_by_level.h"

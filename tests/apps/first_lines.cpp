@@ -193,7 +193,7 @@ TEST_SUITE("first lines") {
     }
     const PointFile file = plane("x,y,z\n4\n0,0,1\n1,0,2\n0,1,3\n", {.skip_invalid = true});
     CHECK(file.points == points);
-    CHECK(file.remarks ==
+    CHECK(file.warnings ==
           std::vector<std::string>{"1 line is left out: t.txt:2: found 1 column ('4'), expected 3 as in line 1"});
     CHECK(plane("junk\nlat,lon\n0,0\n0,1\n1,0\n", {.columns = parse_columns("lon,lat"), .skip_invalid = true}).points ==
           points);
@@ -243,7 +243,7 @@ TEST_SUITE("first lines") {
           "(--skip-invalid reads what is there)");
     const SpacePoints frames = space("1\nfirst\nC 0 0 1\n1\nsecond\nC 1 0 2\n");
     CHECK(frames.points == Places{{0, 0, 1}});
-    CHECK(frames.remarks ==
+    CHECK(frames.warnings ==
           std::vector<std::string>{
               "the atoms are the 1 as line 1 says, of the first frame; what follows them is left out"});
     // A count before x, y, z and an intensity is no number of atoms.
@@ -270,7 +270,7 @@ TEST_SUITE("first lines") {
       while (blocks->next(block)) all.insert(all.end(), block.begin(), block.end());
       CHECK(all == whole.points);
       CHECK(all.size() == 200000);
-      CHECK(blocks->about().remarks == whole.remarks);
+      CHECK(blocks->about().warnings == whole.warnings);
     }
   }
 }

@@ -163,7 +163,7 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
 }
 
 /// Returns the number of pixels of this color.
-std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_t, 3>& colour) {
+std::size_t count_of_color(const std::string& png, const std::array<std::uint8_t, 3>& color) {
   png_image image;
   std::memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
@@ -173,7 +173,7 @@ std::size_t count_of_colour(const std::string& png, const std::array<std::uint8_
   REQUIRE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr) != 0);
   std::size_t count = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 3)
-    count += std::equal(colour.begin(), colour.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i)) ? 1U : 0U;
+    count += std::equal(color.begin(), color.end(), bytes.begin() + static_cast<std::ptrdiff_t>(i)) ? 1U : 0U;
   return count;
 }
 
@@ -318,8 +318,8 @@ TEST_SUITE("full complex") {
     CHECK(count_of(path_of(full, "isolated"), "h0") == 1);
     for (const char* layer : {"solid", "edges", "boundary"}) CHECK(path_of(full, layer) == path_of(solid, layer));
     // The line is as dark as the boundary, and longer.
-    CHECK(count_of_colour(folder.content("f.png"), {0x10, 0x33, 0x5C}) >
-          count_of_colour(folder.content("s.png"), {0x10, 0x33, 0x5C}) + 100);
+    CHECK(count_of_color(folder.content("f.png"), {0x10, 0x33, 0x5C}) >
+          count_of_color(folder.content("s.png"), {0x10, 0x33, 0x5C}) + 100);
     // Without a triangle the width of lines follows these edges.
     folder.file("line.xy", "0 0\n1 0\n2 0\n");
     REQUIRE(folder.rbpa("mesh line.xy --alpha 1 --complex full -o l.svg -q").code == 0);

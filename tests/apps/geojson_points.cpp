@@ -139,7 +139,7 @@ TEST_SUITE("GeoJSON in") {
     CHECK(crs(R"("crs":{"type":"EPSG","properties":{"code":31370}},)") == "EPSG:31370");
     CHECK(crs(R"("crs":null,)") == "none");
     CHECK(crs(R"("crs":{"type":"name","properties":{"name":"my yard"}},)") == "none");
-    CHECK(read(features({}, R"("crs":{"type":"name","properties":{"name":"my yard"}},)")).remarks ==
+    CHECK(read(features({}, R"("crs":{"type":"name","properties":{"name":"my yard"}},)")).warnings ==
           std::vector<std::string>{
               "the system of coordinates is 'my yard', which is not understood (--crs EPSG:CODE names it)"});
   }
@@ -147,7 +147,7 @@ TEST_SUITE("GeoJSON in") {
   TEST_CASE("features without a geometry are counted") {
     const PointFile file = read(features({"null", geometry("Point", "[1,2]"), "null"}));
     CHECK(file.points == std::vector<Point>{{1, 2}});
-    CHECK(file.remarks == std::vector<std::string>{"2 features without a geometry"});
+    CHECK(file.warnings == std::vector<std::string>{"2 features without a geometry"});
   }
 
   TEST_CASE("invalid GeoJSON is refused by its line") {

@@ -181,7 +181,7 @@ TEST_SUITE("gzip bombs") {
       const std::string& file = name;
       CAPTURE(file);
       folder.file(name, content);
-      folder.file(name + ".gz", packed(content));
+      folder.file(name + ".gz", compressed(content));
       const std::string command = "info - --format " + name.substr(2) + " < ";
       const Outcome plain = folder.rbpa(command + name), outcome = folder.rbpa(command + name + ".gz");
       CHECK(outcome.code == 3);
@@ -199,7 +199,7 @@ TEST_SUITE("gzip bombs") {
       CAPTURE(file);
       const std::string more = content + std::string(slack - 1, name == "t.pgm" ? '\n' : '\0');
       folder.file(name, more);
-      folder.file(name + ".gz", packed(more));
+      folder.file(name + ".gz", compressed(more));
       const Outcome plain = folder.rbpa("info " + name), outcome = folder.rbpa("info " + name + ".gz");
       CHECK(outcome.code == plain.code);
       CHECK(outcome.out == plain.out);
@@ -239,7 +239,7 @@ TEST_SUITE("gzip bombs") {
       const std::string& file = name;
       CAPTURE(file);
       folder.file(name, content);
-      folder.file(name + ".gz", packed(content));
+      folder.file(name + ".gz", compressed(content));
       const Outcome plain = folder.rbpa("info " + name), outcome = folder.rbpa("info " + name + ".gz");
       CHECK(plain.code == 0);
       CHECK(outcome.code == 0);
@@ -247,7 +247,7 @@ TEST_SUITE("gzip bombs") {
       // A cut file ends as the uncompressed one does.
       const std::string half = content.substr(0, content.size() - content.size() / 3);
       folder.file(name, half);
-      folder.file(name + ".gz", packed(half));
+      folder.file(name + ".gz", compressed(half));
       const std::string command = "info - --format " + name.substr(2) + " < ";
       CHECK(folder.rbpa(command + name + ".gz").err == folder.rbpa(command + name).err);
     }
@@ -258,7 +258,7 @@ TEST_SUITE("gzip bombs") {
     std::string content = las_of(100'000);
     content.replace(107, 4, little(0, 4));
     content.replace(247, 8, little(0, 8));
-    folder.file("p.las.gz", packed(content));
+    folder.file("p.las.gz", compressed(content));
     CHECK(folder.rbpa("info p.las.gz").code == 3);
     CHECK(folder.rbpa("info p.las.gz --skip-invalid").out.starts_with("points      100000\n"));
   }

@@ -14,7 +14,7 @@ using namespace apps_test;
 
 namespace {
 
-std::string remark(const std::string& file, int points = 3) {
+std::string warning(const std::string& file, int points = 3) {
   return "rbpa: " + file + ": z of " + std::to_string(points) +
          " points was ignored (rbpa surface computes in space)\n";
 }
@@ -55,8 +55,8 @@ TEST_SUITE("heights") {
       folder.file(name, content);
       const Outcome outcome = folder.rbpa("info " + name);
       CHECK(outcome.code == 0);
-      CHECK((outcome.err.find(remark(name)) != std::string::npos) == said);
-      CHECK(outcome.err.find("z of") == (said ? outcome.err.find(remark(name)) + 8 + name.size() : std::string::npos));
+      CHECK((outcome.err.find(warning(name)) != std::string::npos) == said);
+      CHECK(outcome.err.find("z of") == (said ? outcome.err.find(warning(name)) + 8 + name.size() : std::string::npos));
     };
     for (const std::string z : {"z", "Elevation", "height (m)"}) {
       says("h.csv", "x,y," + z + "\n0,0,1\n1,0,1\n0,1,2\n", true);
@@ -97,7 +97,7 @@ TEST_SUITE("heights") {
     for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.svg",
                                    "shape p.csv --alpha 2 -o s.wkt", "report p.csv -o r.html"}) {
       CAPTURE(verb);
-      CHECK(folder.rbpa(verb).err.starts_with(remark("p.csv", 4)));
+      CHECK(folder.rbpa(verb).err.starts_with(warning("p.csv", 4)));
       CHECK(folder.rbpa(verb + " --quiet").err.find("z of") == std::string::npos);
     }
     CHECK(folder.rbpa("info p.csv").out.find("duplicates  1  (of x and y; z was ignored)\n") != std::string::npos);

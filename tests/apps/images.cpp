@@ -42,7 +42,7 @@ Picture inverse(Picture picture) {
 }
 
 /// The law itself: where the centers of the pixels with this gray value are.
-std::vector<Point> centres(const Picture& picture, std::uint8_t grey) {
+std::vector<Point> centers(const Picture& picture, std::uint8_t grey) {
   std::vector<Point> points;
   for (std::uint32_t y = 0; y < picture.height; ++y)
     for (std::uint32_t x = 0; x < picture.width; ++x)
@@ -77,7 +77,7 @@ TEST_SUITE("images") {
   TEST_CASE("every kind of PNG and PGM gives the same figure") {
     for (const auto& size : {std::pair{3U, 3U}, {9U, 4U}, {1U, 5U}, {6U, 1U}, {17U, 23U}}) {
       const Picture picture = dotted(size.first, size.second);
-      const std::vector<Point> expected = centres(picture, 0);
+      const std::vector<Point> expected = centers(picture, 0);
       CAPTURE(picture.width);
       for (const bool interlaced : {false, true}) {
         for (const int depth : {1, 2, 4, 8}) {
@@ -87,7 +87,7 @@ TEST_SUITE("images") {
         }
         for (const int depth : {8, 16})
           for (const PngKind kind :
-               {PngKind::grey, PngKind::grey_with_opacity, PngKind::colour, PngKind::colour_with_opacity})
+               {PngKind::grey, PngKind::grey_with_opacity, PngKind::color, PngKind::color_with_opacity})
             CHECK(points_of_png(png(picture, kind, depth, interlaced)) == expected);
       }
       for (const bool as_text : {false, true}) {
@@ -99,11 +99,11 @@ TEST_SUITE("images") {
 
   TEST_CASE("the figure is what the border is not") {
     const Picture picture = dotted(12, 9);
-    CHECK(points_of_pgm(pgm(inverse(picture), false)) == centres(picture, 0));
+    CHECK(points_of_pgm(pgm(inverse(picture), false)) == centers(picture, 0));
     // One pixel of the figure at the border does not invert it.
     Picture touching = picture;
     touching.grey[4] = 0;
-    CHECK(points_of_pgm(pgm(touching, false)) == centres(touching, 0));
+    CHECK(points_of_pgm(pgm(touching, false)) == centers(touching, 0));
     CHECK(points_of_pgm("P2 2 2 1 0 0 0 0").empty());
     // Each pixel of the border counts once; if both are as many, the figure is dark.
     CHECK(points_of_pgm("P2 3 3 1  0 1 0  1 1 1  0 1 0").size() == 4);
@@ -115,8 +115,8 @@ TEST_SUITE("images") {
     const Picture picture = dotted(12, 9);
     for (const Picture& either : {picture, inverse(picture)}) {
       const std::string bytes = pgm(either, true);
-      CHECK(points_of_pgm(bytes, {Foreground::dark}) == centres(either, 0));
-      CHECK(points_of_pgm(bytes, {Foreground::light}) == centres(either, 255));
+      CHECK(points_of_pgm(bytes, {Foreground::dark}) == centers(either, 0));
+      CHECK(points_of_pgm(bytes, {Foreground::light}) == centers(either, 255));
     }
   }
 
@@ -125,7 +125,7 @@ TEST_SUITE("images") {
         4, 3, {0, 0, 255, 0, 255, 255, 0, 0, 0, 255, 0, 0}, {0, 0, 0, 0, 0, 255, 128, 0, 0, 127, 0, 0}};
     const Point left{1.5, 1.5}, right{2.5, 1.5};
     for (const int depth : {8, 16})
-      for (const PngKind kind : {PngKind::grey_with_opacity, PngKind::colour_with_opacity}) {
+      for (const PngKind kind : {PngKind::grey_with_opacity, PngKind::color_with_opacity}) {
         const std::string bytes = png(picture, kind, depth);
         CHECK(points_of_png(bytes) == std::vector<Point>{left, right});
         CHECK(points_of_png(bytes, {Foreground::dark}) == std::vector<Point>{right});
@@ -136,14 +136,14 @@ TEST_SUITE("images") {
   TEST_CASE("a transparent color counts as transparent pixels") {
     Picture picture = inverse(dotted(9, 9));
     picture.opacity = picture.grey;
-    const std::vector<Point> expected = centres(picture, 255);
+    const std::vector<Point> expected = centers(picture, 255);
     for (const bool interlaced : {false, true}) {
       for (const int depth : {1, 2, 4, 8}) {
         CHECK(points_of_png(png(picture, PngKind::palette, depth, interlaced)) == expected);
         CHECK(points_of_png(png(picture, PngKind::palette, depth, interlaced), {Foreground::dark}).empty());
       }
       for (const int depth : {8, 16})
-        for (const PngKind kind : {PngKind::grey, PngKind::colour})
+        for (const PngKind kind : {PngKind::grey, PngKind::color})
           CHECK(points_of_png(png(picture, kind, depth, interlaced), {Foreground::dark}).empty());
     }
   }
@@ -183,7 +183,7 @@ TEST_SUITE("images") {
     CHECK(folder.rbpa("mesh - --format png --alpha 1 -o - --output-format off -q < i.png").out == of_png.out);
     CHECK(folder.rbpa("mesh - --format pgm --alpha 1 -o - --output-format off -q < i.PGM").out == of_png.out);
     CHECK(folder.rbpa("shape i.png --alpha 1 -o o.wkt -o o.png -q").code == 0);
-    const auto number = "points      " + std::to_string(centres(picture, 0).size()) + "\n";
+    const auto number = "points      " + std::to_string(centers(picture, 0).size()) + "\n";
     CHECK(folder.rbpa("info i.png").out.find(number) == 0);
     CHECK(folder.rbpa("info i.png --foreground light --threshold 0.3").out.find(number) != 0);
     CHECK(folder.rbpa("alpha i.png --json -q").code == 0);
@@ -202,7 +202,7 @@ TEST_SUITE("bad images") {
 
   TEST_CASE("a PNG file with a flipped bit is read or refused, and nothing else happens") {
     for (const bool interlaced : {false, true}) {
-      const std::string whole = png(dotted(9, 9), PngKind::colour_with_opacity, 16, interlaced);
+      const std::string whole = png(dotted(9, 9), PngKind::color_with_opacity, 16, interlaced);
       std::size_t refused = 0;
       for (std::size_t i = 0; i < 8 * whole.size(); ++i) {
         std::string broken = whole;
@@ -253,7 +253,7 @@ TEST_SUITE("bad images") {
     const Outcome outcome = folder.rbpa("info i.png");
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
-    CHECK(points_of_png(bytes) == centres(picture, 0));
+    CHECK(points_of_png(bytes) == centers(picture, 0));
   }
 
   TEST_CASE("an error in a PGM file of text is named by its line") {

@@ -153,7 +153,7 @@ TEST_CASE("a program ends within a second of processor time after a signal at an
   };
   for (const std::string& points : {findings + "skew300.xyz", findings + "moment300.xyz", folder.path("sphere.xyz")}) {
     rbpa({"surface", points, "--radius", "auto", "--watertight", "--refine", "-o", folder.path("m.ply")});
-    rbpa({"surface", points, "--radius", "auto", "--remedies", "-o", folder.path("m.off"), "--json"});
+    rbpa({"surface", points, "--radius", "auto", "--suggest-repairs", "-o", folder.path("m.off"), "--json"});
     rbpa({"surface", points, "--radius", "auto", "--normals", "none", "--shell", "outer", "-o", folder.path("m.off")});
     rbpa({"solid", points, "--alpha", "auto", "-o", folder.path("s.vtu"), "--boundary", folder.path("b.off")});
     rbpa({"alpha", points, "--dimension", "3", "--persistence", "--json"});

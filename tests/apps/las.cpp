@@ -121,7 +121,7 @@ TEST_SUITE("las") {
       file.points = two_points(file);
       const bool is_new = file.format >= 6, flags = file.minor > 0;
       const bool time = is_new || file.format == 1 || file.format >= 3;
-      const bool colour =
+      const bool color =
           is_new ? file.format != 6 && file.format != 9 : file.format % 4 == 2 || file.format == 3 || file.format == 5;
       const bool infrared = file.format == 8 || file.format == 10;
       struct Field {
@@ -146,9 +146,9 @@ TEST_SUITE("las") {
                               {"user_data == 129"},
                               {"PointSourceId == 40000"},
                               {"gps_time == 12345.625", time},
-                              {"red == 1000", colour},
-                              {"green == 50000", colour},
-                              {"blue == 3", colour},
+                              {"red == 1000", color},
+                              {"green == 50000", color},
+                              {"blue == 3", color},
                               {"infrared == 60000", infrared}};
       for (const Field& field : fields) {
         CAPTURE(field.condition);
@@ -210,10 +210,11 @@ TEST_SUITE("las") {
     const auto crs = [](LasFile file) {
       file.points = {{}};
       const PointFile found = read(bytes_of(file));
-      const bool said = std::any_of(found.remarks.begin(), found.remarks.end(), [](const std::string& remark) {
-        return remark ==
+      const bool said = std::any_of(found.warnings.begin(), found.warnings.end(), [](const std::string& warning) {
+        return warning ==
                    "the system of coordinates has no EPSG code and is not carried over (--crs EPSG:CODE names it)" ||
-               remark.starts_with("the system of coordinates is EPSG:26995, which is in meters, but the file names US");
+               warning.starts_with(
+                   "the system of coordinates is EPSG:26995, which is in meters, but the file names US");
       });
       CHECK(said == (!found.crs && !file.records.empty() && file.records.front().user == "LASF_Projection"));
       return found.crs ? found.crs->text() + (found.crs->degrees ? " in degrees" : "") : "none";
@@ -302,8 +303,8 @@ TEST_SUITE("las") {
       CAPTURE(name);
       if (name.ends_with(".gz")) REQUIRE(folder.run("/bin/gzip", "-kf " + name.substr(0, name.size() - 3)).code == 0);
       const bool low = name.starts_with("low");
-      const std::string remark = low ? "13 whole records behind the 7 points in the header are left out"
-                                     : "9 of the 20 points in the header are left out: the file ends before them";
+      const std::string warning = low ? "13 whole records behind the 7 points in the header are left out"
+                                      : "9 of the 20 points in the header are left out: the file ends before them";
       for (const std::string& verb : std::vector<std::string>{
                "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
                "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
@@ -314,7 +315,7 @@ TEST_SUITE("las") {
               std::string::npos);
         const Outcome taken = folder.rbpa(verb + " --skip-invalid");
         CHECK(taken.code == 0);
-        CHECK(taken.err.find(remark) != std::string::npos);
+        CHECK(taken.err.find(warning) != std::string::npos);
         CHECK(taken.err.find(low ? "rbpa: 7 points" : "rbpa: 11 points") != std::string::npos);
       }
     }
@@ -333,16 +334,16 @@ TEST_SUITE("las") {
         "p.las: found 20 whole records of 20 bytes, expected 0 as the header says (--skip-invalid reads all of them)");
     const Folder folder;
     for (const unsigned minor : {0U, 2U, 4U})
-      for (const bool packed : {false, true})
+      for (const bool compressed : {false, true})
         for (const bool cut : {false, true}) {
           CAPTURE(minor);
-          CAPTURE(packed);
+          CAPTURE(compressed);
           CAPTURE(cut);
           std::string bytes = file(minor, 0), name = "p.las";
           if (cut) bytes.resize(bytes.size() - 3);
           folder.file(name, bytes);
-          if (packed) REQUIRE(folder.run("/bin/gzip", "-kf " + name).code == 0);
-          if (packed) name += ".gz";
+          if (compressed) REQUIRE(folder.run("/bin/gzip", "-kf " + name).code == 0);
+          if (compressed) name += ".gz";
           const std::string points = cut ? "19" : "20";
           for (const std::string& verb : std::vector<std::string>{
                    "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
@@ -397,7 +398,7 @@ TEST_SUITE("las") {
     count("1e1 > x || x==63", [](unsigned i) { return i < 10 || i == 63; });
     count("z > -0.5", [](unsigned) { return true; });
     count("red", [](unsigned i) { return i != 0; });
-    CHECK(read(bytes, "red == 1").remarks == std::vector<std::string>{"--where selects 1 of 64 points"});
+    CHECK(read(bytes, "red == 1").warnings == std::vector<std::string>{"--where selects 1 of 64 points"});
 
     CHECK(
         refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
@@ -429,7 +430,7 @@ TEST_SUITE("las") {
 
   TEST_CASE("withheld points are points, with a warning") {
     const LasFile file{.points = {{.withheld = 1}, {.x = 1}, {.x = 2, .withheld = 1}}};
-    CHECK(read(bytes_of(file)).remarks ==
+    CHECK(read(bytes_of(file)).warnings ==
           std::vector<std::string>{"2 points are marked as withheld (--where \"not withheld\" leaves them out)"});
     CHECK(read(bytes_of(file), "not withheld").points == std::vector<Point>{{0.01, 0}});
   }
@@ -446,7 +447,7 @@ TEST_SUITE("las") {
       std::string crs;
     };
     for (const Real& real : {Real{"las_autzen_thin.las", 10653, ""}, Real{"las_mvk_thin.las", 6280, ""},
-                             Real{"las_certainty3d.las", 10126, "EPSG:2229"}, Real{"las_extrabytes.las", 1065, ""},
+                             Real{"las_confidence3d.las", 10126, "EPSG:2229"}, Real{"las_extrabytes.las", 1065, ""},
                              Real{"las_v10_pf0.las", 1, "EPSG:26915"}, Real{"las_v12_pf2.las", 1, "EPSG:26915"},
                              Real{"las_v14_pf6.las", 1000, "EPSG:2903"}}) {
       CAPTURE(real.name);
@@ -455,8 +456,8 @@ TEST_SUITE("las") {
       CHECK((found.crs ? found.crs->text() : "") == real.crs);
     }
     // Points that others wrote as text agree.
-    CHECK(file("las_certainty3d.las").points ==
-          read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = Format::text}).points);
+    CHECK(file("las_confidence3d.las").points ==
+          read_points({.path = RBPA_TEST_DATA "/lidar_confidence3d.xy", .format = Format::text}).points);
     CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point
   }
 

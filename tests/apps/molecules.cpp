@@ -69,13 +69,13 @@ TEST_SUITE("molecules") {
           std::vector<Point3>{{3.246, 10.041, 10.379}, {-132.386, -100.407, -109.247}, {2.5, 10.5, 9.25}, {1, 2, 3}});
     CHECK(atoms.normals.empty());
     CHECK(atoms.colors.empty());
-    CHECK(atoms.remarks ==
+    CHECK(atoms.warnings ==
           std::vector<std::string>{"the atoms are those of the first of 2 models",
                                    "1 atom has alternate locations, each a point of its own (where \"altloc in "
                                    "('', 'A')\" takes one of each)"});
     CHECK(read(cif, Format::cif).points ==
           std::vector<Point3>{{3.246, 10.041, 10.379}, {-132.386, -100.407, -109.247}, {1, 2, 3}});
-    CHECK(read(cif, Format::cif).remarks == std::vector<std::string>{atoms.remarks[0]});
+    CHECK(read(cif, Format::cif).warnings == std::vector<std::string>{atoms.warnings[0]});
     const std::string text = "_struct.title\n;loop_\n_atom_site.id\n ; 1 2\n;\n";
     CHECK(read(text + cif, Format::cif).points.size() == 3);
     CHECK(read(cif + text, Format::cif).points.size() == 3);
@@ -218,7 +218,7 @@ TEST_SUITE("molecules") {
     const std::string atoms = "loop_ _atom_site.Cartn_x _atom_site.Cartn_y _atom_site.Cartn_z 1 2 3\n";
     const SpacePoints blocks = read("data_x\n_a.b 1\ndata_y\n" + atoms + "data_z\n" + atoms, Format::cif);
     CHECK(blocks.points == std::vector<Point3>{{1, 2, 3}});
-    CHECK(blocks.remarks == std::vector<std::string>{"the atoms are those of the first of 2 blocks of data"});
+    CHECK(blocks.warnings == std::vector<std::string>{"the atoms are those of the first of 2 blocks of data"});
   }
 
   TEST_CASE("a file without an atom is refused with the reason") {
@@ -249,9 +249,9 @@ TEST_SUITE("molecules") {
       CAPTURE(text);
       const SpacePoints atoms = read(text, Format::pdb);
       CHECK(atoms.points.size() == 1);
-      CHECK(atoms.remarks == std::vector<std::string>{"the atoms are those of the first of 2 models"});
+      CHECK(atoms.warnings == std::vector<std::string>{"the atoms are those of the first of 2 models"});
     }
-    CHECK(read(atom + "END\n", Format::pdb).remarks.empty());
+    CHECK(read(atom + "END\n", Format::pdb).warnings.empty());
   }
 
   TEST_CASE("the cell is read if its angles are right, else the reason is given") {
@@ -291,8 +291,8 @@ TEST_SUITE("molecules") {
     rbpa::app::CloudRequest request{.waters = rbpa::app::Waters::left_out};
     const SpacePoints dry = rbpa::app::space_points_in(text, "m", Format::pdb, request);
     CHECK(dry.points.size() == 4);
-    CHECK(dry.remarks.front() == "2 atoms of water are left out (--waters keeps them)");
-    CHECK(read(text, Format::pdb).remarks.front() ==
+    CHECK(dry.warnings.front() == "2 atoms of water are left out (--waters keeps them)");
+    CHECK(read(text, Format::pdb).warnings.front() ==
           "2 atoms are of water (where \"resname != 'HOH'\" leaves them out)");
     request.where = Condition("resname == 'HOH'", *rbpa::app::fields_of(Format::pdb));
     CHECK(rbpa::app::space_points_in(text, "m", Format::pdb, request).points.size() == 2);
@@ -346,7 +346,7 @@ TEST_SUITE("molecules") {
       CAPTURE(where);
       CHECK(count(name, where) == atoms);
     }
-    CHECK(rbpa::app::read_space_points(data + "case_cif_models_counted_wrong/two_models.cif", Format::cif).remarks ==
+    CHECK(rbpa::app::read_space_points(data + "case_cif_models_counted_wrong/two_models.cif", Format::cif).warnings ==
           std::vector<std::string>{"the atoms are those of the first of 2 models"});
     for (const auto& [name, why] : {std::pair(std::string("garbage.pdb"), std::string("no record ATOM or HETATM")),
                                     {"u16.pdb", "text in UTF-16"}})

@@ -125,7 +125,7 @@ TEST_SUITE("ogr") {
     CHECK(points.points == std::vector<Point>{{5, 52}, {6, 53}, {7, 54}});  // x is the longitude, whatever EPSG says
     CHECK(points.degrees);
     CHECK(points.crs->is_wgs84());
-    CHECK(points.remarks == std::vector<std::string>{"1 feature without a geometry"});
+    CHECK(points.warnings == std::vector<std::string>{"1 feature without a geometry"});
     const PointFile shapes = read_ogr_points(path, "shapes", true);
     CHECK(shapes.points == std::vector<Point>{{0, 0},
                                               {1, 0},

@@ -61,8 +61,8 @@ std::string by_fields(std::size_t points) {
   return bytes;
 }
 
-std::string with_sizes(const std::string& packed, std::size_t unpacked) {
-  return little(packed.size(), 4) + little(unpacked, 4) + packed;
+std::string with_sizes(const std::string& compressed, std::size_t decompressed) {
+  return little(compressed.size(), 4) + little(decompressed, 4) + compressed;
 }
 
 std::string compressed(std::size_t points, const std::string& gap = " _") {
@@ -101,7 +101,7 @@ TEST_SUITE("compressed pcd") {
         CHECK(file.points == expected.points);
         CHECK(file.normals == expected.normals);
         CHECK(file.colors == expected.colors);
-        CHECK(file.remarks.empty());
+        CHECK(file.warnings.empty());
       }
     }
     CHECK(read(compressed(2)).points[1] == Point3{static_cast<double>(1.F / 7), 1. / 3, -1});
@@ -112,7 +112,7 @@ TEST_SUITE("compressed pcd") {
     const SpacePoints of_binary = read(binary(10000), request), file = read(compressed(10000), request);
     CHECK(file.points.size() == 4);
     CHECK(file.points == of_binary.points);
-    CHECK(file.remarks == of_binary.remarks);
+    CHECK(file.warnings == of_binary.warnings);
   }
 
   TEST_CASE("bytes after the data are ignored, and a file may have no points") {
@@ -126,12 +126,12 @@ TEST_SUITE("compressed pcd") {
     // z is 264 bytes of x and y again, over and over.
     std::string bytes;
     for (std::size_t i = 0; i < 66; ++i) bytes += raw(static_cast<float>(i));
-    std::string packed = lzf_literals(bytes), all = bytes;
+    std::string compressed = lzf_literals(bytes), all = bytes;
     for (int k = 0; k < 2; ++k) {
-      packed += lzf_copy(264, 264);
+      compressed += lzf_copy(264, 264);
       all += bytes;
     }
-    const SpacePoints file = read(three(with_sizes(packed, all.size()), "POINTS 66"));
+    const SpacePoints file = read(three(with_sizes(compressed, all.size()), "POINTS 66"));
     REQUIRE(file.points.size() == 66);
     for (std::size_t i = 0; i < 66; ++i)
       CHECK(file.points[i] == Point3{static_cast<double>(i), static_cast<double>(i), static_cast<double>(i)});

@@ -78,7 +78,7 @@ TEST_SUITE("readers") {
       const auto& [name, content, behind] = reader.file;
       const std::string latin = "\xE9t\xE9 " + name, shown = "\\xe9t\\xe9 " + name;
       folder.file(latin, content);
-      folder.file(latin + ".gz", packed(content));
+      folder.file(latin + ".gz", compressed(content));
       for (const std::string& file : {latin, latin + ".gz"})
         CHECK(run(folder, reader, "\"" + file + "\"").out == expected);
       folder.file(latin, "");
@@ -91,12 +91,12 @@ TEST_SUITE("readers") {
   TEST_CASE("named pipes are read whose bytes, compressed or not, come late and by pieces") {
     for_each_reader([](const Folder& folder, const Reader& reader, const std::string& expected) {
       const auto& [name, content, behind] = reader.file;
-      for (const bool is_packed : {false, true}) {
-        CAPTURE(is_packed);
-        const std::string bytes = is_packed ? packed(content) : content;
+      for (const bool is_compressed : {false, true}) {
+        CAPTURE(is_compressed);
+        const std::string bytes = is_compressed ? compressed(content) : content;
         folder.file("first", bytes.substr(0, bytes.size() / 2));
         folder.file("second", bytes.substr(bytes.size() / 2));
-        const std::string pipe = "pipe." + name + (is_packed ? ".gz" : "");
+        const std::string pipe = "pipe." + name + (is_compressed ? ".gz" : "");
         REQUIRE(mkfifo(folder.path(pipe).c_str(), 0600) == 0);
         const Outcome outcome =
             run(folder, reader, pipe, "(sleep 0.01; cat first; sleep 0.01; cat second) > " + pipe + " & ");

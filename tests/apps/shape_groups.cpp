@@ -360,12 +360,12 @@ TEST_SUITE("shape groups") {
     image.format = PNG_FORMAT_RGB;
     std::vector<unsigned char> pixels(PNG_IMAGE_SIZE(image));
     REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
-    const auto common_colours = [](const std::vector<unsigned char>& rgb) {
+    const auto common_colors = [](const std::vector<unsigned char>& rgb) {
       std::map<std::array<unsigned char, 3>, std::size_t> count;
       for (std::size_t i = 0; i < rgb.size(); i += 3) ++count[{rgb[i], rgb[i + 1], rgb[i + 2]}];
       return std::count_if(count.begin(), count.end(), [&](const auto& c) { return c.second > rgb.size() / 3 / 100; });
     };
-    CHECK(common_colours(pixels) == groups + 1);
+    CHECK(common_colors(pixels) == groups + 1);
 
     folder.file("two.csv", "x,y,g\n0,0,a\n40,0,a\n0,40,a\n40,40,a\n20,20,b\n60,20,b\n20,60,b\n60,60,b\n");
     REQUIRE(folder.rbpa("shape two.csv --columns x,y --group-by g --alpha 40 -o t.png -q").code == 0);
@@ -375,6 +375,6 @@ TEST_SUITE("shape groups") {
     two.format = PNG_FORMAT_RGB;
     pixels.resize(PNG_IMAGE_SIZE(two));
     REQUIRE(png_image_finish_read(&two, nullptr, pixels.data(), 0, nullptr) != 0);
-    CHECK(common_colours(pixels) == 4);  // the background, either alone, and both
+    CHECK(common_colors(pixels) == 4);  // the background, either alone, and both
   }
 }

@@ -84,7 +84,7 @@ std::string pcd_head(const std::string& data) {
          data + "\n";
 }
 
-std::uint32_t packed(const std::array<std::uint8_t, 3>& c) {
+std::uint32_t compressed(const std::array<std::uint8_t, 3>& c) {
   return 0xff000000U | static_cast<std::uint32_t>(c[0]) << 16U | static_cast<std::uint32_t>(c[1]) << 8U | c[2];
 }
 
@@ -92,7 +92,7 @@ std::string pcd_binary() {
   std::string bytes = pcd_head("binary");
   for (std::size_t i = 0; i < 2; ++i) {
     const Point3 p = points[i], n = normals[i];
-    bytes += raw(p.x) + raw(p.y) + raw(p.z) + raw(packed(colors[i])) + "abc" + raw(static_cast<float>(n.x)) +
+    bytes += raw(p.x) + raw(p.y) + raw(p.z) + raw(compressed(colors[i])) + "abc" + raw(static_cast<float>(n.x)) +
              raw(static_cast<float>(n.y)) + raw(n.z);
   }
   return bytes;
@@ -128,8 +128,8 @@ TEST_SUITE("points of space") {
     const SpacePoints file =
         table("id,Normal_Z,Y,red,Z,X,normal_x,normal_y\n7,2,-1,NA,2,0.5,0,0\n8,0,4e-3,text,1e6,3,-1,0.25\n");
     is(file, normals);
-    REQUIRE(file.remarks.size() == 1);
-    CHECK(file.remarks[0] ==
+    REQUIRE(file.warnings.size() == 1);
+    CHECK(file.warnings[0] ==
           "the columns 'X', 'Y', 'Z', 'normal_x', 'normal_y', 'Normal_Z' are read, as the header says "
           "(--columns chooses others)");
     is(table("x,y,z,a,b,c\n0.5,-1,2,0,0,0\n3,4e-3,1e6,1,2,3\n"));  // six, and no normals
@@ -160,7 +160,7 @@ TEST_SUITE("points of space") {
     const SpacePoints partly = table("x,y,z,r,g,b\n1,1,1,1,2,3\n1,2,3,NA,3,4\n");
     CHECK(partly.colors.empty());
     CHECK(partly.points.size() == 2);
-    CHECK(partly.remarks == std::vector<std::string>{"colors are left out, as line 3 has none"});
+    CHECK(partly.warnings == std::vector<std::string>{"colors are left out, as line 3 has none"});
   }
 
   TEST_CASE("six unnamed columns have colors if the last three are whole numbers, else normals, with a warning") {
@@ -169,12 +169,12 @@ TEST_SUITE("points of space") {
     const std::string as_normals = "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)";
     const SpacePoints with_colors = table("0.5 -1 2 1 2 255\n3 4e-3 1e6 128 0 7\n");
     is(with_colors, {}, colors);
-    CHECK(with_colors.remarks == std::vector<std::string>{as_colors});
+    CHECK(with_colors.warnings == std::vector<std::string>{as_colors});
     is(table("0.5 -1 2 256 767 65535\n3 4e-3 1e6 32768 255 1792\n"), {}, colors);
     CHECK(table("1 2 3 0 0 0\n1 2 4 0 2 0\n").colors == Colors{{0, 0, 0}, {0, 2, 0}});
     const SpacePoints with_normals = table("0.5 -1 2 0 0 2\n3 4e-3 1e6 -1 .25 0\n");
     is(with_normals, normals);
-    CHECK(with_normals.remarks == std::vector<std::string>{as_normals});
+    CHECK(with_normals.warnings == std::vector<std::string>{as_normals});
     // The last line decides as the first does: a fraction, a number below 0, one too great, none above 1.
     for (const std::string last : {"1 0.5 0", "-1 0 0", "65536 0 0", "1 0 1"}) {
       CAPTURE(last);
@@ -182,7 +182,7 @@ TEST_SUITE("points of space") {
       const SpacePoints file = table(before + "4 5 6 " + last + "\n");
       CHECK(file.colors.empty());
       CHECK(file.normals.size() == 2);
-      CHECK(file.remarks == std::vector<std::string>{as_normals});
+      CHECK(file.warnings == std::vector<std::string>{as_normals});
     }
     // A normal without a direction is refused wherever normals are recognized, or left out.
     const std::string zero = "1 2 3 0 0 0\n1 2 4 0.5 2 0\n";
@@ -191,31 +191,31 @@ TEST_SUITE("points of space") {
     const SpacePoints rest = space_points_in(zero, "p", Format::text, choice);
     CHECK(rest.points == Places{{1, 2, 4}});
     CHECK(rest.normals == Places{{0.5, 2, 0}});
-    CHECK(rest.remarks.size() == 2);
-    CHECK(table("0 0 1 0 0 2\n", "1,2,3,4,5,6").remarks.empty());
+    CHECK(rest.warnings.size() == 2);
+    CHECK(table("0 0 1 0 0 2\n", "1,2,3,4,5,6").warnings.empty());
   }
 
   TEST_CASE("longitudes, latitudes and heights are points in space, with a warning") {
     const SpacePoints file = table("height,lat,lon\n100,60,5\n110,60,6\n");
     CHECK(file.points == Places{{5, 60, 100}, {6, 60, 110}});
-    REQUIRE(file.remarks.size() == 2);
-    CHECK(file.remarks[1] ==
+    REQUIRE(file.warnings.size() == 2);
+    CHECK(file.warnings[1] ==
           "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as 0.50 degrees of "
           "latitude there (ogr2ogr -t_srs or pdal translate project them)");
-    CHECK(table("x,y,z\n5,60,100\n").remarks.empty());
+    CHECK(table("x,y,z\n5,60,100\n").warnings.empty());
     LasFile las{.scale = {1, 1, 1}, .points = {{.x = 5, .y = 60, .z = 100}}};
     las.records = {{"LASF_Projection", 34735,
                     little(1, 2) + little(1, 2) + little(0, 2) + little(2, 2) + little(1024, 2) + little(0, 2) +
                         little(1, 2) + little(2, 2) + little(2048, 2) + little(0, 2) + little(1, 2) + little(4326, 2)}};
     const SpacePoints of_las = read(bytes_of(las), Format::las);
-    REQUIRE(of_las.remarks.size() == 1);
-    CHECK(of_las.remarks[0].starts_with("x and y are degrees"));
+    REQUIRE(of_las.warnings.size() == 1);
+    CHECK(of_las.warnings[0].starts_with("x and y are degrees"));
   }
 
   TEST_CASE("a decimal comma is read") {
     const SpacePoints file = table("0,5;-1;2\n3;0,004;1e6\n");
     is(file);
-    CHECK(file.remarks == std::vector<std::string>{"the decimal sign is a comma: 0,5 is read as 0.5"});
+    CHECK(file.warnings == std::vector<std::string>{"the decimal sign is a comma: 0,5 is read as 0.5"});
     is(table("0,5 -1 2\n3 0,004 1e6\n"));
   }
 
@@ -240,7 +240,7 @@ TEST_SUITE("points of space") {
         "0.5 -1 2 0 0 1 1 1\n3 4e-3 1e6 0 0 1 1 1\n",
         Format::ply);
     is(file);
-    CHECK(file.remarks ==
+    CHECK(file.warnings ==
           std::vector<std::string>{"normals are left out, as not all of nx, ny and nz are there",
                                    "colors are left out, as red, green and blue are not three of type uchar"});
   }
@@ -262,17 +262,17 @@ TEST_SUITE("points of space") {
     is(with("1 2 255", "128 0 7 # said"), normals, colors);
     is(with(".0039 0.0078431 1 1", "0.50196 0 0.027451"), normals, colors);
     is(with("1 1 1", "0 1 0"), normals, {{255, 255, 255}, {0, 255, 0}});
-    CHECK(with("1 2 255", "128 0 7").remarks.empty());
+    CHECK(with("1 2 255", "128 0 7").warnings.empty());
     // A fourth number is a weight.
     is(with("1", "1"), normals);
-    CHECK(with("", "1").remarks.empty());
+    CHECK(with("", "1").warnings.empty());
   }
 
   TEST_CASE("incomplete or wrong colors of text are left out, with a warning") {
     const auto says = [](const std::string& text, Format format, const std::string& why) {
       const SpacePoints file = read(text, format);
       is(file);
-      CHECK(file.remarks == std::vector<std::string>{"colors are left out, as " + why});
+      CHECK(file.warnings == std::vector<std::string>{"colors are left out, as " + why});
     };
     const std::string first = "v 0.5 -1 2", second = "\nv 3 4e-3 1e6";
     says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
@@ -285,7 +285,7 @@ TEST_SUITE("points of space") {
     says(first + " 0 0 -0.1" + second + " 1 1 1\n", Format::obj,
          "line 1 has a channel of '-0.1', and not from 0 to 1 or to 255");
     says("COFF\n2 0 0\n0.5 -1 2\n3 4e-3 1e6\n", Format::off, "line 3 has none");
-    CHECK(read("COFF\n0 0 0\n", Format::off).remarks.empty());
+    CHECK(read("COFF\n0 0 0\n", Format::off).warnings.empty());
   }
 
   TEST_CASE("normals of OBJ are those that faces give, else those in order") {
@@ -304,7 +304,7 @@ TEST_SUITE("points of space") {
     const auto says = [&](const std::string& text, const std::string& why) {
       const SpacePoints file = read(v + text, Format::obj);
       is(file);
-      CHECK(file.remarks == std::vector<std::string>{"normals are left out: " + why});
+      CHECK(file.warnings == std::vector<std::string>{"normals are left out: " + why});
     };
     says("vn 0 0 1\n", "1 normal for 2 vertices, and no face assigns them");
     says(n + n, "4 normals for 2 vertices, and no face assigns them");
@@ -316,14 +316,15 @@ TEST_SUITE("points of space") {
     const auto text = [](const std::string& first, const std::string& second) {
       return pcd_head("ascii") + "0.5 -1 2 " + first + " 1 2 3 0 0 2\n3 4e-3 1e6 " + second + " 1 2 3 -1 .25 0\n";
     };
-    is(read(text(std::to_string(packed(colors[0])), std::to_string(packed(colors[1]))), Format::pcd), normals, colors);
+    is(read(text(std::to_string(compressed(colors[0])), std::to_string(compressed(colors[1]))), Format::pcd), normals,
+       colors);
     is(read(pcd_binary(), Format::pcd), normals, colors);
     is(read("VERSION .5\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 2\nDATA ascii\n0.5 -1 2\n3 4e-3 1e6\n",
             Format::pcd));
   }
 
   TEST_CASE("a color of PCD may be in the bits of a float") {
-    const float bits = std::bit_cast<float>(packed(colors[0]) & 0xffffffU);
+    const float bits = std::bit_cast<float>(compressed(colors[0]) & 0xffffffU);
     const SpacePoints file = read(
         "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
         "DATA binary\n" +
@@ -364,7 +365,7 @@ TEST_SUITE("points of space") {
       choice.where = Condition("classification == 2", names_of_las_fields());
       const SpacePoints some = space_points_in(bytes_of(file), "p", Format::las, choice);
       CHECK(some.points == Places{{0.01, 0.02, -100}});
-      CHECK(some.remarks == std::vector<std::string>{"--where selects 1 of 2 points"});
+      CHECK(some.warnings == std::vector<std::string>{"--where selects 1 of 2 points"});
     }
   }
 
@@ -392,16 +393,16 @@ TEST_SUITE("points of space") {
     };
     const SpacePoints bare = skipping("x,y,z\nNA,NA,NA\n0.5,-1,2\n1,2\n3,4,1e999\n3,4e-3,1e6\n,,\n1,2,3,4\n");
     is(bare);
-    CHECK(bare.remarks ==
+    CHECK(bare.warnings ==
           std::vector<std::string>{"5 lines are left out: the first is p:2: found 'NA', expected a number"});
     // A point without its normal is left out.
     const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
     is(file, normals);
-    CHECK(file.remarks ==
+    CHECK(file.warnings ==
           std::vector<std::string>{"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)",
                                    "2 lines are left out: the first is p:2: found a normal of length 0, "
                                    "expected one of another length"});
-    CHECK(skipping("1 2 3\n").remarks.empty());
+    CHECK(skipping("1 2 3\n").warnings.empty());
     CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),
                          "p: found 1 line and no point, expected at least one (p:2: found 'NA', expected a number)",
                          BadInput);
@@ -416,14 +417,14 @@ TEST_SUITE("points of space") {
     const std::string text = "x;y;z;class\n9;9;9;2\n0,5;-1;2;6\nNA;9;9;5\n3;0,004;1e6;6\n";
     const SpacePoints file = where(text, "class == 6");
     is(file);
-    CHECK(file.remarks.back() == "--where selects 2 of 4 lines");
+    CHECK(file.warnings.back() == "--where selects 2 of 4 lines");
     is(where("z,nx,ny,nz,y,x\n2,0,0,2,-1,0.5\n9,1,1,1,9,9\n1e6,-1,.25,0,4e-3,3\n", "x < 9"), normals);
     CHECK(where(text, "class == 7").points.empty());
     const SpacePoints both = where("x,y,z,n\n0.5,-1,2,1\n9,NA,9,1\n9,9,9,NA\n9,9,9,0\n3,4e-3,1e6,1\n", "n == 1", true);
     is(both);
-    CHECK(both.remarks.size() == 2);
-    CHECK(both.remarks[0] == "--where selects 3 of 4 lines");  // the point of one of them is none
-    CHECK(both.remarks[1] == "2 lines are left out: the first is p:3: found 'NA', expected a number");
+    CHECK(both.warnings.size() == 2);
+    CHECK(both.warnings[0] == "--where selects 3 of 4 lines");  // the point of one of them is none
+    CHECK(both.warnings[1] == "2 lines are left out: the first is p:3: found 'NA', expected a number");
     CHECK_THROWS_WITH_AS(where("1 2 3\n", "n == 1"),
                          "p: found no header line, expected one with the names that --where requires", BadInput);
     CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
@@ -449,7 +450,7 @@ TEST_SUITE("points of space") {
     const Places selected{{0, 0, 2}, {0, 0, 7}};
     const SpacePoints of_binary = space_points_in(binary, "p", Format::ply, where("class == 2"));
     CHECK(of_binary.points == selected);
-    CHECK(of_binary.remarks == std::vector<std::string>{"--where selects 2 of 3 points"});
+    CHECK(of_binary.warnings == std::vector<std::string>{"--where selects 2 of 3 points"});
     const std::string text = "ply\nformat ascii 1.0\n" + head + "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
     CHECK(space_points_in(text, "p", Format::ply, where("class < 3 and x == 0")).points == selected);
     CHECK(points_in(text, "p", {.format = Format::ply, .where = where("not class == 3").where}).points ==

@@ -14,7 +14,7 @@ using namespace rbpa::app;
 using rbpa::Point3;
 using Places = std::vector<Point3>;
 using Colors = std::vector<std::array<std::uint8_t, 3>>;
-using Remarks = std::vector<std::string>;
+using Warnings = std::vector<std::string>;
 
 namespace {
 
@@ -35,11 +35,11 @@ const Places points = {{0.5, -1, 2}, {3, 4e-3, 1e6}};
 const Colors colors = {{1, 2, 255}, {128, 0, 7}};
 
 void is(const SpacePoints& file, const Places& normals = {}, const Colors& with_colors = {},
-        const Remarks& remarks = {}) {
+        const Warnings& warnings = {}) {
   CHECK(file.points == points);
   CHECK(file.normals == normals);
   CHECK(file.colors == with_colors);
-  CHECK(file.remarks == remarks);
+  CHECK(file.warnings == warnings);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ TEST_SUITE("tables of space") {
     const CloudRequest bright{.where = Condition("intensity > 3", *fields_of(Format::pts))};
     const SpacePoints file = read("2\n0 0 0 3\n1 1 1 4\n", Format::pts, bright);
     CHECK(file.points == Places{{1, 1, 1}});
-    CHECK(file.remarks == Remarks{"--where selects 1 of 2 lines"});
+    CHECK(file.warnings == Warnings{"--where selects 1 of 2 lines"});
   }
 
   TEST_CASE("pts cut anywhere within its numbers is refused, or has whole points only") {

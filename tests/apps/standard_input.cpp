@@ -60,7 +60,7 @@ TEST_SUITE("standard input") {
     for (const auto& [name, bytes] : plane) {
       CAPTURE(name);
       folder.file(name, bytes);
-      folder.file(name + ".gz", packed(bytes));
+      folder.file(name + ".gz", compressed(bytes));
       const Outcome by_name = folder.rbpa("info " + name);
       CHECK(by_name.code == 0);
       for (const std::string& input : {name, name + ".gz"}) {

@@ -139,14 +139,14 @@ TEST_SUITE("surface") {
     const Outcome plain = folder.rbpa(run + "-o plain.ply");
     CHECK(plain.err.find("\nrbpa: 1 non-manifold edge, with more than two triangles (--manifold splits their "
                          "vertices)\n") != std::string::npos);
-    CHECK(json::parse(plain.out)["crowded_edges"] == 1);
+    CHECK(json::parse(plain.out)["non_manifold_edges"] == 1);
     CHECK(!json::parse(folder.meshtopo("plain.ply --json").out)["defects"].empty());
 
     const Outcome split = folder.rbpa(run + "--manifold -o m.ply -o m.off -o m.obj -o m.npy");
     CHECK(split.code == 0);
     CHECK(split.err.find("more than two") == std::string::npos);
     const json report = json::parse(split.out);
-    CHECK(report["crowded_edges"] == 0);
+    CHECK(report["non_manifold_edges"] == 0);
     CHECK(report["components"] == 2);
     CHECK(report["closed_components"] == 2);
     for (const std::string name : {"m.ply", "m.off", "m.obj"}) {

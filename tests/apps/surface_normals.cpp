@@ -32,7 +32,7 @@ std::string sphere(int count, double noise) {
 }
 
 struct Vertex {
-  double certainty;
+  double confidence;
   std::array<std::uint8_t, 3> color;
 };
 
@@ -49,7 +49,7 @@ std::vector<Vertex> vertices_of(const std::string& ply, bool colors) {
       std::memcpy(vertex.color.data(), at, 3);
       at += 3;
     }
-    std::memcpy(&vertex.certainty, at, sizeof(double));
+    std::memcpy(&vertex.confidence, at, sizeof(double));
     at += sizeof(double);
   }
   return vertices;
@@ -67,9 +67,9 @@ TEST_SUITE("surface normals") {
       REQUIRE(outcome.code == 0);
       REQUIRE(folder.rbpa("surface p.xyz --radius auto -o all.ply -q").code == 0);
       const std::string ply = folder.content("all.ply");
-      CHECK(ply.find("property double certainty\n") != std::string::npos);
+      CHECK(ply.find("property double confidence\n") != std::string::npos);
       std::size_t in_doubt = 0;
-      for (const Vertex& vertex : vertices_of(ply, false)) in_doubt += vertex.certainty < 0.5;
+      for (const Vertex& vertex : vertices_of(ply, false)) in_doubt += vertex.confidence < 0.5;
       CHECK(json::parse(folder.content("s.json"))["normals_in_doubt"] == in_doubt);
       CHECK((in_doubt > 100) == (noise > 0));
       const bool has_word = outcome.err.find(
@@ -87,13 +87,13 @@ TEST_SUITE("surface normals") {
             .code == 0);
     const std::vector<Vertex> vertices = vertices_of(folder.content("m.ply"), true);
     REQUIRE(vertices.size() == 2001);
-    CHECK(vertices.back().certainty == 0);
+    CHECK(vertices.back().confidence == 0);
     bool blue = false;
     for (const Vertex& vertex : vertices) {
       const double from[] = {0xD5, 0x5E, 0x00}, to[] = {0x86, 0xBC, 0xE4};
       for (std::size_t k = 0; k < 3; ++k)
-        CHECK(std::abs(vertex.color[k] - (from[k] + vertex.certainty * (to[k] - from[k]))) <= 0.51);
-      blue = blue || vertex.certainty > 0.8;
+        CHECK(std::abs(vertex.color[k] - (from[k] + vertex.confidence * (to[k] - from[k]))) <= 0.51);
+      blue = blue || vertex.confidence > 0.8;
     }
     CHECK(blue);
     const std::string colored = folder.content("m.png");
@@ -105,7 +105,7 @@ TEST_SUITE("surface normals") {
     const Folder folder;
     folder.file("n.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
     REQUIRE(folder.rbpa("surface n.xyz --radius 1 -q -o m.ply --stats s.json").code == 0);
-    CHECK(folder.content("m.ply").find("certainty") == std::string::npos);
+    CHECK(folder.content("m.ply").find("confidence") == std::string::npos);
     CHECK(json::parse(folder.content("s.json"))["normals_in_doubt"].is_null());
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals --normals none").code == 2);
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals --normals file").code == 2);

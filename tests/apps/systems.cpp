@@ -169,13 +169,13 @@ TEST_SUITE("systems of coordinates") {
     const Folder folder;
     for (const std::string vertical_code : {"5703", "3855", "5773", "6360", "9279"}) {
       CAPTURE(vertical_code);
-      const std::string remark =
+      const std::string warning =
           "EPSG:" + vertical_code + " is a system of heights, and the horizontal system is not known";
       const auto is_none = [&](const std::string& arguments) {
         CHECK(crs_of(folder, arguments) == "none");
         const std::string err = folder.rbpa("info " + arguments).err;
-        CHECK(err.find(remark) != std::string::npos);
-        CHECK(err.find(remark) == err.rfind(remark));
+        CHECK(err.find(warning) != std::string::npos);
+        CHECK(err.find(warning) == err.rfind(warning));
         CHECK(crs_of(folder, arguments + " --crs EPSG:28992") == "EPSG:28992");
       };
       folder.file("p.ewkt", "SRID=" + vertical_code + ";POINT(1 2)\nSRID=" + vertical_code + ";POINT(3 4)\n");
@@ -205,7 +205,7 @@ TEST_SUITE("systems of coordinates") {
 
   TEST_CASE("a code in meters beside feet gives a warning with the codes to give") {
     const Folder folder;
-    const auto remark = [&](const LasRecord& one) {
+    const auto warning = [&](const LasRecord& one) {
       folder.file("p.las", las({one}));
       CHECK(crs_of(folder, "p.las") == "none");
       return folder.rbpa("info p.las").err;
@@ -218,11 +218,11 @@ TEST_SUITE("systems of coordinates") {
     const auto with_unit = [](unsigned unit) {
       return keys({{1024, 0, 1, 1}, {3072, 0, 1, 26910}, {3076, 0, 1, unit}});
     };
-    CHECK(remark(with_unit(9003)) == expected("US survey feet"));
-    CHECK(remark(with_unit(9002)) == expected("feet"));
-    CHECK(remark(with_unit(9036)) == expected("another unit, number 9036 of EPSG"));
-    CHECK(remark(record(projcs("\"US survey foot\",0.304800609601219", code))) == expected("US survey feet"));
-    CHECK(remark(record(projcs("\"foot\",0.3048", code))) == expected("feet"));
+    CHECK(warning(with_unit(9003)) == expected("US survey feet"));
+    CHECK(warning(with_unit(9002)) == expected("feet"));
+    CHECK(warning(with_unit(9036)) == expected("another unit, number 9036 of EPSG"));
+    CHECK(warning(record(projcs("\"US survey foot\",0.304800609601219", code))) == expected("US survey feet"));
+    CHECK(warning(record(projcs("\"foot\",0.3048", code))) == expected("feet"));
     // Other kinds of feet.
     for (const auto& [own, unit, number] : std::vector<std::tuple<std::string, std::string, unsigned>>{
              {"2229", "\"US survey foot\",0.3048006096", 9003}, {"2222", "\"foot\",0.3048", 9002}}) {

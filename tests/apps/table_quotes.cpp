@@ -97,8 +97,8 @@ TEST_SUITE("quotes and separators") {
               CAPTURE(text);
               CHECK(read(text).points == three);
               CHECK(keys(text) == names);
-              const std::string packed_lines = before + table(names, separator, column, true, all, "\r\n");
-              CHECK(read(packed_lines).points == three);
+              const std::string compressed_lines = before + table(names, separator, column, true, all, "\r\n");
+              CHECK(read(compressed_lines).points == three);
               const std::string bare = before + table(names, separator, column, false, all);
               const std::vector<Column> columns = {{.number = column == 0 ? 2U : 1U},
                                                    {.number = column == 2 ? 2U : 3U}};
@@ -209,7 +209,7 @@ TEST_SUITE("quotes and separators") {
       const PointSource source{.path = folder.file("p.csv", text)};
       const PointFile whole = read_points(source);
       CHECK(whole.points.back().x == static_cast<double>(whole.points.size() - 1));
-      for (const std::string& path : {source.path, folder.file("p.csv.gz", packed(text))}) {
+      for (const std::string& path : {source.path, folder.file("p.csv.gz", compressed(text))}) {
         const auto blocks = open_point_blocks({.path = path});
         Points points, block;
         while (blocks->next(block)) points.insert(points.end(), block.begin(), block.end());

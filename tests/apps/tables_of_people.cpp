@@ -80,18 +80,18 @@ TEST_SUITE("tables of people") {
           CHECK(file.points == three);
           CHECK(file.degrees == name.degrees);
           const bool said = order != "xy";
-          CHECK(file.remarks.size() == (said ? 1 : 0));
+          CHECK(file.warnings.size() == (said ? 1 : 0));
         }
   }
 
   TEST_CASE("columns taken by name are reported") {
-    CHECK(read("lat,lon\n1,2\n").remarks ==
+    CHECK(read("lat,lon\n1,2\n").warnings ==
           std::vector<std::string>{
               "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
     const PointFile transposed =
         read("lat,lon\n1,2\n", {.columns = std::vector<Column>{{.name = "lat"}, {.name = "lon"}}});
     CHECK(transposed.points == std::vector<Point>{{1, 2}});
-    CHECK(transposed.remarks ==
+    CHECK(transposed.warnings ==
           std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns requires"});
     CHECK_FALSE(transposed.degrees);
   }
@@ -114,7 +114,7 @@ TEST_SUITE("tables of people") {
       CAPTURE(text);
       const PointFile file = read(text);
       CHECK(file.points == points);
-      CHECK(file.remarks == std::vector<std::string>{"the decimal sign is a comma: 13,4 is read as 13.4"});
+      CHECK(file.warnings == std::vector<std::string>{"the decimal sign is a comma: 13,4 is read as 13.4"});
     }
     CHECK(read("1;2\n3;4\n1,5;2,5\n").points == std::vector<Point>{{1, 2}, {3, 4}, {1.5, 2.5}});
     CHECK(read("1,2\n3,4\n").points == std::vector<Point>{{1, 2}, {3, 4}});
@@ -157,15 +157,15 @@ TEST_SUITE("tables of people") {
     CHECK(refusal("x,y\n1,2\n3,nan\n") == "t:3: found 'nan', expected a finite number" + hint);
     const PointFile file = read("x,y\nNA,NA\n1,2\n3,NA\n5,six\n7\n-inf,8\n9,10\n1e999,0\n", skipping);
     CHECK(file.points == std::vector<Point>{{1, 2}, {9, 10}});
-    CHECK(file.remarks ==
+    CHECK(file.warnings ==
           std::vector<std::string>{"6 lines are left out: the first is t:2: found 'NA', expected a number"});
-    CHECK(read("1,2\n3,NA\n", skipping).remarks ==
+    CHECK(read("1,2\n3,NA\n", skipping).warnings ==
           std::vector<std::string>{"1 line is left out: t:2: found 'NA', expected a number"});
     CHECK(read("NA,NA\n3,4\n", skipping).points == std::vector<Point>{{3, 4}});  // no header
     CHECK(refusal("NA,NA\n3,4\n") == "t:1: found 'NA', expected a number" + hint);
     CHECK(refusal("x,y\nNA,1\n2,NA\n", skipping) ==
           "t: found 2 lines and no point, expected at least one (t:2: found 'NA', expected a number)");
-    CHECK(read("x,y\n1,2\n", skipping).remarks.empty());
+    CHECK(read("x,y\n1,2\n", skipping).warnings.empty());
   }
 
   TEST_CASE("lines that spreadsheets write before the table are skipped") {
@@ -229,14 +229,14 @@ TEST_SUITE("tables of people") {
     const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
     const PointFile file = read(lines);
     CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});
-    CHECK(file.remarks == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
-                                                   "(--columns chooses these)"});
+    CHECK(file.warnings == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
+                                                    "(--columns chooses these)"});
     CHECK(read("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
     CHECK(read(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
           std::vector<Point>{{9, 9}, {8, 8}});
     // A geometry as bytes, or wrong ones.
     CHECK(read("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
-    CHECK(read("x,y,geom\n1,2,\n").remarks.empty());
+    CHECK(read("x,y,geom\n1,2,\n").warnings.empty());
   }
 
   TEST_CASE("a column of geometries is read") {
@@ -281,17 +281,17 @@ TEST_SUITE("tables of people") {
     }
     CHECK(folder.rbpa("info - < p.xy.gz").out == folder.rbpa("info p.xy").out);
     CHECK(folder.meshtopo("m.off.gz").out == folder.meshtopo("m.off").out);
-    const std::string packed = folder.content("p.xy.gz");
+    const std::string compressed = folder.content("p.xy.gz");
     const auto refuses = [&](const std::string& bytes, const std::string& message) {
       folder.file("b.xy.gz", bytes);
       const Outcome outcome = folder.rbpa("info b.xy.gz");
       CHECK(outcome.code == 3);
       CHECK(outcome.err == "rbpa: b.xy.gz: found " + message + "\n");
     };
-    for (const std::size_t size : {std::size_t{3}, std::size_t{12}, packed.size() / 2, packed.size() - 1})
-      refuses(packed.substr(0, size), "the end of the file inside compressed data, expected a whole gzip file");
-    refuses(packed + "junk", "4 bytes behind the compressed data, expected the end of the file");
-    std::string wrong = packed;
+    for (const std::size_t size : {std::size_t{3}, std::size_t{12}, compressed.size() / 2, compressed.size() - 1})
+      refuses(compressed.substr(0, size), "the end of the file inside compressed data, expected a whole gzip file");
+    refuses(compressed + "junk", "4 bytes behind the compressed data, expected the end of the file");
+    std::string wrong = compressed;
     wrong[wrong.size() - 6] ^= 1;  // of the check sum
     refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file");
     // Numbers may look like a gzip file.
@@ -377,7 +377,7 @@ TEST_SUITE("tables of people") {
     CHECK(xs("z == 3.5") == Xs{2});
     CHECK(xs("1 == 1") == Xs{0, 1, 2, 3});
     CHECK(xs("class == 7").empty());
-    CHECK(read(text, where("class==6 and z>3")).remarks.back() == "--where selects 2 of 4 lines");
+    CHECK(read(text, where("class==6 and z>3")).warnings.back() == "--where selects 2 of 4 lines");
     CHECK(read("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
     CHECK(read("x,y,n\n", where("n > 1")).points.empty());
 
@@ -391,9 +391,9 @@ TEST_SUITE("tables of people") {
           "that are no points)");
     const PointFile skipped = read(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});
-    CHECK(skipped.remarks.size() == 2);
-    CHECK(skipped.remarks[0] == "--where selects 1 of 2 lines");
-    CHECK(skipped.remarks[1].starts_with("2 lines are left out: the first is t:4: found 'NA'"));
+    CHECK(skipped.warnings.size() == 2);
+    CHECK(skipped.warnings[0] == "--where selects 1 of 2 lines");
+    CHECK(skipped.warnings[1].starts_with("2 lines are left out: the first is t:4: found 'NA'"));
     CHECK(read(holes, where("n == 7", true)).points.empty());
     CHECK(refusal("x,y\n1,2\n", where("z > 3")) == "t:1: found 'x,y', expected a header with a column 'z'");
     CHECK(refusal("1,2\n", where("z > 3")) ==

@@ -146,7 +146,7 @@ TEST_SUITE("text encodings") {
         const std::string text = written(sample.text, writing);
         CHECK(points_in(text, "p", {.format = sample.format}).points == points);
         for (const std::string& path :
-             {folder.file("p." + sample.ending, text), folder.file("p." + sample.ending + ".gz", packed(text))}) {
+             {folder.file("p." + sample.ending, text), folder.file("p." + sample.ending + ".gz", compressed(text))}) {
           const auto blocks = open_point_blocks({.path = path, .format = sample.format});
           std::vector<rbpa::Point> block;
           REQUIRE(blocks->next(block));
@@ -170,7 +170,7 @@ TEST_SUITE("text encodings") {
         const std::string text = written(sample.text, writing);
         for (const MeshFile& mesh :
              {mesh_in(text, "m", sample.format),
-              read_mesh({folder.file("m." + sample.ending + ".gz", packed(text)), sample.format})}) {
+              read_mesh({folder.file("m." + sample.ending + ".gz", compressed(text)), sample.format})}) {
           CHECK(mesh.positions == std::vector<std::array<double, 3>>{{0, 0.5, -1}, {1, 0, 4}, {2, 3, 0}});
           CHECK(mesh.soup.faces() == 1);
         }

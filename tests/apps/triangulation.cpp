@@ -9,7 +9,7 @@
 
 #include "meshops/front/boundary_curve.h"
 #include "picture/drawing.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -57,9 +57,9 @@ MeshDrawing drawing_of(const rbpa::SolidAlphaComplex& complex) {
 void check_same(const Points& points, double alpha) {
   CAPTURE(alpha);
   const rbpa::SolidAlphaComplex mesh = rbpa::rbpa(points, alpha);
-  const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true});
+  const rbpa::AlphaComplex arrays = rbpa::alpha_complex(points, alpha, {.neighbors = true});
   const MeshDrawing of_mesh = drawing_of(mesh);
-  const auto of_arrays = rbpa::app::drawing_of(points, arrays, rbpa::Complex::solid);
+  const auto of_arrays = rbpa::app::drawing_of(points, arrays, rbpa::ComplexKind::solid);
   CHECK(of_arrays.inner_edges == of_mesh.inner_edges);
   CHECK(of_arrays.curves == of_mesh.curves);
   CHECK(std::ranges::equal(of_arrays.isolated, mesh.isolated));

@@ -1,4 +1,4 @@
-// What: the C++ side of bench_python.py: for each line of standard input, runs triangulate() with neighbors and
+// What: the C++ side of bench_python.py: for each line of standard input, runs alpha_complex() with neighbors and
 //       boundary on a file of native float64 pairs, and writes its seconds and its processor seconds to standard
 //       output.
 #include <chrono>
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace {
 
@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
     for (std::string line; std::getline(std::cin, line);) {
       const auto start = std::chrono::steady_clock::now();
       const std::clock_t processor_start = std::clock();
-      const rbpa::Triangulation made =
-          rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true, .threads = threads});
+      const rbpa::AlphaComplex made =
+          rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true, .threads = threads});
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
       const double processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
       std::printf("%.9f %.9f %zu\n", passed.count(), processor, made.triangles.size());

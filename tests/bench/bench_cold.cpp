@@ -110,7 +110,7 @@ void add_targets(const Wanted& wanted, const Row& row, std::vector<Target>& all)
   target("arrays, one thread / two", Sense::at_least, 1.6, row.time(arrays) / row.time(arrays_2));
   target("bytes a point, rbpa", Sense::at_most, 180, row.of[mesh].bytes.median());
   target("bytes a point, arrays", Sense::at_most, 90, row.of[arrays].bytes.median());
-  target("bytes a point, arrays with neighbours", Sense::at_most, 115, row.of[neighbors].bytes.median());
+  target("bytes a point, arrays with neighbors", Sense::at_most, 115, row.of[neighbors].bytes.median());
 }
 
 void report(const std::string& program, const Arguments& arguments) {

@@ -15,14 +15,14 @@ namespace rbpa_bench {
 namespace {
 
 void row(const KnownNormals& known) {
-  const rbpa::EstimatedNormals found = rbpa::estimate_normals_and_certainty(known.points);
+  const rbpa::EstimatedNormals found = rbpa::estimate_normals_and_confidence(known.points);
   std::size_t count = 0, wrong = 0, sure = 0, wrong_sure = 0;
   double angle = 0;
   for (std::size_t i = 0; i < known.points.size(); ++i) {
     const rbpa::Point3 &n = found.normals[i], &m = known.normals[i];
     if (m == rbpa::Point3{}) continue;
     const double along = (n.x * m.x + n.y * m.y + n.z * m.z) / std::sqrt(m.x * m.x + m.y * m.y + m.z * m.z);
-    const bool is_wrong = along <= 0, is_sure = found.certainty[i] >= rbpa::least_certainty;
+    const bool is_wrong = along <= 0, is_sure = found.confidence[i] >= rbpa::least_confidence;
     ++count;
     wrong += is_wrong;
     sure += is_sure;

@@ -20,12 +20,12 @@
 #include "bench/stopwatch.h"
 #include "bench/tables.h"
 #include "bench/timings.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/groups.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/random.h"
 
 namespace rbpa_bench {
@@ -157,8 +157,8 @@ double one_call_each(std::span<const rbpa::Point> points, const rbpa::Groups& gr
     const rbpa::Delaunay delaunay(own, {.threads = 1});
     const std::optional<double> alpha =
         rbpa::smallest_covering(delaunay, rbpa::filtration(delaunay), {.share = 1, .max_components = 1});
-    const rbpa::Triangulation complex = rbpa::triangulate(own, alpha.value(), {.neighbors = true, .threads = 1});
-    area += rbpa::total(rbpa::polygons(own, complex, {})).area;
+    const rbpa::AlphaComplex complex = rbpa::alpha_complex(own, alpha.value(), {.neighbors = true, .threads = 1});
+    area += rbpa::total(rbpa::outline_polygons(own, complex, {})).area;
   }
   return area;
 }

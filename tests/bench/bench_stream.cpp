@@ -258,8 +258,9 @@ class StreamBench {
     std::printf("| computing as `rbpa %s` | %.1f | ns a point: %.1f, %.1f, of %.0f points; %.0f bytes a point |\n",
                 verb_in_memory(), mean(cold) * points(), 1e9 * cold(0), 1e9 * cold(1), few,
                 memory_runs_[0].run.peak_bytes / few);
-    std::printf("| or in warm memory | %.1f | ns a point: %.1f, %.1f; `triangulate()`%s, third run |\n",
-                mean(warm) * points(), 1e9 * warm(0), 1e9 * warm(1), wants_triangles() ? "" : " and `polygons()`");
+    std::printf("| or in warm memory | %.1f | ns a point: %.1f, %.1f; `alpha_complex()`%s, third run |\n",
+                mean(warm) * points(), 1e9 * warm(0), 1e9 * warm(1),
+                wants_triangles() ? "" : " and `outline_polygons()`");
     std::printf("| together; with warm memory | %.1f; %.1f | |\n| `rbpa stream` | %.1f | |\n\n", sum, warm_sum,
                 stream_.run.seconds);
     std::printf(

@@ -3,7 +3,7 @@
 #include "bench/stopwatch.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
 
 namespace rbpa_bench {
@@ -46,11 +46,11 @@ Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads
 }
 
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads, bool neighbors, Triangles* list) {
-  rbpa::TriangulationOptions options;
+  rbpa::AlphaComplexOptions options;
   options.threads = threads;
   options.neighbors = neighbors;
   const Stopwatch watch;
-  const rbpa::Triangulation found = rbpa::triangulate(points, alpha, options);
+  const rbpa::AlphaComplex found = rbpa::alpha_complex(points, alpha, options);
   Run run = told_by(watch);
   if (list) list->assign(found.triangles.begin(), found.triangles.end());
   run.triangles = found.triangles.size();
@@ -83,7 +83,7 @@ Contestant arrays_with(unsigned threads) {
           }};
 }
 Contestant neighbors_with(unsigned threads) {
-  return {named("arrays, neighbours", threads),
+  return {named("arrays, neighbors", threads),
           [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
             return run_arrays(points, alpha, threads, true, list);
           }};

@@ -45,7 +45,7 @@ struct Contestant {
 /// Runs rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: one for each processor.
 Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
 
-/// Runs rbpa::triangulate(): triangles in canonical order as arrays, on request with neighbors.
+/// Runs rbpa::alpha_complex(): triangles in canonical order as arrays, on request with neighbors.
 Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
                Triangles* list = nullptr);
 

@@ -22,7 +22,7 @@ Points circle_and_inside(std::size_t count, double share, std::uint64_t seed) {
   });
 }
 
-Points circle_with_centre(std::size_t count) {
+Points circle_with_center(std::size_t count) {
   Points points = circles(count - 1, 1, 13);
   points.push_back({0, 0});
   return points;
@@ -69,12 +69,12 @@ void add_slow_curves(std::vector<SlowPath>& all) {
   add("hyperbola", [](std::size_t n) { return along(n, 9, [](double t) { return Point{0.01 + t, 1 / (0.01 + t)}; }); });
   add("circle", [](std::size_t n) { return circles(n, 1, 10); });
   add("half a circle", [](std::size_t n) { return along(n, 11, [](double t) { return polar(1, t / 2); }); });
-  add("circle and centre", circle_with_centre);
+  add("circle and center", circle_with_center);
   add("circle, a thousandth inside", [](std::size_t n) { return circle_and_inside(n, 0.999, 14); });
   add("circle, half inside", [](std::size_t n) { return circle_and_inside(n, 0.5, 15); });
-  add("two circles, one centre", [](std::size_t n) { return circles(n, 2, 16); });
-  add("ten circles, one centre", [](std::size_t n) { return circles(n, 10, 17); });
-  add("100 circles, one centre", [](std::size_t n) { return circles(n, 100, 18); });
+  add("two circles, one center", [](std::size_t n) { return circles(n, 2, 16); });
+  add("ten circles, one center", [](std::size_t n) { return circles(n, 10, 17); });
+  add("100 circles, one center", [](std::size_t n) { return circles(n, 100, 18); });
   add("two circles side by side", [](std::size_t n) {
     return scattered(n, 19, [](Random& random) {
       const Point p = polar(1, random.unit());

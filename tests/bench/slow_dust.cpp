@@ -98,14 +98,14 @@ Points cascade(std::size_t count) {
 
 /// Returns `number` crowds of a width in a square of side 1, and the other points anywhere.
 Points crowds(std::size_t count, int number, double width, double share, std::uint64_t seed) {
-  const Points centre = scattered(static_cast<std::size_t>(number), seed, [](Random& random) {
+  const Points center = scattered(static_cast<std::size_t>(number), seed, [](Random& random) {
     const double x = random.unit();
     return Point{x, random.unit()};
   });
   return scattered(count, seed + 1, [&](Random& random) {
     const double x = random.unit(), y = random.unit();
     if (!random.chance(share)) return Point{x, y};
-    const Point& at = centre[random.below(centre.size())];
+    const Point& at = center[random.below(center.size())];
     return Point{at.x + width * x, at.y + width * y};
   });
 }

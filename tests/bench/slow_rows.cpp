@@ -104,7 +104,7 @@ void add_slow_rows(std::vector<SlowPath>& all) {
     });
   });
   add("outline of a square", [](std::size_t n) { return outline(n, 91); });
-  add("outline of a square, and centre", [](std::size_t n) {
+  add("outline of a square, and center", [](std::size_t n) {
     Points points = outline(n - 1, 92);
     points.push_back({0.5, 0.5});
     return points;

@@ -27,15 +27,15 @@ Point3 any(double size, Random& random) {
 /// One of the two tori, around an axis through `center` on the x axis.
 struct Torus {
   static constexpr double wide = 1, tube = 0.35;
-  double centre;
+  double center;
 
   Point3 at(double around, double turn) const {
     const double out = wide + tube * std::cos(turn);
-    return {centre + out * std::cos(around), out * std::sin(around), tube * std::sin(turn)};
+    return {center + out * std::cos(around), out * std::sin(around), tube * std::sin(turn)};
   }
   /// Returns the distance from the torus, negative inside, with its gradient.
   double distance(const Point3& p, Point3& gradient) const {
-    const double x = p.x - centre, flat = std::hypot(x, p.y), out = flat - wide, far = std::hypot(out, p.z);
+    const double x = p.x - center, flat = std::hypot(x, p.y), out = flat - wide, far = std::hypot(out, p.z);
     gradient = {out / far * x / flat, out / far * p.y / flat, p.z / far};
     return far - tube;
   }

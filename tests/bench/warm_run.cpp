@@ -9,8 +9,8 @@
 #include "bench/memory.h"
 #include "bench/stopwatch.h"
 #include "io/cloud/point_blocks.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/outline_polygons.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa_bench {
 namespace {
@@ -24,9 +24,9 @@ std::vector<rbpa::Point> points_of(const std::string& file) {
 
 WarmRun timed(const std::vector<rbpa::Point>& points, double alpha, unsigned threads, bool with_polygons) {
   const Stopwatch watch;
-  const rbpa::Triangulation found = rbpa::triangulate(points, alpha, {.neighbors = true, .threads = threads});
+  const rbpa::AlphaComplex found = rbpa::alpha_complex(points, alpha, {.neighbors = true, .threads = threads});
   std::vector<rbpa::Polygon> polygons;
-  if (with_polygons) polygons = rbpa::polygons(points, found);
+  if (with_polygons) polygons = rbpa::outline_polygons(points, found);
   return {watch.seconds(), watch.processor_seconds(), found.triangles.size()};
 }
 

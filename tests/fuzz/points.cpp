@@ -106,8 +106,8 @@ void read_before(bool compressed, const std::string& bytes) {
   }
   const std::string name = "FILE";
   std::string text(1U << 20U, '\0');
-  std::string_view packed = bytes;
-  for (Gunzip gunzip(name); !packed.empty();) gunzip.inflate(packed, text.data(), text.size());
+  std::string_view compressed = bytes;
+  for (Gunzip gunzip(name); !compressed.empty();) gunzip.inflate(compressed, text.data(), text.size());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ test("sets of the plane have the triangles of the program", { skip: !program && 
     for (const alpha of ["inf", "auto", "min"]) {
       const out = join(folder, "t.npy");
       execFileSync(program, ["mesh", path, "--alpha", alpha, "-o", out, "-q"]);
-      const made = alpha === "inf" ? rbpa.triangulate(coords) : rbpa.alphaShape(coords, alpha);
+      const made = alpha === "inf" ? rbpa.alphaComplex(coords) : rbpa.alphaShape(coords, alpha);
       assert.deepEqual(made.triangles, readNpy(out), `${path}, alpha ${alpha}`);
       ++compared;
     }

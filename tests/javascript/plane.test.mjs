@@ -36,7 +36,7 @@ test("triangles, neighbors and halfedges are consistent", () => {
   for (const count of [0, 1, 2, 3, 4, 50, 20000]) {
     const coords = numbers(2 * count);
     for (const alpha of [Infinity, 0.01, 0.2]) {
-      const made = rbpa.triangulate(coords, alpha);
+      const made = rbpa.alphaComplex(coords, alpha);
       checkHalfedges(made, coords, 1);
       assert.equal(made.boundary.length, 2 * made.halfedges.filter((e) => e < 0).length);
       for (let s = 0; s < made.halfedges.length; ++s) {
@@ -52,10 +52,10 @@ test("triangles, neighbors and halfedges are consistent", () => {
 test("points may be numbers, pairs or typed arrays; their order does not matter", () => {
   const coords = numbers(2000);
   const pairs = Array.from({ length: 1000 }, (_, i) => [coords[2 * i], coords[2 * i + 1]]);
-  const expected = rbpa.triangulate(coords, 0.05);
+  const expected = rbpa.alphaComplex(coords, 0.05);
   for (const points of [pairs, Array.from(coords), pairs.map((p) => Float64Array.from(p))])
-    assert.deepEqual(rbpa.triangulate(points, 0.05), expected);
-  const reversed = rbpa.triangulate([...pairs].reverse(), 0.05);
+    assert.deepEqual(rbpa.alphaComplex(points, 0.05), expected);
+  const reversed = rbpa.alphaComplex([...pairs].reverse(), 0.05);
   const rows = ({ triangles }, index) => {
     const all = [];
     for (let t = 0; t < triangles.length; t += 3)
@@ -146,17 +146,17 @@ test("a concave hull is a closed ring of the given points", () => {
 
 test("invalid input is refused with what was found and what was expected", () => {
   const refused = (call, message) => assert.throws(call, (e) => e instanceof InvalidInput && message.test(e.message));
-  refused(() => rbpa.triangulate([[0, NaN]]), /point 0 is \(0, NaN\), expected finite coordinates/);
-  refused(() => rbpa.triangulate([0, 1, Infinity, 0.5]), /point 1 is \(Infinity, 0.5\)/);
-  refused(() => rbpa.triangulate([0, 1, 2]), /points: found 3 numbers, expected 2 for each point/);
-  refused(() => rbpa.triangulate(null), /points: found null/);
-  refused(() => rbpa.triangulate([[0, 0], "x"]), /found "x" at 1/);
-  refused(() => rbpa.triangulate([[0, 0], null]), /found null at 1/);
-  for (const alpha of [0, -1, NaN, "1", null]) refused(() => rbpa.triangulate([], alpha), /^alpha: found/);
+  refused(() => rbpa.alphaComplex([[0, NaN]]), /point 0 is \(0, NaN\), expected finite coordinates/);
+  refused(() => rbpa.alphaComplex([0, 1, Infinity, 0.5]), /point 1 is \(Infinity, 0.5\)/);
+  refused(() => rbpa.alphaComplex([0, 1, 2]), /points: found 3 numbers, expected 2 for each point/);
+  refused(() => rbpa.alphaComplex(null), /points: found null/);
+  refused(() => rbpa.alphaComplex([[0, 0], "x"]), /found "x" at 1/);
+  refused(() => rbpa.alphaComplex([[0, 0], null]), /found null at 1/);
+  for (const alpha of [0, -1, NaN, "1", null]) refused(() => rbpa.alphaComplex([], alpha), /^alpha: found/);
   for (const alpha of [0, NaN, "best", "plateau:0", "plateau:", null, {}])
     refused(() => rbpa.alphaShape([], alpha), /^alpha: found .*expected a radius above 0/);
   refused(() => rbpa.alphaShape([], 1, { minHoleArea: -1 }), /^minHoleArea: found -1/);
-  assert.equal(rbpa.triangulate([[0, 0], [1, 0], [0, 1]]).triangles.length, 3);  // works after refusals
+  assert.equal(rbpa.alphaComplex([[0, 0], [1, 0], [0, 1]]).triangles.length, 3);  // works after refusals
 });
 
 test("nothing leaks in ten thousand calls", async () => {
@@ -169,7 +169,7 @@ test("nothing leaks in ten thousand calls", async () => {
     else if (i % 3 === 1) new own.Delaunator(coords);
     else
       try {
-        own.triangulate([0, NaN]);
+        own.alphaComplex([0, NaN]);
       } catch {}
   }
   assert.equal(own.memoryBytes, before);

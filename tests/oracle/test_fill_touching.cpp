@@ -142,7 +142,7 @@ TEST_CASE("random polygons, many of which touch, are accepted exactly if GEOS ca
 /// Fills every polygon of an alpha shape, and all of them together.
 void fill_shape(const std::string& name, const Points& points, double alpha) {
   INFO(name, ", ", points.size(), " points, alpha ", alpha);
-  const std::vector<Polygon> polygons = rbpa::polygons(rbpa::rbpa(points, alpha));
+  const std::vector<Polygon> polygons = rbpa::outline_polygons(rbpa::rbpa(points, alpha));
   const GeosGeometry geometry = GeosGeometry::of(polygons, points);
   if (!geometry.invalid().empty()) return;
   const std::optional<std::string> why = rbpa::why_invalid(points, polygons);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "oracle/cgal_natural_neighbors.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/locate.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/random.h"
@@ -31,8 +31,8 @@ TEST_CASE("values of generated sets are the sums of CGAL's coordinates times the
     };
     std::sort(points.begin(), points.end(), before);
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    const rbpa::Triangulation of =
-        rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+    const rbpa::AlphaComplex of =
+        rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
     const rbpa::Locator locator(points, of);
     std::vector<double> values;
     for (std::size_t i = 0; i < points.size(); ++i) values.push_back(random.between(-1, 1));
@@ -45,7 +45,7 @@ TEST_CASE("values of generated sets are the sums of CGAL's coordinates times the
     const auto found = locator.find(queries);
     const auto result = locator.interpolate(values, 1, queries, {.method = rbpa::Interpolation::natural_neighbor});
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (found[i] == rbpa::Triangulation::none) continue;
+      if (found[i] == rbpa::AlphaComplex::none) continue;
       double expected = 0;
       for (const auto& [point, share] : natural_neighbor_coordinates(points, queries[i]))
         expected += share * values[point];

@@ -228,7 +228,7 @@ TEST_CASE("voids of periodic full complexes are those of CGAL's triangles of 27 
       }
       std::sort(found.begin(), found.end());
       if (found != voids_by_images(all, alpha)) FAIL_CHECK(text(set) << ", alpha " << alpha);
-      const auto solid = rbpa::periodic_topology(delaunay, radii, alpha, rbpa::VoidWalls::solid);
+      const auto solid = rbpa::periodic_topology(delaunay, radii, alpha, rbpa::ComplexKind::solid);
       only_full += found.size() > solid.voids.size() ? 1u : 0u;
       ++compared;
     }

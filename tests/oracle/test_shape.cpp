@@ -50,7 +50,7 @@ std::string wrong_by_geos(const std::vector<rbpa::Polygon>& polygons, std::span<
 void check(const std::string& name, const Points& points, double alpha) {
   INFO(name, ", ", points.size(), " points, alpha ", literal(alpha));
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
-  const std::vector<rbpa::Polygon> polygons = rbpa::polygons(complex);
+  const std::vector<rbpa::Polygon> polygons = rbpa::outline_polygons(complex);
   std::string wrong = wrong_by_geos(polygons, points);
   CHECK_MESSAGE(wrong.empty(), wrong);
   if (points.size() <= 20000) {
@@ -63,7 +63,7 @@ void check(const std::string& name, const Points& points, double alpha) {
   for (const rbpa::Polygon& p : polygons) largest = std::max(largest, p.area);
   for (const rbpa::PolygonFilter& filter :
        {rbpa::PolygonFilter{4 * spacing * spacing, 0}, rbpa::PolygonFilter{largest / 10, largest / 10}}) {
-    wrong = wrong_by_geos(rbpa::polygons(complex, filter), points);
+    wrong = wrong_by_geos(rbpa::outline_polygons(complex, filter), points);
     CHECK_MESSAGE(wrong.empty(), "filtered: ", wrong);
   }
 }

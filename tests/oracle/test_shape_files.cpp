@@ -35,7 +35,7 @@ void check(const std::string& name, const Points& points, double alpha) {
   folder.file("p.xy", text);
   REQUIRE(folder.rbpa("shape p.xy --alpha " + shortest(alpha) + " -o s.wkt -o s.geojson -q").code == 0);
 
-  const std::vector<rbpa::Polygon> polygons = rbpa::polygons(rbpa::rbpa(points, alpha));
+  const std::vector<rbpa::Polygon> polygons = rbpa::outline_polygons(rbpa::rbpa(points, alpha));
   const GeosGeometry expected = GeosGeometry::of(polygons, points);
   const GeosGeometry wkt = GeosGeometry::from_wkt(folder.content("s.wkt"));
   CHECK(wkt.is_exactly(expected));

@@ -136,8 +136,8 @@ Samples on_level(std::size_t count, double size, std::uint64_t seed, Function f)
   return samples;
 }
 
-double torus_at(double centre, double x, double y, double z) {
-  return std::hypot(std::hypot(x - centre, y) - 1, z) - 0.35;
+double torus_at(double center, double x, double y, double z) {
+  return std::hypot(std::hypot(x - center, y) - 1, z) - 0.35;
 }
 Samples on_torus(std::size_t count) {
   return on_level(count, 1.4, 31, [](double x, double y, double z) { return torus_at(0, x, y, z); });

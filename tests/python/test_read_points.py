@@ -34,7 +34,7 @@ def test_las_has_points_of_plane_and_space_and_any_field(tmp_path):
     plane = rbpa.read_points(path, fields=["intensity", "Classification"])
     assert np.array_equal(plane.points, PLACES[:, :2] / 100 + [500000, 0])
     assert plane.fields["intensity"].tolist() == [0, 7, 14, 21, 28] and np.array_equal(plane.fields["Classification"], CLASSES)
-    assert plane.normals is None and plane.colors is None and plane.crs is None and plane.remarks == []
+    assert plane.normals is None and plane.colors is None and plane.crs is None and plane.warnings == []
     space = rbpa.read_points(str(path), space=True)
     assert np.array_equal(space.points, PLACES / 100 + [500000, 0, 0]) and space.fields == {}
     assert space.colors.dtype == np.uint8 and np.array_equal(space.colors[:, 1], CLASSES)
@@ -47,7 +47,7 @@ def test_conditions_select_points_with_their_fields(tmp_path, space):
     read = rbpa.read_points(las(tmp_path / "scan.las"), space=space, fields=["intensity", "z"], where="classification == 2")
     assert np.array_equal(read.points, (PLACES / 100 + [500000, 0, 0])[CLASSES == 2][:, : 3 if space else 2])
     assert read.fields["intensity"].tolist() == [0, 7, 28] and read.fields["z"].tolist() == [0, 0.1, 0.4]
-    assert read.remarks[-1] == "--where selects 3 of 5 points"
+    assert read.warnings[-1] == "--where selects 3 of 5 points"
     none = rbpa.read_points(tmp_path / "scan.las", space=space, fields=["intensity"], where="classification == 9")
     assert none.points.shape == (0, 3 if space else 2) and none.fields["intensity"].shape == (0,)
 
@@ -103,7 +103,7 @@ def test_a_table_has_columns_of_any_name(tmp_path):
         rbpa.read_points(path, fields=["the height"])
     read = rbpa.read_points(path, fields=["the height"], skip_invalid=True)
     assert read.points.tolist() == [[4, 52], [6, 55]] and read.fields["the height"].tolist() == [1.5, 4]
-    assert any("2 lines are left out" in remark for remark in read.remarks)
+    assert any("2 lines are left out" in warning for warning in read.warnings)
     oaks = rbpa.read_points(path, columns="the height,lat", where="kind == 'oak'")
     assert oaks.points.tolist() == [[1.5, 52], [3, 54]]
 
@@ -134,7 +134,7 @@ def test_names_of_atoms_are_arrays_of_texts(tmp_path):
     assert np.array_equal(atoms.fields["serial"], [1, 2, np.nan, 7], equal_nan=True)
     assert atoms.fields["resseq"].tolist() == [1, 1, 201, 202]
     assert np.array_equal(atoms.fields["bfactor"], [5.28, 7.9, np.nan, 20], equal_nan=True)
-    assert any("1 atom is of water" in remark for remark in atoms.remarks)
+    assert any("1 atom is of water" in warning for warning in atoms.warnings)
     some = rbpa.read_points(path, space=True, fields=["chain"], where="resname != 'HOH' and altloc == ''")
     assert some.fields["chain"].tolist() == ["A", "B"] and some.index.tolist() == [0, 2]
     assert rbpa.read_points(path, space=True, fields=["chain"], where="serial == 9").fields["chain"].dtype.kind == "U"
@@ -197,7 +197,7 @@ def test_a_file_that_is_cut_off_is_read_as_far_as_it_goes_if_asked(tmp_path):
     path = las(tmp_path / "scan.las")
     path.write_bytes(path.read_bytes()[:-3])
     read = rbpa.read_points(path, skip_invalid=True, fields=["intensity"])
-    assert len(read.points) == 4 == len(read.fields["intensity"]) and read.remarks
+    assert len(read.points) == 4 == len(read.fields["intensity"]) and read.warnings
 
 
 def test_a_missing_file_is_an_error_of_the_system(tmp_path):

@@ -69,8 +69,8 @@ def test_radii_say_in_which_solids_a_tetrahedron_is():
     delaunay = rbpa.solid(points)
     corners = points[delaunay.simplices]
     edges = corners[:, 1:] - corners[:, :1]
-    centres = numpy.linalg.solve(2 * edges, (edges**2).sum(2, keepdims=True))
-    assert numpy.allclose(numpy.linalg.norm(centres[:, :, 0], axis=1), delaunay.radii, rtol=1e-7)
+    centers = numpy.linalg.solve(2 * edges, (edges**2).sum(2, keepdims=True))
+    assert numpy.allclose(numpy.linalg.norm(centers[:, :, 0], axis=1), delaunay.radii, rtol=1e-7)
     for alpha in (0.02, 0.1, float(numpy.median(delaunay.radii)), math.inf):
         direct, within = rbpa.solid(points, alpha), delaunay.within(alpha)
         for name in ("simplices", "neighbors", "isolated", "duplicates", "radii"):

@@ -23,8 +23,8 @@ CAP = BALL[BALL[:, 2] > -0.3]
 def circumball(corners: np.ndarray) -> tuple:
     """Returns center and radius of the smallest ball on three or four points."""
     edges = corners[1:] - corners[0]
-    centre = np.linalg.lstsq(2 * edges, (edges**2).sum(axis=1), rcond=None)[0]
-    return corners[0] + centre, np.linalg.norm(centre)
+    center = np.linalg.lstsq(2 * edges, (edges**2).sum(axis=1), rcond=None)[0]
+    return corners[0] + center, np.linalg.norm(center)
 
 
 def exposed_by_scipy(points: np.ndarray, radius: float) -> set:
@@ -39,9 +39,9 @@ def exposed_by_scipy(points: np.ndarray, radius: float) -> set:
             (apex,) = set(cell) - set(corners)
             inside.setdefault(tuple(sorted(corners)), []).append((apex, is_in))
     for corners, sides in inside.items():
-        centre, size = circumball(points[list(corners)])
+        center, size = circumball(points[list(corners)])
         far = np.delete(points, corners, axis=0)
-        is_empty = size <= radius and (np.linalg.norm(far - centre, axis=1) > size).all()
+        is_empty = size <= radius and (np.linalg.norm(far - center, axis=1) > size).all()
         if not is_empty and not any(is_in for _, is_in in sides):
             continue
         a, b, c = corners
@@ -226,12 +226,12 @@ def test_max_radius_limits_auto():
 
 
 def test_the_confidence_in_normals_is_returned_with_them():
-    normals, certainty = rbpa.estimate_normals(BALL, certainty=True)
+    normals, confidence = rbpa.estimate_normals(BALL, confidence=True)
     assert np.array_equal(normals, rbpa.estimate_normals(BALL))
-    assert certainty.shape == (len(BALL),) and (certainty > 0.5).all() and (certainty <= 1).all()
-    line = rbpa.estimate_normals([[0, 0, 0], [1, 2, 3], [2, 4, 6]], certainty=True)
+    assert confidence.shape == (len(BALL),) and (confidence > 0.5).all() and (confidence <= 1).all()
+    line = rbpa.estimate_normals([[0, 0, 0], [1, 2, 3], [2, 4, 6]], confidence=True)
     assert line[1].tolist() == [0, 0, 0]
-    grazing = rbpa.estimate_normals([[0, 0, 0], [1, 0, 0], [0, 1, 0]], viewpoint=[9, 9, 0], certainty=True)
+    grazing = rbpa.estimate_normals([[0, 0, 0], [1, 0, 0], [0, 1, 0]], viewpoint=[9, 9, 0], confidence=True)
     assert grazing[1].tolist() == [0, 0, 0]
 
 

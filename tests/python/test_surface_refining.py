@@ -50,5 +50,5 @@ def test_open_holes_keep_their_causes():
     (left,) = finer.holes
     assert left.kind == "island" and len(left.edges) == 3
     assert finer.triangles[left.triangles[0]].tolist() == made.triangles[[h for h in made.holes if h.kind == "island"][0].triangles[0]].tolist()
-    with pytest.raises(rbpa.InvalidInput, match="remedies"):
-        finer.remedies()
+    with pytest.raises(rbpa.InvalidInput, match="suggested_repairs"):
+        finer.suggested_repairs()

@@ -1,4 +1,4 @@
-"""Surface.remedies(): the suggested repair of a hole closes it; and rbpa.outliers()."""
+"""Surface.suggested_repairs(): the suggested repair of a hole closes it; and rbpa.outliers()."""
 
 import numpy as np
 import pytest
@@ -19,35 +19,35 @@ def test_a_suggested_repair_closes_its_hole():
     normals = points.copy()
     normals[300] *= -1
     made = rbpa.surface(points, normals, 0.13)
-    remedies = made.remedies(threads=1)
+    repairs = made.suggested_repairs(threads=1)
     assert [hole.kind for hole in made.holes] == ["hole", "hole"]
-    kinds = sorted(remedy.kind for remedy in remedies)
+    kinds = sorted(repair.kind for repair in repairs)
     assert kinds == ["larger ball", "turn normals"]
-    for remedy in remedies:
-        if remedy.kind == "turn normals":
-            assert remedy.points.tolist() == [300] and remedy.radius is None
-            normals[remedy.points] *= -1
-            assert not remedy.points.flags.writeable
+    for repair in repairs:
+        if repair.kind == "turn normals":
+            assert repair.points.tolist() == [300] and repair.radius is None
+            normals[repair.points] *= -1
+            assert not repair.points.flags.writeable
         else:
-            radius = remedy.radius
-        assert remedy.reason is None and remedy.kind in repr(remedy)
+            radius = repair.radius
+        assert repair.reason is None and repair.kind in repr(repair)
     closed = rbpa.surface(points, normals, [0.13, radius])
-    assert len(closed.boundary) == 0 and closed.remedies() == []
+    assert len(closed.boundary) == 0 and closed.suggested_repairs() == []
 
 
 def test_rims_have_no_repair_and_changed_surfaces_are_refused():
     sheet = np.array([[x, y, 0.0] for x in range(8) for y in range(8) if not (3 <= x <= 4 and 3 <= y <= 4)])
     made = rbpa.surface(sheet, np.tile([0.0, 0, 1], (len(sheet), 1)), 0.8)
-    for hole, remedy in zip(made.holes, made.remedies()):
-        assert (remedy is None) == (hole.kind == "rim")
-    with pytest.raises(rbpa.InvalidInput, match="remedies"):
-        made.fill_holes().remedies()
-    with pytest.raises(rbpa.InvalidInput, match="remedies"):
-        made.keep_largest().remedies()
-    assert rbpa.surface(sphere(100), "none", 0.5).remedies() == []
+    for hole, repair in zip(made.holes, made.suggested_repairs()):
+        assert (repair is None) == (hole.kind == "rim")
+    with pytest.raises(rbpa.InvalidInput, match="suggested_repairs"):
+        made.fill_holes().suggested_repairs()
+    with pytest.raises(rbpa.InvalidInput, match="suggested_repairs"):
+        made.keep_largest().suggested_repairs()
+    assert rbpa.surface(sphere(100), "none", 0.5).suggested_repairs() == []
     box = np.array([[x, y, z] for x in range(7) for y in range(7) for z in range(6) if x % 6 == 0 or y % 6 == 0 or z == 0], float)
     out = np.where(box == 0, -1.0, np.where(box == 6, 1.0, 0.0))
-    assert [remedy.kind for remedy in rbpa.surface(box, out, 0.9).remedies()] == ["filling"]
+    assert [repair.kind for repair in rbpa.surface(box, out, 0.9).suggested_repairs()] == ["filling"]
 
 
 def test_outliers_stand_alone():

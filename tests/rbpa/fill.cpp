@@ -11,7 +11,7 @@
 
 #include "fill/laws.h"
 #include "fill/refusal.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/data_folder.h"
 #include "support/exact.h"
 #include "support/generate_polygons.h"
@@ -67,8 +67,8 @@ struct AlphaShapes {
   rbpa_test::FillQuality quality = {};
 
   void fill_all(const Points& points, double alpha) {
-    const rbpa::Triangulation complex = rbpa::triangulate(points, alpha, {.neighbors = true});
-    for (const Polygon& polygon : rbpa::polygons(points, complex)) {
+    const rbpa::AlphaComplex complex = rbpa::alpha_complex(points, alpha, {.neighbors = true});
+    for (const Polygon& polygon : rbpa::outline_polygons(points, complex)) {
       INFO(points.size(), " points, alpha ", alpha, ", polygon from point ", polygon.shell.points[0]);
       std::map<std::uint32_t, int> passed;
       for (const std::uint32_t i : polygon.shell.points) ++passed[i];

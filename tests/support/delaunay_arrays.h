@@ -4,12 +4,12 @@
 #include <limits>
 #include <span>
 
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa_test {
 
-inline rbpa::Triangulation delaunay_arrays(std::span<const rbpa::Point> points) {
-  return rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+inline rbpa::AlphaComplex delaunay_arrays(std::span<const rbpa::Point> points) {
+  return rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
 }
 
 }  // namespace rbpa_test

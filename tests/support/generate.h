@@ -58,7 +58,7 @@ Points along_curves(int per_curve);
 Points integer_circle(int radius);
 
 /// Integer circles of radius and 2 · radius around one center, with the center on request.
-Points integer_concentric(int radius, bool centre);
+Points integer_concentric(int radius, bool center);
 
 /// Two circles of `each` points, rounded: cocircular but for the last bits.
 Points rounded_concentric(int each);

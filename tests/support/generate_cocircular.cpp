@@ -27,10 +27,10 @@ Points integer_circle(int radius) {
   return points;
 }
 
-Points integer_concentric(int radius, bool centre) {
+Points integer_concentric(int radius, bool center) {
   Points points = integer_circle(radius);
   for (const rbpa::Point& p : integer_circle(2 * radius)) points.push_back(p);
-  if (centre) points.push_back({0, 0});
+  if (center) points.push_back({0, 0});
   return points;
 }
 

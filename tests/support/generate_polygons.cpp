@@ -21,20 +21,20 @@ Ring add_ring(PolygonCase& to, const Points& places) {
   return ring;
 }
 
-Points circle(const Point& centre, double radius, int n, double turn = 0) {
+Points circle(const Point& center, double radius, int n, double turn = 0) {
   Points places;
   for (int i = 0; i < n; ++i) {
     const double angle = turn + 2 * pi * i / n;
-    places.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+    places.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
   }
   return places;
 }
 
-Points star(Random& random, const Point& centre, double least, double most, int n) {
-  Points places = circle(centre, 1, n);
+Points star(Random& random, const Point& center, double least, double most, int n) {
+  Points places = circle(center, 1, n);
   for (Point& p : places) {
     const double radius = random.between(least, most);
-    p = {centre.x + radius * (p.x - centre.x), centre.y + radius * (p.y - centre.y)};
+    p = {center.x + radius * (p.x - center.x), center.y + radius * (p.y - center.y)};
   }
   return places;
 }
@@ -49,8 +49,8 @@ PolygonCase star_with_holes(Random& random) {
   const int holes = random.integer(0, 4);
   for (int h = 0; h < holes; ++h) {
     const double angle = 2 * pi * h / holes;
-    const Point centre{0.28 * std::cos(angle), 0.28 * std::sin(angle)};
-    made.polygons[0].holes.push_back(add_ring(made, star(random, centre, 0.08, 0.12, random.integer(3, 6))));
+    const Point center{0.28 * std::cos(angle), 0.28 * std::sin(angle)};
+    made.polygons[0].holes.push_back(add_ring(made, star(random, center, 0.08, 0.12, random.integer(3, 6))));
   }
   return made;
 }

@@ -107,8 +107,8 @@ std::vector<Part> parts_of(const Picture& picture, double min_hole, double min_p
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       if (!pixels[i]) continue;  // the margin is never solid
       part.area += pixel_area;
-      for (const std::size_t neighbour : {i - 1, i + 1, i - columns, i + columns})
-        if (!pixels[neighbour]) part.perimeter += side;
+      for (const std::size_t neighbor : {i - 1, i + 1, i - columns, i + columns})
+        if (!pixels[neighbor]) part.perimeter += side;
     }
     if (part.area >= min_part) result.push_back(part);
   }

@@ -68,7 +68,7 @@ std::vector<NamedSet> table() {
        },
        around(1105.0 / 1024)},
       {"integer_concentric", [] { return integer_concentric(1105, false); }, around(1105)},
-      {"integer_concentric_with_centre", [] { return integer_concentric(5525, true); }, around(5525)},
+      {"integer_concentric_with_center", [] { return integer_concentric(5525, true); }, around(5525)},
       {"rounded_concentric", [] { return rounded_concentric(300); }, around(1)},
       {"rectangles_of_circumradius_5", [] { return rectangles_of_circumradius_5(30); }, around(5)},
       {"triangles_3_4_5", [] { return triangles_3_4_5(30, 5); }, around(50)},

@@ -38,7 +38,7 @@ Points3 shuffled(Points3 points, std::uint64_t seed) {
   return points;
 }
 
-Points3 body_centred(std::size_t count) {
+Points3 body_centerd(std::size_t count) {
   Points3 points;
   const int columns = columns_for(count / 2);
   for (const Point3& p : cubic_grid(count / 2, 2, 1)) {
@@ -125,11 +125,11 @@ Points3 clusters_in_cube(std::size_t count, std::uint64_t seed) {
   Points3 points;
   const std::size_t each = std::min<std::size_t>(1000, count / 9 + 1);
   for (int decade = 1; points.size() < count; decade = decade % 9 + 1) {
-    const Point3 centre = anywhere(random);
+    const Point3 center = anywhere(random);
     const double size = std::pow(0.1, decade);
     for (std::size_t i = 0; i < each && points.size() < count; ++i) {
       const Point3 p = anywhere(random);
-      points.push_back({centre.x + size * p.x, centre.y + size * p.y, centre.z + size * p.z});
+      points.push_back({center.x + size * p.x, center.y + size * p.y, center.z + size * p.z});
     }
   }
   return shuffled(std::move(points), seed);
@@ -176,7 +176,7 @@ std::vector<SolidSet> solid_sets(std::size_t count) {
   sets.push_back({"integer grid", cubic_grid(count, 1, 9)});
   sets.push_back({"grid of tenths", cubic_grid(count, 0.1, 10)});
   sets.push_back({"turned grid", turned_grid(count, 19)});
-  sets.push_back({"body-centred grid", body_centred(count)});
+  sets.push_back({"body-centerd grid", body_centerd(count)});
   sets.push_back({"jittered grid", jittered_cubes(count, 11)});
   sets.push_back({"cospherical shells", shells(count)});
   sets.push_back({"clusters", clusters_in_cube(count, 12)});

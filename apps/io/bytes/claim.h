@@ -17,8 +17,8 @@ struct Claim {
   /// longer `first` is, the tighter the bound. Throws BadInput for a header that the format's reader would refuse.
   /// Null if files of the format do not claim a size.
   double (*size)(std::string_view first, const std::string& name) = nullptr;
-  std::string_view hint = {};  ///< end of the error message: how to read a longer file
-  bool may_be_packed = true;   ///< false: a file that begins like a gzip file is read as it is
+  std::string_view hint = {};     ///< end of the error message: how to read a longer file
+  bool may_be_compressed = true;  ///< false: a file that begins like a gzip file is read as it is
 };
 
 /// The claim of a file that claims no size.

@@ -25,7 +25,7 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is n
 
 /// A file that is read once, from its beginning to its end.
 struct Content::File {
-  File(const std::string& path, bool may_unpack);
+  File(const std::string& path, bool may_decompress);
 
   /// Copies the next `size` bytes to `to`; fewer at the end only.
   std::size_t read(char* to, std::size_t size);
@@ -33,28 +33,28 @@ struct Content::File {
   void skip(std::uint64_t size);
 
   std::size_t read_file(char* to, std::size_t size);
-  std::size_t unpack(char* to, std::size_t size);
+  std::size_t decompress(char* to, std::size_t size);
   void require_unchanged() const;
 
-  struct Unpacking {
-    explicit Unpacking(const std::string& path) : gunzip(path), buffer(at_once) {}
+  struct Decompressing {
+    explicit Decompressing(const std::string& path) : gunzip(path), buffer(at_once) {}
 
     Gunzip gunzip;
     std::vector<char> buffer;
-    std::string_view packed = {};  // the compressed bytes of the buffer that are not inflated yet
+    std::string_view compressed = {};  // the compressed bytes of the buffer that are not inflated yet
   };
 
   std::string name;
-  bool unpacks;
+  bool decompresses;
   Descriptor file;
   struct stat status {};
   std::uint64_t bytes_read = 0;
-  std::optional<Unpacking> unpacking = std::nullopt;  // if the file is compressed
+  std::optional<Decompressing> decompressing = std::nullopt;  // if the file is compressed
 };
 
-Content::File::File(const std::string& path, bool may_unpack)
+Content::File::File(const std::string& path, bool may_decompress)
     // A blocking open() of a pipe without a writer would wait forever.
-    : name(path), unpacks(may_unpack), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
+    : name(path), decompresses(may_decompress), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
   if (file.number() < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
   if (file.number() < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
@@ -64,7 +64,7 @@ Content::File::File(const std::string& path, bool may_unpack)
   posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);
   char first[3];
   const ssize_t count = pread(file.number(), first, sizeof first, 0);
-  if (unpacks && count == sizeof first && is_gzip({first, sizeof first})) unpacking.emplace(name);
+  if (decompresses && count == sizeof first && is_gzip({first, sizeof first})) decompressing.emplace(name);
 }
 
 std::size_t Content::File::read(char* to, std::size_t size) {
@@ -72,7 +72,7 @@ std::size_t Content::File::read(char* to, std::size_t size) {
   while (done < size) {
     stop_if_interrupted();
     const std::size_t some = std::min(size - done, at_once);
-    const std::size_t count = unpacking ? unpack(to + done, some) : read_file(to + done, some);
+    const std::size_t count = decompressing ? decompress(to + done, some) : read_file(to + done, some);
     if (count == 0) break;
     done += count;
   }
@@ -80,7 +80,7 @@ std::size_t Content::File::read(char* to, std::size_t size) {
 }
 
 void Content::File::skip(std::uint64_t size) {
-  if (!unpacking) {
+  if (!decompressing) {
     bytes_read = std::min(static_cast<std::uint64_t>(status.st_size), bytes_read + size);
     return;
   }
@@ -109,13 +109,13 @@ std::size_t Content::File::read_file(char* to, std::size_t size) {
   }
 }
 
-std::size_t Content::File::unpack(char* to, std::size_t size) {
-  auto& [gunzip, buffer, packed] = *unpacking;
+std::size_t Content::File::decompress(char* to, std::size_t size) {
+  auto& [gunzip, buffer, compressed] = *decompressing;
   std::size_t count = 0;
   while (count == 0) {
-    if (packed.empty()) packed = {buffer.data(), read_file(buffer.data(), buffer.size())};
-    if (packed.empty() && gunzip.is_between_members()) break;
-    count = gunzip.inflate(packed, to, size);
+    if (compressed.empty()) compressed = {buffer.data(), read_file(buffer.data(), buffer.size())};
+    if (compressed.empty() && gunzip.is_between_members()) break;
+    count = gunzip.inflate(compressed, to, size);
   }
   return count;
 }
@@ -134,14 +134,14 @@ Content::Content(Content&& other) noexcept = default;
 Content& Content::operator=(Content&& other) noexcept = default;
 Content::~Content() = default;
 
-Content Content::of_file(const std::string& path, bool unpacks) {
+Content Content::of_file(const std::string& path, bool decompresses) {
   Content content({}, path);
-  content.file_ = std::make_unique<File>(path, unpacks);
+  content.file_ = std::make_unique<File>(path, decompresses);
   content.ended_ = false;
   return content;
 }
 
-Content Content::again() const { return file_ ? of_file(file_->name, file_->unpacks) : Content(all_, name_); }
+Content Content::again() const { return file_ ? of_file(file_->name, file_->decompresses) : Content(all_, name_); }
 
 std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
@@ -163,9 +163,9 @@ void Content::skip(std::uint64_t size) {
 }
 
 std::size_t Content::size() const {
-  return !file_ ? all_.size() : is_packed() ? unknown_size : static_cast<std::size_t>(file_->status.st_size);
+  return !file_ ? all_.size() : is_compressed() ? unknown_size : static_cast<std::size_t>(file_->status.st_size);
 }
-bool Content::is_packed() const { return file_ && file_->unpacking.has_value(); }
+bool Content::is_compressed() const { return file_ && file_->decompressing.has_value(); }
 std::uint64_t Content::bytes_read() const { return file_ ? file_->bytes_read : all_.size() - bytes_.size(); }
 
 }  // namespace rbpa::app

@@ -17,9 +17,9 @@ class Content {
  public:
   /// Views bytes in memory, which must outlive this object; `name` stands for them in messages.
   Content(std::string_view bytes, std::string name);
-  /// Opens the file at `path`, which must be a regular file, as it is read twice. `unpacks`: decompress it if it begins
+  /// Opens the file at `path`, which must be a regular file, as it is read twice. `decompresses`: decompress it if it begins
   /// like a gzip file. Throws BadInput.
-  static Content of_file(const std::string& path, bool unpacks);
+  static Content of_file(const std::string& path, bool decompresses);
   Content(Content&&) noexcept;
   Content& operator=(Content&&) noexcept;
   ~Content();
@@ -39,7 +39,7 @@ class Content {
   /// Returns the size of the whole content in bytes, or unknown_size while it is being decompressed.
   std::size_t size() const;
   /// Whether the content is decompressed as it is read, so that its size is known at its end only.
-  bool is_packed() const;
+  bool is_compressed() const;
   bool is_in_memory() const { return file_ == nullptr; }
   /// Returns how many bytes of the file, in its compressed form, have been read so far.
   std::uint64_t bytes_read() const;

@@ -22,17 +22,17 @@ Gunzip::Gunzip(const std::string& name) : name_(name) {
   if (inflateInit2(&state_, widest_window + gzip_only) != Z_OK) throw std::bad_alloc();
 }
 
-std::size_t Gunzip::inflate(std::string_view& packed, char* to, std::size_t size) {
+std::size_t Gunzip::inflate(std::string_view& compressed, char* to, std::size_t size) {
   if (between_members_) inflateReset(&state_);
   constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
-  const std::size_t given = std::min(packed.size(), at_once);
-  state_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // which zlib only reads
+  const std::size_t given = std::min(compressed.size(), at_once);
+  state_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));  // which zlib only reads
   state_.avail_in = static_cast<uInt>(given);
   state_.next_out = reinterpret_cast<Bytef*>(to);
   state_.avail_out = static_cast<uInt>(size);
   const int code = ::inflate(&state_, Z_NO_FLUSH);
   if (code != Z_OK && code != Z_STREAM_END) bad_input(name_, reason(code, state_), "a whole gzip file");
-  packed.remove_prefix(given - state_.avail_in);
+  compressed.remove_prefix(given - state_.avail_in);
   between_members_ = code == Z_STREAM_END;
   return size - state_.avail_out;
 }

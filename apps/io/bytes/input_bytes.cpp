@@ -35,21 +35,21 @@ constexpr std::size_t slack = std::size_t{1} << 20U;
 constexpr double bytes_for_each = 5;
 
 /// Limits the decompressed size to what the header claims and to what fits into memory.
-class UnpackLimit {
+class DecompressionLimit {
  public:
-  UnpackLimit(const std::string& name, const Claim& claim, const std::string& way_out)
+  DecompressionLimit(const std::string& name, const Claim& claim, const std::string& way_out)
       : name_(name), claim_(claim), way_out_(way_out), next_(claim.size == nullptr ? any_size : slack) {}
 
   /// Checks the bytes that are decompressed so far. Throws BadInput if they are more than their header claims, or if
   /// memory would not suffice for them and for the points read from them.
-  void require(std::string_view unpacked) {
-    const auto size = static_cast<double>(unpacked.size());
+  void require(std::string_view decompressed) {
+    const auto size = static_cast<double>(decompressed.size());
     if (size > most_)
       bad_input(name_, "more than " + bytes_text(most_) + " decompressed",
                 "at most a fifth of the " + bytes_text(bytes_for_each * most_) +
                     " of available memory, as reading takes several times as much" + way_out_);
     if (size <= next_) return;
-    const double claimed = claimed_by(unpacked);
+    const double claimed = claimed_by(decompressed);
     if (size > claimed + slack)
       bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " decompressed",
                 counted(static_cast<std::size_t>(claimed), "byte") + " as the header claims, or at most " +
@@ -60,11 +60,11 @@ class UnpackLimit {
  private:
   /// Returns the size that the header claims. Adds to the message about a faulty header how much was decompressed,
   /// since more of the file may follow.
-  double claimed_by(std::string_view unpacked) const {
+  double claimed_by(std::string_view decompressed) const {
     try {
-      return claim_.size(unpacked, name_);
+      return claim_.size(decompressed, name_);
     } catch (const BadInput& refusal) {
-      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(unpacked.size(), "byte") +
+      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(decompressed.size(), "byte") +
                      " decompressed)");
     }
   }
@@ -89,22 +89,22 @@ InputBytes::InputBytes(const std::string& name, const std::string& expected, con
   } else {
     read_all(file.number());
   }
-  if (is_gzip(bytes()) && claim.may_be_packed) unpack(claim, way_out);
+  if (is_gzip(bytes()) && claim.may_be_compressed) decompress(claim, way_out);
 }
 
-void InputBytes::unpack(const Claim& claim, const std::string& way_out) {
+void InputBytes::decompress(const Claim& claim, const std::string& way_out) {
   constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
   const std::unique_ptr<char, Free> all = std::move(data_);
-  std::string_view packed(all.get(), size_);
+  std::string_view compressed(all.get(), size_);
   room_ = size_ = 0;
-  UnpackLimit limit(name_, claim, way_out);
+  DecompressionLimit limit(name_, claim, way_out);
   Gunzip gunzip(name_);
-  while (!packed.empty() || !gunzip.is_between_members()) {
+  while (!compressed.empty() || !gunzip.is_between_members()) {
     stop_if_interrupted();
-    if (gunzip.is_between_members() && !is_gzip(packed))
-      bad_input(name_, counted(packed.size(), "byte") + " behind the compressed data", "the end of the file");
+    if (gunzip.is_between_members() && !is_gzip(compressed))
+      bad_input(name_, counted(compressed.size(), "byte") + " behind the compressed data", "the end of the file");
     if (room_ - size_ < at_once) make_room(std::max(2 * room_, size_ + at_once));
-    size_ += gunzip.inflate(packed, data_.get() + size_, at_once);
+    size_ += gunzip.inflate(compressed, data_.get() + size_, at_once);
     limit.require(bytes());
   }
 }

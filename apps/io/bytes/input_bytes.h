@@ -34,7 +34,7 @@ class InputBytes {
   bool read_some(int descriptor);
   void read_all(int descriptor);
   void read_file(int descriptor);
-  void unpack(const Claim& claim, const std::string& way_out);
+  void decompress(const Claim& claim, const std::string& way_out);
 
   std::string name_;
   std::unique_ptr<char, Free> data_;

@@ -10,7 +10,7 @@
 namespace rbpa::app {
 
 /// Returns the `size` bytes that were compressed. Throws BadInput naming `place`, where the data are; before anything
-/// is allocated if `packed` is too short for that size or if memory does not suffice.
-std::vector<char> unpack_lzf(std::string_view packed, std::size_t size, const std::string& place);
+/// is allocated if `compressed` is too short for that size or if memory does not suffice.
+std::vector<char> decompress_lzf(std::string_view compressed, std::size_t size, const std::string& place);
 
 }  // namespace rbpa::app

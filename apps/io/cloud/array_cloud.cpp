@@ -96,9 +96,9 @@ class ArrayCloud final : public Cloud {
 std::unique_ptr<Cloud> open_raw(Content content, const CloudRequest& request) {
   constexpr std::size_t row = 16;
   const std::size_t size = content.size();
-  if (!content.is_packed() && size % row != 0)
+  if (!content.is_compressed() && size % row != 0)
     bad_input(content.name(), counted(size, "byte"), "a multiple of 16 (pairs of float64)");
-  const bool is_whole = !content.is_packed();
+  const bool is_whole = !content.is_compressed();
   const NpyLayout pairs{size / row, 2, Scalar::float64, std::endian::little, false, 0};
   return std::make_unique<ArrayCloud>(std::move(content), pairs, request, is_whole);
 }

@@ -51,7 +51,7 @@ void TextColors::settle(bool announced, CloudFacts& facts) const {
   facts.colors.reset();
   if (!any_ && !announced) return;
   if (const std::string why = fault(); !why.empty()) {
-    facts.file.remarks.push_back("colors are left out, as " + why);
+    facts.file.warnings.push_back("colors are left out, as " + why);
     return;
   }
   facts.colors = greatest_ > 255 ? Channels::wide : greatest_ > 1 ? Channels::bytes : Channels::unit;

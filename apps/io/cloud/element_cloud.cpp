@@ -84,7 +84,7 @@ class ElementCloud final : public Cloud {
 
   void finish() override {
     facts_.file.all_points = vertex_.count;
-    if (selection_) selection_->remark("point", facts_.file.remarks);
+    if (selection_) selection_->warning("point", facts_.file.warnings);
   }
 
  private:
@@ -216,8 +216,8 @@ void lay_out_normal(const PlyElement& element, const std::string_view (&names)[3
   for (std::size_t k = 0; layout.facts.normals && k < 3; ++k)
     layout.columns.emplace_back(CloudBlock::normal + k, places[k]);
   if (places.size() == 1 || places.size() == 2)
-    layout.facts.file.remarks.push_back("normals are left out, as not all of " + std::string(names[0]) + ", " +
-                                        std::string(names[1]) + " and " + std::string(names[2]) + " are there");
+    layout.facts.file.warnings.push_back("normals are left out, as not all of " + std::string(names[0]) + ", " +
+                                         std::string(names[1]) + " and " + std::string(names[2]) + " are there");
 }
 
 std::unique_ptr<Cloud> open_elements(Content content, PlyHeader header, PointLayout layout,

@@ -23,8 +23,8 @@ struct PointLayout {
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
   bool colors_behind = false;                                     ///< text: three words behind the properties
   bool has_room = false;                                          ///< the data are known to be long enough
-  bool by_columns = false;          ///< binary without lists: all values of one property before those of the next
-  std::vector<char> unpacked = {};  ///< decompressed data, which the header's data view
+  bool by_columns = false;              ///< binary without lists: all values of one property before those of the next
+  std::vector<char> decompressed = {};  ///< decompressed data, which the header's data view
   CloudFacts facts = {};
 };
 

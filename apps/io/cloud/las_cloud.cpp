@@ -52,12 +52,12 @@ class LasCloud final : public Cloud {
     }
     const LasCrs system = find_system(first);
     facts_.file.crs = system.crs;
-    if (content_.is_packed()) {
+    if (content_.is_compressed()) {
       count_ = header_.count.sought(skip_invalid_);
     } else {
       settle(header_.count);
     }
-    if (!system.remark.empty() && !in_space_) facts_.file.remarks.push_back(system.remark);
+    if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
     if (!selection_ && is_settled_) facts_.expected = count_;  // all records are there
     content_.skip(header_.begin);
@@ -80,12 +80,12 @@ class LasCloud final : public Cloud {
   }
 
   void finish() override {
-    std::vector<std::string>& remarks = facts_.file.remarks;
+    std::vector<std::string>& warnings = facts_.file.warnings;
     facts_.file.all_points = count_;
-    if (selection_) selection_->remark("point", remarks);
+    if (selection_) selection_->warning("point", warnings);
     if (withheld_points_ > 0)
-      remarks.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
-                        " marked as withheld (--where \"not withheld\" leaves them out)");
+      warnings.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
+                         " marked as withheld (--where \"not withheld\" leaves them out)");
   }
 
   std::uint64_t bytes_read() const override { return content_.bytes_read(); }
@@ -93,7 +93,7 @@ class LasCloud final : public Cloud {
  private:
   /// Returns the system of the file; also reads the records behind the points.
   LasCrs find_system(std::string_view before) const {
-    const bool has_more = !content_.is_packed() && header_.extended_records > 0 &&
+    const bool has_more = !content_.is_compressed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
     if (!has_more) return las_crs(before, {}, header_);
     constexpr std::size_t most = std::size_t{16} << 20U;
@@ -144,7 +144,7 @@ class LasCloud final : public Cloud {
   }
 
   void settle(const LasCount& count) {
-    count_ = count.settle(skip_invalid_, content_.name(), facts_.file.remarks);
+    count_ = count.settle(skip_invalid_, content_.name(), facts_.file.warnings);
     is_settled_ = true;
   }
 

@@ -18,7 +18,7 @@ namespace {
 /// The offsets of the fields behind those that all formats of a family have.
 struct FieldLayout {
   std::size_t size;
-  std::size_t time = 0, colour = 0, infrared = 0;  // 0: there is none
+  std::size_t time = 0, color = 0, infrared = 0;  // 0: there is none
 };
 constexpr FieldLayout layouts[last_las_format + 1] = {
     {20},              // 0
@@ -61,9 +61,9 @@ constexpr Known fields[] = {{"intensity", {12, u16}, {12, u16}},
                             {"user_data", {17, u8}, {17, u8}},
                             {"point_source_id", {18, u16}, {20, u16}},
                             {"gps_time", {0, f64}, {0, f64}, Since::any, &FieldLayout::time},
-                            {"red", {0, u16}, {0, u16}, Since::any, &FieldLayout::colour},
-                            {"green", {2, u16}, {2, u16}, Since::any, &FieldLayout::colour},
-                            {"blue", {4, u16}, {4, u16}, Since::any, &FieldLayout::colour},
+                            {"red", {0, u16}, {0, u16}, Since::any, &FieldLayout::color},
+                            {"green", {2, u16}, {2, u16}, Since::any, &FieldLayout::color},
+                            {"blue", {4, u16}, {4, u16}, Since::any, &FieldLayout::color},
                             {"infrared", {0, u16}, {0, u16}, Since::any, &FieldLayout::infrared}};
 constexpr std::string_view axes[] = {"x", "y", "z"};
 

@@ -13,7 +13,7 @@
 
 namespace rbpa::app {
 
-std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::vector<std::string>& remarks) const {
+std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::vector<std::string>& warnings) const {
   if (claimed_ == room_) return room_;
   const bool too_high = claimed_ > room_;
   if (!skip_invalid)
@@ -23,20 +23,20 @@ std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::ve
                    : claimed_ == 0 ? "all of them)"
                                    : "as many as it counts)"));
   if (takes_all(skip_invalid)) {
-    remarks.push_back("the header counts no points, and " +
-                      (room_ == 1 ? "the whole record behind it is"
-                                  : "all " + std::to_string(room_) + " whole records behind it are") +
-                      " read");
+    warnings.push_back("the header counts no points, and " +
+                       (room_ == 1 ? "the whole record behind it is"
+                                   : "all " + std::to_string(room_) + " whole records behind it are") +
+                       " read");
     return room_;
   }
   if (too_high) {
-    remarks.push_back(std::to_string(claimed_ - room_) + " of the " + counted(claimed_, "point") +
-                      " in the header are left out: the file ends before them");
+    warnings.push_back(std::to_string(claimed_ - room_) + " of the " + counted(claimed_, "point") +
+                       " in the header are left out: the file ends before them");
     return room_;
   }
   const std::size_t more = room_ - claimed_;
-  remarks.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") + " in the header " +
-                    (more == 1 ? "is" : "are") + " left out");
+  warnings.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") + " in the header " +
+                     (more == 1 ? "is" : "are") + " left out");
   return claimed_;
 }
 
@@ -228,7 +228,7 @@ LasCrs crs_of_keys(std::string_view data) {
   if (!is_projected && (!is_code(geographic) || model == model_projected || projected != 0)) return named(std::nullopt);
   const std::string name = "EPSG:" + std::to_string(is_projected ? projected : geographic);
   std::optional<Crs> crs = crs_of_name(name);
-  if (!crs) return {std::nullopt, remark_on_crs(name)};
+  if (!crs) return {std::nullopt, warning_on_crs(name)};
   if (is_projected) return in_unit(crs, unit);
   crs->degrees = true;
   return named(crs);

@@ -28,8 +28,8 @@ class LasCount {
 
   /// Returns the number of points to read. Throws BadInput if the header counts more or fewer points than the file has
   /// whole records. With `skip_invalid` returns the smaller number instead, or the number of records if the header
-  /// counts none, as an interrupted writer leaves it, and adds a warning to `remarks`.
-  std::size_t settle(bool skip_invalid, const std::string& name, std::vector<std::string>& remarks) const;
+  /// counts none, as an interrupted writer leaves it, and adds a warning to `warnings`.
+  std::size_t settle(bool skip_invalid, const std::string& name, std::vector<std::string>& warnings) const;
 
   /// For a file whose end is not known yet: the number of points to look for, and the number for which there is room.
   std::size_t sought(bool skip_invalid) const { return takes_all(skip_invalid) ? room_ : claimed_; }
@@ -77,7 +77,7 @@ void require_las_axis(const LasHeader& header, std::size_t axis, const std::stri
 
 struct LasCrs {
   std::optional<Crs> crs = std::nullopt;  ///< by its EPSG code
-  std::string remark = {};                ///< warning that the file's system is not understood
+  std::string warning = {};               ///< warning that the file's system is not understood
 };
 
 /// Returns the system by well-known text, or else by GeoTIFF keys. `before`: the file up to its points at least;

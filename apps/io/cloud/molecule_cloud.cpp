@@ -82,28 +82,29 @@ class MoleculeCloud final : public Cloud {
   }
 
   void finish() override {
-    std::vector<std::string>& remarks = facts_.file.remarks;
+    std::vector<std::string>& warnings = facts_.file.warnings;
     facts_.cell = std::move(source_->cell());
     facts_.file.all_points = atoms_;
     for (std::size_t k = 0; k < numbers_.size(); ++k)
       if (facts_.file.texts[k]) facts_.file.texts[k] = numbers_[k].take_texts();
     if (source_->blocks() > 1)
-      remarks.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) + " blocks of data");
+      warnings.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) +
+                         " blocks of data");
     if (source_->models() > 1)
-      remarks.push_back("the atoms are those of the first of " + std::to_string(source_->models()) + " models");
+      warnings.push_back("the atoms are those of the first of " + std::to_string(source_->models()) + " models");
     if (water_atoms_ > 0 && waters_ == Waters::left_out) {
       if (water_atoms_ == atoms_) bad_input(name_, "no atoms but those of water", "others (--waters reads water too)");
-      remarks.push_back(counted(water_atoms_, "atom") + " of water " + (water_atoms_ == 1 ? "is" : "are") +
-                        " left out (--waters keeps them)");
+      warnings.push_back(counted(water_atoms_, "atom") + " of water " + (water_atoms_ == 1 ? "is" : "are") +
+                         " left out (--waters keeps them)");
     }
     if (water_atoms_ > 0 && waters_ == Waters::noted)
-      remarks.push_back(counted(water_atoms_, "atom") + (water_atoms_ == 1 ? " is" : " are") +
-                        " of water (where \"resname != 'HOH'\" leaves them out)");
-    if (selection_) selection_->remark("atom", remarks);
+      warnings.push_back(counted(water_atoms_, "atom") + (water_atoms_ == 1 ? " is" : " are") +
+                         " of water (where \"resname != 'HOH'\" leaves them out)");
+    if (selection_) selection_->warning("atom", warnings);
     if (const std::size_t places = alternates_.count(); places > 0)
-      remarks.push_back(counted(places, "atom") + (places == 1 ? " has" : " have") +
-                        " alternate locations, each a point of its own (where \"altloc in ('', '" +
-                        alternates_.first() + "')\" takes one of each)");
+      warnings.push_back(counted(places, "atom") + (places == 1 ? " has" : " have") +
+                         " alternate locations, each a point of its own (where \"altloc in ('', '" +
+                         alternates_.first() + "')\" takes one of each)");
   }
 
  private:

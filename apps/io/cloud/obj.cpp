@@ -151,7 +151,7 @@ class ObjCloud final : public Cloud {
     for (std::size_t k = 0; k < 3; ++k) block.column[CloudBlock::normal + k].push_back(part[k]);
   }
 
-  void leave_out(const std::string& reason) { facts_.file.remarks.push_back("normals are left out: " + reason); }
+  void leave_out(const std::string& reason) { facts_.file.warnings.push_back("normals are left out: " + reason); }
 
   Content content_;
   Lines lines_;

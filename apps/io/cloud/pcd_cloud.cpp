@@ -178,7 +178,7 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
       layout.color = color.front();
       layout.facts.colors = Channels::bytes;
     } else {
-      layout.facts.file.remarks.emplace_back("colors are left out, as " + first.name + " is not of 4 bytes");
+      layout.facts.file.warnings.emplace_back("colors are left out, as " + first.name + " is not of 4 bytes");
     }
   }
   if (request.where)
@@ -191,15 +191,15 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
 /// The sizes before compressed data, in bytes.
 struct CompressedSizes {
   static constexpr std::size_t room = 8;
-  std::uint32_t packed = 0, unpacked = 0;
+  std::uint32_t compressed = 0, decompressed = 0;
 
   explicit CompressedSizes(std::string_view data)
-      : packed(load<std::uint32_t>(data.data(), std::endian::little)),
-        unpacked(load<std::uint32_t>(data.data() + sizeof packed, std::endian::little)) {}
+      : compressed(load<std::uint32_t>(data.data(), std::endian::little)),
+        decompressed(load<std::uint32_t>(data.data() + sizeof compressed, std::endian::little)) {}
 };
 
 /// Returns the decompressed data.
-std::vector<char> unpack(const PlyHeader& header, const std::string& name) {
+std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
   const PlyElement& points = header.elements.front();
   const std::string_view data = header.data;
   if (data.size() < CompressedSizes::room)
@@ -207,14 +207,15 @@ std::vector<char> unpack(const PlyHeader& header, const std::string& name) {
               std::to_string(CompressedSizes::room) + ", the sizes of compressed data, and these");
   const CompressedSizes sizes(data);
   const std::size_t each = points.least_size(), there = data.size() - CompressedSizes::room;
-  if (points.count > sizes.unpacked / each || points.count * each != sizes.unpacked)
-    bad_input(name, counted(sizes.unpacked, "byte") + " as the decompressed size",
+  if (points.count > sizes.decompressed / each || points.count * each != sizes.decompressed)
+    bad_input(name, counted(sizes.decompressed, "byte") + " as the decompressed size",
               announced(points) + ", of " + counted(each, "byte") + " each");
-  if (sizes.packed > there)
-    bad_input(name, counted(there, "byte") + " of compressed data",
-              std::to_string(sizes.packed) + " as the number behind line " + std::to_string(header.lines) + " says");
-  return unpack_lzf(data.substr(CompressedSizes::room, sizes.packed), sizes.unpacked,
-                    name + ": behind line " + std::to_string(header.lines));
+  if (sizes.compressed > there)
+    bad_input(
+        name, counted(there, "byte") + " of compressed data",
+        std::to_string(sizes.compressed) + " as the number behind line " + std::to_string(header.lines) + " says");
+  return decompress_lzf(data.substr(CompressedSizes::room, sizes.compressed), sizes.decompressed,
+                        name + ": behind line " + std::to_string(header.lines));
 }
 
 }  // namespace
@@ -223,8 +224,8 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
   auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.ahead().size(), content.name()).read();
   PointLayout layout = lay_out(header.elements.front(), request, content.name());
   if (is_compressed) {
-    layout.unpacked = unpack(header, content.name());
-    header.data = {layout.unpacked.data(), layout.unpacked.size()};
+    layout.decompressed = decompress(header, content.name());
+    header.data = {layout.decompressed.data(), layout.decompressed.size()};
     layout.by_columns = layout.has_room = true;
   }
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
@@ -236,7 +237,7 @@ double claimed_pcd_size(std::string_view first, const std::string& name) {
   const auto [header, is_compressed] = PcdHeaderReader(first, unknown_size, name).read();
   if (!is_compressed) return claimed_size(header, first);
   const auto before = static_cast<double>(first.size() - header.data.size() + CompressedSizes::room);
-  return header.data.size() < CompressedSizes::room ? before : before + CompressedSizes(header.data).packed;
+  return header.data.size() < CompressedSizes::room ? before : before + CompressedSizes(header.data).compressed;
 }
 
 }  // namespace rbpa::app

@@ -24,7 +24,8 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
       layout.facts.colors = Channels::bytes;
       for (std::size_t k = 0; k < 3; ++k) layout.columns.emplace_back(CloudBlock::color + k, color[k]);
     } else if (!color.empty()) {
-      layout.facts.file.remarks.emplace_back("colors are left out, as red, green and blue are not three of type uchar");
+      layout.facts.file.warnings.emplace_back(
+          "colors are left out, as red, green and blue are not three of type uchar");
     }
   } else {
     layout.height = number_place(vertex, "z");

@@ -16,7 +16,7 @@ namespace {
 class CloudBlocks final : public PointBlocks {
  public:
   explicit CloudBlocks(const PointSource& source)
-      : source_(source), cloud_(open_plane_cloud(Content::of_file(source.path, may_be_packed(source)), source)) {}
+      : source_(source), cloud_(open_plane_cloud(Content::of_file(source.path, may_be_compressed(source)), source)) {}
 
   bool next(std::vector<Point>& block) override {
     block.clear();

@@ -37,7 +37,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     shift_longitude(file.points, name);
     file.degrees = true;
   }
-  if (file.degrees) remark_on_degrees(file);
+  if (file.degrees) warning_on_degrees(file);
   if (!source.heights) file.z = {};  // readers of geometries always fill it
   return file;
 }
@@ -87,7 +87,7 @@ void append_points(const CloudBlock& block, std::vector<Point>& points) {
 
 void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (said && file.crs && file.crs->text() != said->text())
-    file.remarks.push_back("the file names " + file.crs->text() + ", but --crs " + said->text() + " overrides it");
+    file.warnings.push_back("the file names " + file.crs->text() + ", but --crs " + said->text() + " overrides it");
   if (said) file.crs = said;
   if (file.crs && file.crs->degrees) file.degrees = true;
 }
@@ -110,13 +110,13 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
   require(names->texts || where->texts().empty(), "--where", "whose fields are numbers");
 }
 
-bool may_be_packed(const PointSource& source) { return source.format != Format::raw || is_gzip_name(source.path); }
+bool may_be_compressed(const PointSource& source) { return source.format != Format::raw || is_gzip_name(source.path); }
 
 PointFile read_points(const PointSource& source) {
   if (source.format == Format::ogr)
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
   Claim claim = claim_of(source.format, source.skip_invalid);
-  claim.may_be_packed = may_be_packed(source);
+  claim.may_be_compressed = may_be_compressed(source);
   const InputBytes input(source.path, "a file of points", claim,
                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);

@@ -32,7 +32,7 @@ struct PointSource {
 };
 
 /// Whether a file that begins like a gzip file is decompressed. False for raw numbers, which may begin so by chance.
-bool may_be_packed(const PointSource& source);
+bool may_be_compressed(const PointSource& source);
 
 /// Reads the points in the order of the file, all finite. A gzip file is decompressed. Throws BadInput with the file,
 /// the line or the point, what was found and what was expected; Failure; Cancelled.

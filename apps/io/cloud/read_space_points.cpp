@@ -55,14 +55,14 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
       space.colors.push_back(
           bytes_of(static_cast<double>(red), static_cast<double>(green), static_cast<double>(blue), *facts.colors));
   }
-  if (facts.file.degrees && !space.points.empty()) facts.file.remarks.push_back(remark_on_degrees(space.points));
+  if (facts.file.degrees && !space.points.empty()) facts.file.warnings.push_back(warning_on_degrees(space.points));
   cloud.finish();
   space.crs = std::move(facts.file.crs);
   space.cell = std::move(facts.cell);
   space.texts = std::move(facts.file.texts);
   space.index = unless_identity(std::move(space.index));
   space.all_points = std::max(facts.file.all_points, space.points.size());
-  space.remarks = std::move(facts.file.remarks);
+  space.warnings = std::move(facts.file.warnings);
   return space;
 }
 

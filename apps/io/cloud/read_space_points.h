@@ -24,7 +24,7 @@ struct SpacePoints {
   std::size_t all_points = 0;                                       ///< as PointFile::all_points
   std::optional<Crs> crs = std::nullopt;                            ///< if the file names one
   UnitCell cell = {};                                               ///< of the atoms of a molecule
-  std::vector<std::string> remarks = {};  ///< warnings, one sentence each, as PointFile::remarks
+  std::vector<std::string> warnings = {};  ///< warnings, one sentence each, as PointFile::warnings
 };
 
 /// Reads the points in the order of the file. `path` "-" is standard input; a gzip file is decompressed. Allocates

@@ -15,8 +15,8 @@ namespace {
 class Starter {
  public:
   Starter(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
-          std::vector<std::string>& remarks)
-      : lines_(lines), kind_(kind), request_(request), selection_(selection), remarks_(remarks) {}
+          std::vector<std::string>& warnings)
+      : lines_(lines), kind_(kind), request_(request), selection_(selection), warnings_(warnings) {}
 
   TableStart start() {
     std::optional<char> said;
@@ -99,7 +99,7 @@ class Starter {
   }
 
   void lay_out(const SeparatorChoice& choice, bool is_said, std::deque<std::string>& room) {
-    std::vector<std::string> remarks;
+    std::vector<std::string> warnings;
     char separator = choice.separator;
     lines_.set_layout(separator, choice.fields.to_last_text);
     if (!is_said && choice.lines > 0 && count_fields(lines_.line(), separator).all == 1) {  // its separator differs
@@ -116,12 +116,12 @@ class Starter {
     const std::size_t least = std::min<std::size_t>(table.fields.size(), request_.in_space ? 3 : 2);
     table.fields.resize(std::max(table.width.to_last_text, least));
     if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
-    start_.layout = lay_out_table(table, kind_, request_, remarks);
+    start_.layout = lay_out_table(table, kind_, request_, warnings);
     if (start_.layout.header) {
       start_.header = lines_.line();
       start_.layout.names = table.fields;
     }
-    remarks_.insert(remarks_.end(), remarks.begin(), remarks.end());
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
     const bool was_said = is_said || choice.lines > 0;
     finish(was_said ? choice.separator : separator);
     if (!start_.layout.header) return;
@@ -158,7 +158,7 @@ class Starter {
   TableKind kind_;
   const CloudRequest& request_;
   LineSelection& selection_;
-  std::vector<std::string>& remarks_;
+  std::vector<std::string>& warnings_;
   std::string comment_ = {};  // right before the first line of the table, or before the count
   TableStart start_ = {};
 };
@@ -166,8 +166,8 @@ class Starter {
 }  // namespace
 
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
-                       std::vector<std::string>& remarks) {
-  return Starter(lines, kind, request, selection, remarks).start();
+                       std::vector<std::string>& warnings) {
+  return Starter(lines, kind, request, selection, warnings).start();
 }
 
 }  // namespace rbpa::app

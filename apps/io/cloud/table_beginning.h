@@ -32,6 +32,6 @@ struct TableStart {
 
 /// Goes to the first line of data, and finds the columns of `selection`. Throws BadInput.
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
-                       std::vector<std::string>& remarks);
+                       std::vector<std::string>& warnings);
 
 }  // namespace rbpa::app

@@ -26,7 +26,7 @@ class TableCloud final : public Cloud {
         request_(request),
         kind_(kind),
         selection_(request.where, request.skip_invalid) {
-    TableStart start = start_table(lines_, kind_, request_, selection_, facts_.file.remarks);
+    TableStart start = start_table(lines_, kind_, request_, selection_, facts_.file.warnings);
     has_line_ = start.has_line;
     announced_ = start.announced;
     if (start.any_table) begin(start);
@@ -51,7 +51,7 @@ class TableCloud final : public Cloud {
   }
 
   void finish() override {
-    selection_.add_remarks(any_points_, name_, facts_.file.remarks);
+    selection_.add_warnings(any_points_, name_, facts_.file.warnings);
     facts_.file.texts = selection_.take_texts();
     facts_.file.all_points = index_;
   }
@@ -266,8 +266,8 @@ class TableCloud final : public Cloud {
     if (crs && geometries.crs() && crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), crs->text() + " as in lines before");
     if (geometries.crs()) crs = geometries.crs();
-    if (!geometries.crs_remark().empty() && std::exchange(is_crs_remarked_, true) == false)
-      facts_.file.remarks.push_back(geometries.crs_remark());
+    if (!geometries.crs_warning().empty() && std::exchange(has_crs_warning_, true) == false)
+      facts_.file.warnings.push_back(geometries.crs_warning());
     facts_.file.heights.take(geometries.heights());
     const std::size_t size = std::max(block.column[CloudBlock::x].size(), block.count + points.size());
     for (const std::size_t axis : {CloudBlock::x, CloudBlock::y}) block.column[axis].resize(size);
@@ -301,7 +301,7 @@ class TableCloud final : public Cloud {
   double read_decimal_comma(std::string_view field) {
     const double value = comma_.read(field, here());
     if (!comma_.is_used()) {
-      comma_.begin(field, lines_.number(), all_whole_ && is_whole(*current_), here(), facts_.file.remarks);
+      comma_.begin(field, lines_.number(), all_whole_ && is_whole(*current_), here(), facts_.file.warnings);
       is_plain_ = false;
     }
     return value;
@@ -328,7 +328,7 @@ class TableCloud final : public Cloud {
     if (std::exchange(announced_, std::nullopt)->count == point_lines_) return;
     if (!request_.skip_invalid)
       bad_input(name_, counted(point_lines_, "line") + " of points", said + " (--skip-invalid reads what is there)");
-    facts_.file.remarks.push_back("there are " + counted(point_lines_, "line") + " of points, and not " + said);
+    facts_.file.warnings.push_back("there are " + counted(point_lines_, "line") + " of points, and not " + said);
   }
   static std::string said_of(const AnnouncedPoints& points) {
     return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
@@ -341,8 +341,8 @@ class TableCloud final : public Cloud {
       bad_input(here(), in_quotes(lines_.line()),
                 "nothing behind the atoms, or more of them: " + said_of(*announced_) +
                     " (--skip-invalid reads what is there)");
-    facts_.file.remarks.push_back("the atoms are the " + said_of(*announced_) +
-                                  (is_frame ? ", of the first frame" : "") + "; what follows them is left out");
+    facts_.file.warnings.push_back("the atoms are the " + said_of(*announced_) +
+                                   (is_frame ? ", of the first frame" : "") + "; what follows them is left out");
     return false;
   }
 
@@ -365,7 +365,7 @@ class TableCloud final : public Cloud {
     facts_.last_are_colors = is_by_content_ && all_channels_ && greatest_ > 1;
     facts_.last_have_no_direction = is_by_content_ && !facts_.last_are_colors && no_direction_;
     if (facts_.last_are_colors) facts_.colors = greatest_ > 255 ? Channels::wide : Channels::bytes;
-    facts_.file.remarks.push_back(
+    facts_.file.warnings.push_back(
         facts_.last_are_colors
             ? "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
             : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)");
@@ -399,7 +399,7 @@ class TableCloud final : public Cloud {
   bool all_channels_ = true;    // so far they are whole numbers up to 65535
   bool no_direction_ = false;   // one of them is no direction of a normal
   double greatest_ = 0;
-  bool is_crs_remarked_ = false;
+  bool has_crs_warning_ = false;
   bool has_heights_ = false;  // heights are requested, and there may be some
   double z_ = none;           // of the point that is being read
 };

@@ -60,14 +60,14 @@ bool has_names(const TableBeginning& table, bool in_space) {
 
 /// Whether the line is a header with known names for x and y or for geometries; sets the layout.
 bool find_by_header(const FieldTexts& fields, const TableBeginning& table, TableLayout& layout,
-                    std::vector<std::string>& remarks) {
+                    std::vector<std::string>& warnings) {
   if (!may_be_known_header(fields)) return false;
   const std::optional<std::size_t> geometries = find_wkt(fields);
   const std::optional<NamedColumns> found = find_coordinates(fields);
   if (found && geometries && table.choice.geometry == geometries) {
-    remarks.push_back("the geometries of column " + in_quotes(fields[*geometries]) + " are read, and not " +
-                      in_quotes(fields[found->x]) + " and " + in_quotes(fields[found->y]) +
-                      " (--columns chooses these)");
+    warnings.push_back("the geometries of column " + in_quotes(fields[*geometries]) + " are read, and not " +
+                       in_quotes(fields[found->x]) + " and " + in_quotes(fields[found->y]) +
+                       " (--columns chooses these)");
     layout.wkt = geometries;
     return true;
   }
@@ -78,9 +78,9 @@ bool find_by_header(const FieldTexts& fields, const TableBeginning& table, Table
   layout.numbers = {found->x, found->y};
   layout.degrees = found->degrees;
   if (found->x != 0 || found->y != 1)
-    remarks.push_back("x is column " + std::to_string(found->x + 1) + ", " + in_quotes(fields[found->x]) +
-                      ", and y is column " + std::to_string(found->y + 1) + ", " + in_quotes(fields[found->y]) +
-                      ", as the header says (--columns chooses others)");
+    warnings.push_back("x is column " + std::to_string(found->x + 1) + ", " + in_quotes(fields[found->x]) +
+                       ", and y is column " + std::to_string(found->y + 1) + ", " + in_quotes(fields[found->y]) +
+                       ", as the header says (--columns chooses others)");
   return true;
 }
 
@@ -119,23 +119,23 @@ bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, Ta
 }
 
 /// Whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.
-bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
+bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   layout.wkt = table.choice.geometry;
   if (!layout.wkt) return false;
   layout.header = *layout.wkt < table.fields.size() && !is_geometry(table.fields[*layout.wkt]);
-  remarks.push_back("the geometries of column " + std::to_string(*layout.wkt + 1) +
-                    (layout.header ? ", " + in_quotes(table.fields[*layout.wkt]) + "," : "") + " are read");
+  warnings.push_back("the geometries of column " + std::to_string(*layout.wkt + 1) +
+                     (layout.header ? ", " + in_quotes(table.fields[*layout.wkt]) + "," : "") + " are read");
   return true;
 }
 
 /// Whether the comment before the first line of numbers names the columns; sets the layout.
 bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& layout,
-                     std::vector<std::string>& remarks) {
+                     std::vector<std::string>& warnings) {
   if (!has_names(table, in_space)) return false;
   const FieldTexts& names = table.names;
   lay_out_by_names(names, in_space, layout);
   layout.degrees = is_longitude(names[layout.numbers[0]]) && is_latitude(names[layout.numbers[1]]);
-  remarks.push_back("the comment " + in_quotes(table.comment) + " names the columns (--columns chooses others)");
+  warnings.push_back("the comment " + in_quotes(table.comment) + " names the columns (--columns chooses others)");
   return true;
 }
 
@@ -147,7 +147,7 @@ void refuse_atoms(const TableBeginning& table, const std::string& columns) {
 }
 
 TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const CloudRequest& request,
-                          std::vector<std::string>& remarks) {
+                          std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
   TableLayout layout{.width = table.width, .numbers = {0, 1}};
   const bool by_name = is_by_name(request.columns), has_comment = has_names(table, false);
@@ -159,14 +159,14 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
       layout.header = by_name ? !has_comment : is_unknown_header(fields, {*layout.wkt});
       return layout;
     }
-  } else if (find_by_header(fields, table, layout, remarks)) {
+  } else if (find_by_header(fields, table, layout, warnings)) {
     layout.header = true;
     find_height_column(fields, layout);
     return layout;
-  } else if (find_by_content(table, layout, remarks)) {
+  } else if (find_by_content(table, layout, warnings)) {
     return layout;
   } else if (!is_text_only(fields) &&
-             (find_by_comment(table, false, layout, remarks) || find_by_kind(table, kind, false, layout))) {
+             (find_by_comment(table, false, layout, warnings) || find_by_kind(table, kind, false, layout))) {
     return layout;
   }
   const std::size_t x = layout.numbers[0], y = layout.numbers[1], needed = std::max(x, y) + 1;
@@ -186,13 +186,13 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
     if (has_number && !request.columns && fields.size() > 2 && (is_xyz || may_be_z)) layout.height = 2;
-    if (layout.height && !is_xyz) remarks.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
+    if (layout.height && !is_xyz) warnings.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
     return layout;
   }
   layout.degrees = is_longitude(fields[x]) && is_latitude(fields[y]);
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
-    remarks.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
-                      ", as --columns requires");
+    warnings.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
+                       ", as --columns requires");
   find_height_column(fields, layout);
   return layout;
 }
@@ -210,7 +210,7 @@ void choose_in_space(const TableBeginning& table, const std::vector<Column>& col
 
 /// Sets the columns of points in space by the names of the header, or, if there are three unknown names, in their
 /// order.
-void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& remarks) {
+void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
   layout.numbers = find_space_columns(fields);
   if (layout.numbers.empty() && fields.size() == 3) layout.numbers = {0, 1, 2};
@@ -223,7 +223,8 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
     in_order = in_order && layout.numbers[i] == i;
     names += (names.empty() ? "" : ", ") + in_quotes(fields[layout.numbers[i]]);
   }
-  if (!in_order) remarks.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
+  if (!in_order)
+    warnings.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
 }
 
 [[noreturn]] void refuse_width(const TableBeginning& table) {
@@ -234,7 +235,7 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
 }
 
 TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const CloudRequest& request,
-                          std::vector<std::string>& remarks) {
+                          std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
   TableLayout layout{.width = table.width};
   const bool by_name = is_by_name(request.columns), has_comment = has_names(table, true);
@@ -243,8 +244,8 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   if (request.columns) {
     choose_in_space(table, *request.columns, layout);
   } else if (is_known || is_unknown_header(fields, {0, 1, 2})) {
-    find_by_space_header(table, layout, remarks);
-  } else if (find_by_comment(table, true, layout, remarks) || find_by_kind(table, kind, true, layout)) {
+    find_by_space_header(table, layout, warnings);
+  } else if (find_by_comment(table, true, layout, warnings) || find_by_kind(table, kind, true, layout)) {
     return layout;
   } else {
     if (fields.size() != 3 && fields.size() != 6) refuse_width(table);
@@ -283,8 +284,9 @@ bool is_by_name(const std::optional<std::vector<Column>>& columns) {
 }
 
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
-                          std::vector<std::string>& remarks) {
-  return request.in_space ? lay_out_space(table, kind, request, remarks) : lay_out_plane(table, kind, request, remarks);
+                          std::vector<std::string>& warnings) {
+  return request.in_space ? lay_out_space(table, kind, request, warnings)
+                          : lay_out_plane(table, kind, request, warnings);
 }
 
 }  // namespace rbpa::app

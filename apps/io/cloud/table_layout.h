@@ -49,10 +49,10 @@ struct TableBeginning {
   SeparatorChoice choice;
 };
 
-/// Returns the layout of a table, and adds warnings to `remarks`. Throws BadInput naming the line, and WrongUsage if
+/// Returns the layout of a table, and adds warnings to `warnings`. Throws BadInput naming the line, and WrongUsage if
 /// two requested columns are one.
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
-                          std::vector<std::string>& remarks);
+                          std::vector<std::string>& warnings);
 
 /// Sets the columns of `layout` by `names`, for a table whose first line is numbers.
 void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space, TableLayout& layout);

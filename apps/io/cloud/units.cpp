@@ -184,7 +184,7 @@ void shift_longitude(std::vector<Point>& points, const std::string& name) {
   }
 }
 
-std::string remark_on_degrees(const std::vector<Point3>& points) {
+std::string warning_on_degrees(const std::vector<Point3>& points) {
   if (points.empty()) return "";
   const Box box = box_of(points);
   if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360)
@@ -193,23 +193,23 @@ std::string remark_on_degrees(const std::vector<Point3>& points) {
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
 
-void remark_on_degrees(PointFile& file) {
+void warning_on_degrees(PointFile& file) {
   if (file.points.empty()) return;
   const Box box = box_of(file.points);
   if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360) {
     const bool exchanged = box.least.x >= -90 && box.greatest.x <= 90 && box.least.y >= -360 && box.greatest.y <= 360;
-    file.remarks.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
-                           std::string(ShortestText(std::max(std::abs(box.least.x), std::abs(box.greatest.x)))) +
-                           " and " +
-                           std::string(ShortestText(std::max(std::abs(box.least.y), std::abs(box.greatest.y)))) +
-                           (exchanged ? ": are they exchanged?" : ": are they degrees?"));
+    file.warnings.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
+                            std::string(ShortestText(std::max(std::abs(box.least.x), std::abs(box.greatest.x)))) +
+                            " and " +
+                            std::string(ShortestText(std::max(std::abs(box.least.y), std::abs(box.greatest.y)))) +
+                            (exchanged ? ": are they exchanged?" : ": are they degrees?"));
     return;
   }
-  file.remarks.push_back(
+  file.warnings.push_back(
       "coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as long as " +
       share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)");
   if (lie_around_antimeridian(file.points, box))
-    file.remarks.push_back(
+    file.warnings.push_back(
         "points lie on both sides of the antimeridian, longitude 180, and are far apart in the plane "
         "(--shift-longitude adds 360 to longitudes below 0)");
 }

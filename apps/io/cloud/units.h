@@ -24,10 +24,10 @@ std::optional<std::string_view> unit_of(const PointFile& file);
 void shift_longitude(std::vector<Point>& points, const std::string& name);
 
 /// Returns the warning about points in space whose x and y are said to be degrees; empty if there are no points.
-std::string remark_on_degrees(const std::vector<Point3>& points);
+std::string warning_on_degrees(const std::vector<Point3>& points);
 
 /// Adds warnings: that degrees are lengths of different size in the plane; that points are on both sides of the
 /// antimeridian, or are no degrees.
-void remark_on_degrees(PointFile& file);
+void warning_on_degrees(PointFile& file);
 
 }  // namespace rbpa::app

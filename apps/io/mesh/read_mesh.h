@@ -23,7 +23,7 @@ struct MeshFile {
   /// The lines of points and faces in a text file, from 1; empty if the file is binary.
   std::vector<std::size_t> point_lines;
   std::vector<std::size_t> face_lines;
-  std::vector<std::string> remarks = {};  ///< warnings about data that are left out
+  std::vector<std::string> warnings = {};  ///< warnings about data that are left out
 
   /// Reserves memory for `count` faces, most of them triangles.
   void reserve_faces(std::size_t count) {

@@ -53,7 +53,7 @@ struct Lost {
 Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
           const SinglePositions& rounded);
 
-/// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a remedy: a shift, if one
+/// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a repair: a shift, if one
 /// suffices, or another format. Empty if nothing is lost. Throws as single_positions().
 std::string why_not_kept(Format format, std::span<const Point3> vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,

@@ -113,13 +113,13 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
   const std::size_t behind = bytes.size() - end;
   if (behind > 0 && have_attributes(bytes, facets)) {
     MeshFile mesh = facets_at(bytes, facets, name, behind_attributes);
-    mesh.remarks.push_back(counted(behind, "byte") + " of attributes " + (behind == 1 ? "is" : "are") + " left out");
+    mesh.warnings.push_back(counted(behind, "byte") + " of attributes " + (behind == 1 ? "is" : "are") + " left out");
     return mesh;
   }
   MeshFile mesh = facets_at(bytes, facets, name, [](const char* facet) { return facet + facet_size; });
   if (behind > 0)
-    mesh.remarks.push_back(counted(behind, "byte") + " behind the last facet " + (behind == 1 ? "is" : "are") +
-                           " left out");
+    mesh.warnings.push_back(counted(behind, "byte") + " behind the last facet " + (behind == 1 ? "is" : "are") +
+                            " left out");
   return mesh;
 }
 
@@ -144,8 +144,8 @@ class AsciiReader {
     if (line.find_first_not_of(blank) != std::string_view::npos) return false;
     if (rest.find_first_not_of(blank) != std::string_view::npos) return false;
     const std::size_t left_out = line.size() + rest.size();
-    mesh_.remarks.push_back(counted(left_out, "byte") + " behind the last solid " + (left_out == 1 ? "is" : "are") +
-                            " left out");
+    mesh_.warnings.push_back(counted(left_out, "byte") + " behind the last solid " + (left_out == 1 ? "is" : "are") +
+                             " left out");
     return true;
   }
 

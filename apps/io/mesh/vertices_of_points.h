@@ -23,7 +23,7 @@ class VerticesOfPoints {
       : places_(values_at(of_points.vertices, point)),
         normals_(values_at(of_points.normals, point)),
         colors_(values_at(of_points.colors, point)),
-        certainty_(values_at(of_points.certainty, point)),
+        confidence_(values_at(of_points.confidence, point)),
         points_(names_points ? renumbered(point, of_points.index) : std::vector<std::uint32_t>()),
         triangles_(triangles),
         shift_(of_points.shift) {}
@@ -34,14 +34,14 @@ class VerticesOfPoints {
             .normals = normals_,
             .colors = colors_,
             .points = points_,
-            .certainty = certainty_,
+            .confidence = confidence_,
             .shift = shift_};
   }
 
  private:
   std::vector<Point3> places_, normals_;
   std::vector<std::array<std::uint8_t, 3>> colors_;
-  std::vector<double> certainty_;
+  std::vector<double> confidence_;
   std::vector<std::uint32_t> points_;
   std::span<const std::array<std::uint32_t, 3>> triangles_;
   std::optional<Shift> shift_;

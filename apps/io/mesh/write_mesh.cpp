@@ -40,7 +40,7 @@ struct SurfacePolygons {
     if (!mesh.normals.empty()) lines += "property double nx\nproperty double ny\nproperty double nz\n";
     if (!mesh.colors.empty()) lines += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     if (!mesh.points.empty()) lines += "property uint point\n";
-    if (!mesh.certainty.empty()) lines += "property double certainty\n";
+    if (!mesh.confidence.empty()) lines += "property double confidence\n";
     return lines;
   }
   void write_properties(OutputFile& file, std::size_t i) const {
@@ -50,7 +50,7 @@ struct SurfacePolygons {
     }
     if (!mesh.colors.empty()) file.write_binary(std::span<const std::uint8_t>(mesh.colors[i]));
     if (!mesh.points.empty()) file.write_binary(mesh.points.subspan(i, 1));
-    if (!mesh.certainty.empty()) file.write_binary(mesh.certainty.subspan(i, 1));
+    if (!mesh.confidence.empty()) file.write_binary(mesh.confidence.subspan(i, 1));
   }
 };
 

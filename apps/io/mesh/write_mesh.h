@@ -32,14 +32,14 @@ struct TriangulatedFaces {
   TriangulatedFaces(std::span<const std::array<double, 3>> positions, const meshops::PolygonSoup& soup);
 };
 
-/// A mesh in space. Normals, colors, points and certainty are empty, or have one value per vertex.
+/// A mesh in space. Normals, colors, points and confidence are empty, or have one value per vertex.
 struct SpaceMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 3>> triangles;
   std::span<const Point3> normals = {};
   std::span<const std::array<std::uint8_t, 3>> colors = {};
   std::span<const std::uint32_t> points = {};  ///< input indices
-  std::span<const double> certainty = {};      ///< confidence in the normals
+  std::span<const double> confidence = {};     ///< confidence in the normals
   std::optional<Shift> shift = std::nullopt;   ///< for STL and GLB
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
 };
@@ -48,14 +48,14 @@ struct SpaceMesh {
 void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Writes OFF, OBJ; PLY (binary little-endian) with normals as double, colors as uchar, points as uint `point` and
-/// confidences as double `certainty`; STL (binary, single precision, a shift in its header); VTU, GLB (below); or the
+/// confidences as double `confidence`; STL (binary, single precision, a shift in its header); VTU, GLB (below); or the
 /// triangles as an .npy array of uint32 with shape (n, 3). Throws, before anything is written, BadInput if a coordinate
 /// is too large for STL or GLB, and Failure if single precision does not keep the triangles. Requires: not a picture
 /// format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Writes VTU with normals as point data `Normals`, colors as `RGB`, input indices as `point`, confidences as
-/// `certainty`.
+/// `confidence`.
 void write_vtu(OutputFile& file, const SpaceMesh& mesh);
 
 /// Writes GLB: one double-sided mesh. Positions are in single precision; if rounding would change some, relative to the

@@ -89,10 +89,10 @@ void write_vtu(OutputFile& file, const SpaceMesh& mesh) {
         {.type = "UInt32", .name = "point", .bytes = mesh.points.size_bytes(), .write = [&](OutputFile& out) {
            out.write_binary(mesh.points);
          }});
-  if (!mesh.certainty.empty())
+  if (!mesh.confidence.empty())
     grid.of_points.push_back(
-        {.type = "Float64", .name = "certainty", .bytes = mesh.certainty.size_bytes(), .write = [&](OutputFile& out) {
-           out.write_binary(mesh.certainty);
+        {.type = "Float64", .name = "confidence", .bytes = mesh.confidence.size_bytes(), .write = [&](OutputFile& out) {
+           out.write_binary(mesh.confidence);
          }});
   write_vtu(file, grid);
 }

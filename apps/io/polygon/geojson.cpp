@@ -61,7 +61,7 @@ class Events {
       constexpr bool to_the_end = false;  // others may follow
       nlohmann::json::sax_parse(first, last, this, nlohmann::json::input_format_t::json, to_the_end);
     }
-    if (without_geometry_ > 0) file_.remarks.push_back(counted(without_geometry_, "feature") + " without a geometry");
+    if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
     settle_crs();
     if (columns_.key || columns_.radius) end_fields(file_.points.size(), {}, not_a_number);
     require_property(columns_.key, has_key_, "--group-by");
@@ -354,7 +354,7 @@ class Events {
     if (!crs_name_ && !crs_is_unknown_) file_.crs = wgs84();
     if (!crs_name_) return;
     file_.crs = crs_of_name(*crs_name_);
-    if (!file_.crs) file_.remarks.push_back(remark_on_crs(*crs_name_));
+    if (!file_.crs) file_.warnings.push_back(warning_on_crs(*crs_name_));
   }
 
   static constexpr std::size_t no_feature = std::numeric_limits<std::size_t>::max();

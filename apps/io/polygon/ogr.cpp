@@ -69,7 +69,7 @@ class OgrReader {
     const GIntBig announced = layer.GetFeatureCount(if_known);
     if (announced >= 0 && static_cast<std::size_t>(announced) != features_)
       bad_input(source_, counted(features_, "feature"), std::to_string(announced) + " as the file says");
-    if (without_geometry_ > 0) file_.remarks.push_back(counted(without_geometry_, "feature") + " without a geometry");
+    if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
     return std::move(file_);
   }
 
@@ -95,8 +95,8 @@ class OgrReader {
     if (authority != nullptr && code != nullptr && system.IsVertical() == 0)
       file_.crs = Crs{.authority = authority, .code = code, .degrees = file_.degrees};
     else
-      file_.remarks.push_back("the system of coordinates, " + in_quotes(whole->GetName()) +
-                              ", has no code of the plane and is not carried over (--crs EPSG:CODE names it)");
+      file_.warnings.push_back("the system of coordinates, " + in_quotes(whole->GetName()) +
+                               ", has no code of the plane and is not carried over (--crs EPSG:CODE names it)");
   }
 
   void take(const OGRPoint& p) {

@@ -88,7 +88,7 @@ void WktGeometries::take_srid() {
   if (code.find_first_not_of('0') == std::string::npos) return;  // SRID 0 means unknown
   const std::optional<Crs> crs = crs_of_name("EPSG:" + code);
   if (!crs) {
-    crs_remark_ = remark_on_crs("EPSG:" + code);
+    crs_warning_ = warning_on_crs("EPSG:" + code);
     return;
   }
   if (crs_ && crs_->code != crs->code)
@@ -242,7 +242,7 @@ PointFile read_all(WktGeometries& geometries, std::string_view text, const std::
     bad_input(at_line(name, before + 1), fault.found, fault.expected);
   }
   file.crs = geometries.crs();
-  if (!geometries.crs_remark().empty()) file.remarks.push_back(geometries.crs_remark());
+  if (!geometries.crs_warning().empty()) file.warnings.push_back(geometries.crs_warning());
   file.heights = geometries.heights();
   file.z = geometries.z();
   return file;

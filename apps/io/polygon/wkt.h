@@ -44,7 +44,7 @@ class WktGeometries {
   /// Returns the system that an SRID names, if any.
   const std::optional<Crs>& crs() const { return crs_; }
   /// Returns the warning about an SRID that names no horizontal system.
-  const std::string& crs_remark() const { return crs_remark_; }
+  const std::string& crs_warning() const { return crs_warning_; }
 
  private:
   void take_srid();
@@ -64,7 +64,7 @@ class WktGeometries {
   bool vertices_;
   PolygonFile* polygons_ = nullptr;
   std::optional<Crs> crs_ = std::nullopt;
-  std::string crs_remark_ = {};
+  std::string crs_warning_ = {};
   bool measured_ = false;  // the third coordinate of the current geometry is a measure
   Heights heights_ = {};
   std::vector<double> z_ = {};

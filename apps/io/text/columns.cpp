@@ -96,9 +96,9 @@ constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", 
                                              "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
 constexpr std::string_view normal_names[3][4] = {
     {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
-constexpr std::string_view color_names[3][6] = {{"r", "red", "colorr", "colourr", "rf", "diffusered"},
-                                                {"g", "green", "colorg", "colourg", "gf", "diffusegreen"},
-                                                {"b", "blue", "colorb", "colourb", "bf", "diffuseblue"}};
+constexpr std::string_view color_names[3][6] = {{"r", "red", "colorr", "colorr", "rf", "diffusered"},
+                                                {"g", "green", "colorg", "colorg", "gf", "diffusegreen"},
+                                                {"b", "blue", "colorb", "colorb", "bf", "diffuseblue"}};
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 

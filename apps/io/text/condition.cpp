@@ -327,8 +327,8 @@ bool Selection::count() {
   return is_held;
 }
 
-void Selection::remark(std::string_view noun, std::vector<std::string>& remarks) const {
-  if (selects_) remarks.push_back("--where selects " + std::to_string(selected_) + " of " + counted(judged_, noun));
+void Selection::warning(std::string_view noun, std::vector<std::string>& warnings) const {
+  if (selects_) warnings.push_back("--where selects " + std::to_string(selected_) + " of " + counted(judged_, noun));
 }
 
 }  // namespace rbpa::app

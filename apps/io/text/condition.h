@@ -154,8 +154,8 @@ class Selection {
   bool all_held() const { return selected_ == judged_; }
   /// Returns the values of the condition's columns() for the last point.
   std::span<const double> column_values() const { return {values_.data(), columns_}; }
-  /// Adds the number of selected points to `remarks`, unless the condition selects all points anyway.
-  void remark(std::string_view noun, std::vector<std::string>& remarks) const;
+  /// Adds the number of selected points to `warnings`, unless the condition selects all points anyway.
+  void warning(std::string_view noun, std::vector<std::string>& warnings) const;
 
  private:
   /// Executes an instruction on the stack; returns whether to jump.

@@ -185,10 +185,10 @@ double DecimalComma::read(std::string_view field, const std::string& here) const
 }
 
 void DecimalComma::begin(std::string_view field, std::size_t line, bool all_whole, const std::string& here,
-                         std::vector<std::string>& remarks) {
+                         std::vector<std::string>& warnings) {
   if (!all_whole) bad_input(here, in_quotes(field), "a number with a decimal point, as in lines before");
   line_ = line;
-  remarks.push_back("the decimal sign is a comma: " + shown(field) + " is read as " + shown(with_point(field)));
+  warnings.push_back("the decimal sign is a comma: " + shown(field) + " is read as " + shown(with_point(field)));
 }
 
 void DecimalComma::refuse_point(std::string_view field, const std::string& here) const {

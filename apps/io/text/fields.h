@@ -158,7 +158,7 @@ class DecimalComma {
 
   /// Notes the first number with a decimal comma, in `line`. Throws BadInput unless all numbers before it are whole.
   void begin(std::string_view field, std::size_t line, bool all_whole, const std::string& here,
-             std::vector<std::string>& remarks);
+             std::vector<std::string>& warnings);
 
   /// Throws BadInput if `field` has a decimal point although commas are used.
   void refuse_point(std::string_view field, const std::string& here) const;

@@ -53,13 +53,13 @@ void LineSelection::settle_kinds(std::string_view line, Lines behind, char separ
   } while (open > 0);
 }
 
-void LineSelection::add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const {
-  if (selection_) selection_->remark("line", remarks);
+void LineSelection::add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const {
+  if (selection_) selection_->warning("line", warnings);
   if (skipped_ == 0) return;
   if (!any_points && (!selection_ || selection_->all_held()))
     bad_input(name, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
-  remarks.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
-                    " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
+  warnings.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
+                     " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
 }
 
 }  // namespace rbpa::app

@@ -100,7 +100,7 @@ class LineSelection {
   std::size_t skipped() const { return skipped_; }  ///< number of lines that are left out so far
 
   /// Adds warnings about the lines that were selected and left out. Throws BadInput if all lines were left out.
-  void add_remarks(bool any_points, const std::string& name, std::vector<std::string>& remarks) const;
+  void add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const;
 
  private:
   /// Returns a radius; NaN for any other text, which concerns its group only and is no reason to refuse the file.

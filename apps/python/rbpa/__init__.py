@@ -60,7 +60,7 @@ from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid,
 from rbpa._solid_filtration import SolidFiltration, SolidPlateau, SolidRepresentative, VoidTree, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface, surface_of
-from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
+from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 __all__ = [
     "AlphaShape",
@@ -90,7 +90,7 @@ __all__ = [
     "Surface",
     "SurfaceComponent",
     "SurfaceHole",
-    "SurfaceRemedy",
+    "SurfaceRepair",
     "VoidTree",
     "__version__",
     "alpha_shape",
@@ -115,7 +115,7 @@ for _public in (
     *(AlphaShape, AlphaShapes, Delaunay, DelaunayInSpace, Filtration, Plateau, PointFile, Polygon, Polygons, Representative),
     *(BallUnion, DanglingFaces, FullComplex, NotWatertight, PeriodicPart, PeriodicSolid, Solid, SolidFiltration, SolidPlateau),
     *(SolidRepresentative, SolidVoid),
-    *(Surface, SurfaceComponent, SurfaceHole, SurfaceRemedy, VoidTree),
+    *(Surface, SurfaceComponent, SurfaceHole, SurfaceRepair, VoidTree),
     *(solid, alpha_shape, alpha_shapes, concave_hull, concave_hulls, estimate_normals, filtration, outliers, read_points),
     *(periodic_solid, scale_space, solid_filtration, surface, surface_of, union_of_balls),
 ):

@@ -18,7 +18,7 @@ def estimate_normals(
     neighbors: int = 16,
     *,
     viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: Literal[False] = False,
+    confidence: Literal[False] = False,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Floats: ...
@@ -30,7 +30,7 @@ def estimate_normals(
     neighbors: int = 16,
     *,
     viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: Literal[True],
+    confidence: Literal[True],
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> tuple[Floats, Floats]: ...
@@ -41,7 +41,7 @@ def estimate_normals(
     neighbors: int = 16,
     *,
     viewpoint: Optional[npt.ArrayLike] = None,
-    certainty: bool = False,
+    confidence: bool = False,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Union[Floats, tuple[Floats, Floats]]:
@@ -56,14 +56,14 @@ def estimate_normals(
     viewpoint : array_like of shape (3,) or (n, 3), optional
         The position from which all points, or each point, were seen: normals are turned toward it, so that no side is
         guessed.
-    certainty : bool
+    confidence : bool
         Also return the confidence in each normal.
     threads, progress
         As in `surface`; `progress` is called with 0 triangles.
 
     Returns
     -------
-    float64 array of shape (n, 3), or with `certainty` a tuple of it and one of shape (n,)
+    float64 array of shape (n, 3), or with `confidence` a tuple of it and one of shape (n,)
         Unit vectors; equal points have equal ones. The sign is a guess: in each piece the normal of an extreme point is
         turned outward (upward on a plane or a terrain), and the side is passed from neighbor to neighbor along a
         spanning tree. A step at which the planes of neighbors do not determine the side, as at sharp edges, may turn
@@ -91,7 +91,7 @@ def estimate_normals(
     made = _core.estimate_normals(
         as_points(points, columns=3), as_count(neighbors, "neighbors", 2), seen_from, as_threads(threads), progress
     )
-    return made if certainty else made[0]
+    return made if confidence else made[0]
 
 
 def scale_space(

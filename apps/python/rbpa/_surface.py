@@ -16,7 +16,7 @@ from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
-from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRemedy
+from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
@@ -244,7 +244,7 @@ class Surface(Result):
         begin = of["begin"].tolist()
         return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
 
-    def remedies(self, *, threads: Optional[int] = None, progress: Progress = None) -> list[Optional[SurfaceRemedy]]:
+    def suggested_repairs(self, *, threads: Optional[int] = None, progress: Progress = None) -> list[Optional[SurfaceRepair]]:
         """Returns the suggested repair of each of `holes`, verified by trying it: turned normals, a larger ball, or a
         filling.
 
@@ -264,13 +264,13 @@ class Surface(Result):
             Components of the surface were dropped or holes filled, or its triangles were given.
         """
         if self._kept_from is not None or self._filled_from is not None or self.given is not None:
-            raise InvalidInput("remedies: found a surface that was changed or given, expected an unchanged result of surface()")
-        result: list[Optional[SurfaceRemedy]] = [None] * len(self.holes)
+            raise InvalidInput("repairs: found a surface that was changed or given, expected an unchanged result of surface()")
+        result: list[Optional[SurfaceRepair]] = [None] * len(self.holes)
         if self.normals is None or not result:
             return result
-        of = _core.surface_remedies(self.points, self.normals, *self._made(), as_threads(threads), progress)
+        of = _core.surface_repairs(self.points, self.normals, *self._made(), as_threads(threads), progress)
         for k, hole in enumerate(of["hole"].tolist()):
-            result[hole] = SurfaceRemedy(of, k)
+            result[hole] = SurfaceRepair(of, k)
         return result
 
     @cached_property

@@ -14,7 +14,7 @@ from rbpa._result import freeze
 # In the order of the library's numbers.
 _RIM_CAUSES = ("nothing within reach", "normals disagree", "blocked")
 _CURVE_KINDS = ("rim", "hole", "island")
-_REMEDIES = ("none", "turn normals", "larger ball", "filling")
+_REPAIRS = ("none", "turn normals", "larger ball", "filling")
 _REASONS = {1: "crosses", 2: "edge taken", 3: "no area"}
 
 
@@ -100,8 +100,8 @@ class SurfaceComponent:
         return f"<rbpa.SurfaceComponent of {len(self.triangles)} triangles, area {self.area}: {end}>"
 
 
-class SurfaceRemedy:
-    """The suggested repair of a hole: one of `Surface.remedies()`. The array is read-only.
+class SurfaceRepair:
+    """The suggested repair of a hole: one of `Surface.suggested_repairs()`. The array is read-only.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ class SurfaceRemedy:
     """
 
     def __init__(self, of: dict[str, Any], k: int) -> None:
-        self.kind: str = _REMEDIES[of["kind"][k]]
+        self.kind: str = _REPAIRS[of["kind"][k]]
         self.radius: Optional[float] = float(of["radius"][k]) if self.kind == "larger ball" else None
         self.points: Indices = of["points"][of["begin"][k] : of["begin"][k + 1]].copy()
         self.reason: Optional[str] = _REASONS.get(int(of["filled"][k])) if self.kind == "none" else None
@@ -127,4 +127,4 @@ class SurfaceRemedy:
 
     def __repr__(self) -> str:
         what = {"turn normals": f", at {len(self.points)} points", "larger ball": f", radius {self.radius}", "none": f", {self.reason}"}
-        return f"<rbpa.SurfaceRemedy: {self.kind}{what.get(self.kind, '')}>"
+        return f"<rbpa.SurfaceRepair: {self.kind}{what.get(self.kind, '')}>"

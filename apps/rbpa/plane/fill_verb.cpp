@@ -89,9 +89,9 @@ ValidFeatures check(const Run& run, const PolygonFile& file, bool skip_invalid) 
   ValidFeatures valid = valid_features(file, run.input(), skip_invalid);
   const std::vector<std::string>& why = valid.why_left_out;
   if (!why.empty())
-    run.remark(counted(why.size(), "feature") + " of " + std::to_string(file.features) +
-               (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
-               why.front());
+    run.warning(counted(why.size(), "feature") + " of " + std::to_string(file.features) +
+                (why.size() == 1 ? " is" : " are") + " left out: " + (why.size() == 1 ? "" : "the first is ") +
+                why.front());
   return valid;
 }
 
@@ -139,15 +139,15 @@ std::vector<double> heights_of(const Run& run, const FillRequest& request, const
 }
 
 /// Returns the filling in the form that pictures and counts take.
-Triangulation arrays_of(const Filling& filling) {
-  Triangulation arrays{.triangles = filling.triangles,
-                       .neighbors = filling.neighbors,
-                       .boundary = {},
-                       .isolated = {},
-                       .duplicates = {},
-                       .distinct = filling.points.size(),
-                       .edges = {},
-                       .points = {}};
+AlphaComplex arrays_of(const Filling& filling) {
+  AlphaComplex arrays{.triangles = filling.triangles,
+                      .neighbors = filling.neighbors,
+                      .boundary = {},
+                      .isolated = {},
+                      .duplicates = {},
+                      .distinct = filling.points.size(),
+                      .edges = {},
+                      .points = {}};
   std::vector<bool> is_used(filling.points.size(), false);
   for (const Triangle& triangle : filling.triangles)
     for (const std::uint32_t i : triangle) is_used[i] = true;
@@ -162,13 +162,13 @@ void run_fill(const FillArguments& arguments) {
   const FillRequest request = parse(arguments);
   Run run(request.path, arguments.outputs, {.quiet = arguments.quiet});
   const PolygonFile file = run.read([&] { return read_polygons(request.path, request.format); });
-  run.remark(file.vertices.remarks);
+  run.warning(file.vertices.warnings);
   std::vector<SizeAt> sizes;
   if (request.size_at) sizes = read_sizes(*request.size_at);
   Stats stats{.points = file.vertices.points.size(), .read_seconds = run.lap()};
   const ValidFeatures valid = check(run, file, arguments.skip_invalid);
   const Filling filling = make(run, request, file, valid, sizes, arguments.keep_boundary);
-  const Triangulation arrays = arrays_of(filling);
+  const AlphaComplex arrays = arrays_of(filling);
   stats.build_seconds = run.lap();
 
   const TriangleFeatures features = features_of(filling, valid, file);
@@ -178,7 +178,7 @@ void run_fill(const FillArguments& arguments) {
     for (const Target& target : request.targets) {
       if (is_picture(target.format))
         run.add(target.path, [&](OutputFile& out) {
-          write_picture(out, target.format, drawing_of(filling.points, arrays, Complex::solid), request.width);
+          write_picture(out, target.format, drawing_of(filling.points, arrays, ComplexKind::solid), request.width);
         });
       else
         add_triangles(run, target, {filling.points, filling.triangles, {}, {}, &features, {}, z}, file.vertices);
@@ -189,7 +189,7 @@ void run_fill(const FillArguments& arguments) {
   if (arguments.stats) {
     stats.distinct = filling.points.size();
     stats.isolated = arrays.isolated.size();
-    stats.counts = count(filling.points, arrays, Complex::solid, until_interrupted());
+    stats.counts = count(filling.points, arrays, ComplexKind::solid, until_interrupted());
     stats.count_seconds = run.lap();
     stats.method = "fill";
     stats.polygons = filling.polygons.size();

@@ -85,9 +85,9 @@ void GroupRun::finish() {
   publish();
   if (shapes.problems.empty()) return;
   const GroupProblem& first = shapes.problems.front();
-  remark(counted(shapes.problems.size(), "group") +
-         " without a polygon: " + (shapes.problems.size() == 1 ? "" : "the first is ") +
-         in_quotes(named.names[first.group]) + ", " + first.what);
+  warning(counted(shapes.problems.size(), "group") +
+          " without a polygon: " + (shapes.problems.size() == 1 ? "" : "the first is ") +
+          in_quotes(named.names[first.group]) + ", " + first.what);
 }
 
 void GroupRun::summarize(const std::string& made) const {

@@ -33,8 +33,8 @@ void write_targets(GroupRun& run) {
     if (is_ogr(target.format)) {
       add_ogr(run, target, ogr_groups(target.format, result));
       if (const std::size_t none = run.shapes.problems.size(); none > 0 && target.format == Format::fgb)
-        run.remark(output_name(target.path) + " leaves out " + counted(none, "group") +
-                   " without a polygon: FlatGeobuf has no feature without a geometry");
+        run.warning(output_name(target.path) + " leaves out " + counted(none, "group") +
+                    " without a polygon: FlatGeobuf has no feature without a geometry");
       continue;
     }
     run.add(target.path, [&](OutputFile& out) {

@@ -20,24 +20,24 @@ bool is_array(Format format) {
 }
 
 /// Parses --complex. Only the method in tiles makes the full complex, which includes edges and points in no triangle.
-Complex parse_complex(const MeshArguments& arguments, const Method& method) {
-  if (!parse_is_full(arguments.complex)) return Complex::solid;
+ComplexKind parse_complex(const MeshArguments& arguments, const Method& method) {
+  if (!parse_is_full(arguments.complex)) return ComplexKind::solid;
   if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
   if (method.by_paper) throw WrongUsage("--complex full requires --search near");
-  return Complex::full;
+  return ComplexKind::full;
 }
 
-std::string said(const Triangulation& made, Complex kind) {
+std::string said(const AlphaComplex& made, ComplexKind kind) {
   std::string text = counted(made.triangles.size(), "triangle");
-  if (kind == Complex::solid) return text + ", " + std::to_string(made.isolated.size()) + " isolated";
+  if (kind == ComplexKind::solid) return text + ", " + std::to_string(made.isolated.size()) + " isolated";
   text += ", " + counted(made.edges.size(), "edge") + " in no triangle";
   return text + ", " + counted(made.points.size(), "point") + " in neither";
 }
 
-void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Built& built, Complex kind,
+void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Built& built, ComplexKind kind,
                    bool compacted) {
   const ProgressLine line = run.writing();
-  const Triangulation& made = built.complex;
+  const AlphaComplex& made = built.complex;
   const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points,
                            nullptr,      built.level,    run.file.z, run.file.index};
   std::optional<CompactMesh> compact;
@@ -62,7 +62,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
 void run_mesh(const MeshArguments& arguments) {
   if (arguments.ask_for_groups()) return run_group_meshes(arguments);
   ComplexRequest request = parse_request(arguments);
-  const Complex kind = parse_complex(arguments, request.method);
+  const ComplexKind kind = parse_complex(arguments, request.method);
   std::optional<Format> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
   const std::vector<Target> targets =
@@ -74,7 +74,7 @@ void run_mesh(const MeshArguments& arguments) {
   ComplexRun run(request, arguments);
   const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
   const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
-  const Triangulation& made = built.complex;
+  const AlphaComplex& made = built.complex;
   run.stats.build_seconds = run.lap();
 
   write_targets(run, targets, built, kind, arguments.compact);
@@ -83,8 +83,8 @@ void run_mesh(const MeshArguments& arguments) {
   run.stats.write_seconds = run.lap();
   if (arguments.stats) {
     run.stats.distinct = made.distinct;
-    run.stats.isolated = kind == Complex::full ? made.points.size() : made.isolated.size();
-    if (kind == Complex::full) run.stats.dangling_edges = made.edges.size();
+    run.stats.isolated = kind == ComplexKind::full ? made.points.size() : made.isolated.size();
+    if (kind == ComplexKind::full) run.stats.dangling_edges = made.edges.size();
     run.stats.counts = count(run.points(), made, kind, until_interrupted());
     run.stats.count_seconds = run.lap();
   }
@@ -92,7 +92,7 @@ void run_mesh(const MeshArguments& arguments) {
   caution(targets, run.points(), run.file);
 
   if (made.triangles.empty()) {
-    const std::string what = kind == Complex::full ? "there is no triangle: " : "the complex is empty: ";
+    const std::string what = kind == ComplexKind::full ? "there is no triangle: " : "the complex is empty: ";
     say("rbpa", what + run.why_empty(made.distinct));
   }
   run.summarize(made.duplicates.size(), said(made, kind), list_of(targets));

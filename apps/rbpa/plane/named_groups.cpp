@@ -227,7 +227,7 @@ NamedGroups read_groups(const Run& run, const GroupSources& sources) {
   }
   NamedGroups named = gatherer.finish();
   const std::size_t left_out = named.file.points.size() - named.groups.members.size();
-  if (left_out > 0) run.remark(counted(left_out, "point") + " without a group");
+  if (left_out > 0) run.warning(counted(left_out, "point") + " without a group");
   return named;
 }
 

@@ -66,7 +66,7 @@ void write_isolated(OutputFile& file, Format format, const Shape& shape) {
   is_text_geometry(format) ? write_isolated_wkt(file, shape) : write_isolated_csv(file, shape);
 }
 
-void write_files(ComplexRun& run, const Files& files, const Shape& shape, const Triangulation& complex) {
+void write_files(ComplexRun& run, const Files& files, const Shape& shape, const AlphaComplex& complex) {
   const ProgressLine line = run.writing();
   std::optional<Drawing> drawing;
   for (const Target& target : files.targets) {
@@ -116,15 +116,15 @@ void run_shape(const ShapeArguments& arguments) {
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);
-  Triangulation complex =
-      build(run.points(), run.alpha, request.method, Complex::solid, Links::none, run.options()).complex;
+  AlphaComplex complex =
+      build(run.points(), run.alpha, request.method, ComplexKind::solid, Links::none, run.options()).complex;
   // Computing neighbors here takes less memory than a run with neighbors.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
   std::vector<Polygon> made;
   {
     const ProgressLine line = run.options().line("polygons");
-    made = polygons(run.points(), complex, filter, until_interrupted());
+    made = outline_polygons(run.points(), complex, filter, until_interrupted());
   }
   const PolygonTotals totals = total(made);
   std::vector<std::optional<std::uint32_t>> polygon_of;
@@ -138,7 +138,7 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.stats) {
     run.stats.distinct = complex.distinct;
     run.stats.isolated = complex.isolated.size();
-    run.stats.counts = count(run.points(), complex, Complex::solid, until_interrupted());
+    run.stats.counts = count(run.points(), complex, ComplexKind::solid, until_interrupted());
     run.stats.count_seconds = run.lap();
     run.stats.polygons = made.size();
     run.stats.of_polygons = totals;

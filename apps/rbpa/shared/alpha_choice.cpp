@@ -110,7 +110,7 @@ std::string name_of(const AlphaChoice& choice) {
   return "given";
 }
 
-std::string remark_on_density(const std::vector<Plateau>& plateaus) {
+std::string warning_on_density(const std::vector<Plateau>& plateaus) {
   constexpr double much_larger = 1.25;
   if (plateaus.empty() || plateaus.front().kind != PlateauKind::one_piece) return "";
   const FiltrationStep& best = plateaus.front().step;
@@ -146,8 +146,8 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
     say("rbpa", "--alpha " + name_of(choice) +
                     ": no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS shows the "
                     "choices, and recommends auto)");
-  if (const std::string remark = remark_on_density(found); choice.rank == 1 && !remark.empty() && !run.quiet)
-    say("rbpa", "--alpha plateau: " + remark);
+  if (const std::string warning = warning_on_density(found); choice.rank == 1 && !warning.empty() && !run.quiet)
+    say("rbpa", "--alpha plateau: " + warning);
   return found[choice.rank - 1].alpha;
 }
 

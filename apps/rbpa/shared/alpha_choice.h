@@ -63,7 +63,7 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
 
 /// Returns a warning about uneven density if the best plateau is one piece of dense points, such as the lines of a
 /// scanner, and another plateau also covers the space between them; else "".
-std::string remark_on_density(const std::vector<Plateau>& plateaus);
+std::string warning_on_density(const std::vector<Plateau>& plateaus);
 
 /// Returns ", alpha auto = 0.25" for a summary, in digits that read back to the same radius; "" for a radius that was
 /// given as such.

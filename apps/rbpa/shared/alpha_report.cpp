@@ -208,7 +208,7 @@ std::string for_people(const AlphaReport& report) {
   }
   const std::optional<Recommendation> best = recommended(radii);
   if (!best) return text;
-  std::string density = remark_on_density(radii.plateaus);
+  std::string density = warning_on_density(radii.plateaus);
   if (!density.empty()) density = "But " + density + ".\n";
   return text + "\n" + table_of(radii) + "\nRecommended: --alpha " + best->choice + ", which is " +
          text_of(best->alpha) + ":\n" + best->why + ".\n" + density;

@@ -118,9 +118,9 @@ std::string target_formats(Use use) {
 }
 
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
-                                  const std::vector<std::string>& reports, Complex complex) {
+                                  const std::vector<std::string>& reports, ComplexKind complex) {
   std::vector<Target> targets = targets_of(use, arguments, !reports.empty());
-  if (complex == Complex::full) targets = with_edges_and_points(targets);
+  if (complex == ComplexKind::full) targets = with_edges_and_points(targets);
   std::vector<std::string> files, others;
   for (const Target& target : targets) {
     files.push_back(target.path);

@@ -9,7 +9,7 @@
 
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa::app {
 
@@ -47,7 +47,7 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 /// Throws WrongUsage, also if two of the targets, the input and `reports` are the same file.
 /// Requires: `use` is triangles, surface, solid or shape.
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
-                                  const std::vector<std::string>& reports, Complex complex = Complex::solid);
+                                  const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
 
 /// Returns the names of the formats that can be written, for help; includes GDAL's if this program has GDAL.
 std::string target_formats(Use use);

@@ -26,9 +26,9 @@ void caution_about_memory(const Run& run, double bytes_a_point, std::size_t poin
   const double wanted = bytes_a_point * static_cast<double>(points);
   const std::optional<double> there = available_memory();
   if (!there || wanted <= *there) return;
-  run.remark(counted(points, "point") + (points == 1 ? " takes about " : " take about ") + bytes_text(wanted) +
-             " of memory here, more than the " + bytes_text(*there) +
-             " available (rbpa stream makes the same in the memory of its --memory)");
+  run.warning(counted(points, "point") + (points == 1 ? " takes about " : " take about ") + bytes_text(wanted) +
+              " of memory here, more than the " + bytes_text(*there) +
+              " available (rbpa stream makes the same in the memory of its --memory)");
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ Hierarchy build_mesh(const std::vector<Point>& points, double alpha, const Metho
   return by_levels(points, alpha, {.leaf_capacity = *method.leaf_capacity, .threads = threads, .progress = progress});
 }
 
-/// Returns the boundary edges of the complex in the form of Triangulation::boundary.
+/// Returns the boundary edges of the complex in the form of AlphaComplex::boundary.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& complex) {
   std::vector<std::array<std::uint32_t, 2>> boundary;
   const Mesh& mesh = complex.mesh;
@@ -80,33 +80,33 @@ std::vector<std::uint16_t> levels_of(const std::vector<Triangle>& triangles, con
 
 Built build_levels(const std::vector<Point>& points, double alpha, std::size_t leaf_capacity, Links links,
                    unsigned threads, const std::function<bool(const Progress&)>& progress) {
-  HierarchyArrays made = hrbpa_arrays(points, alpha,
-                                      {.leaf_capacity = leaf_capacity,
-                                       .neighbors = links == Links::neighbors,
-                                       .boundary = links == Links::boundary,
-                                       .threads = threads,
-                                       .progress = progress});
+  TrianglesByLevel made = triangles_by_level(points, alpha,
+                                             {.leaf_capacity = leaf_capacity,
+                                              .neighbors = links == Links::neighbors,
+                                              .boundary = links == Links::boundary,
+                                              .threads = threads,
+                                              .progress = progress});
   for (std::uint16_t& level : made.level) level = static_cast<std::uint16_t>(made.levels[level].number);
   return {.complex = std::move(made.complex), .level = std::move(made.level)};
 }
 
 }  // namespace
 
-Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
+Built build(const std::vector<Point>& points, double alpha, const Method& method, ComplexKind kind, Links links,
             const RunOptions& run, bool with_mesh) {
   Built built;
-  Triangulation& arrays = built.complex;
+  AlphaComplex& arrays = built.complex;
   {
     TriangleProgress progress(!run.quiet, "triangulating", progress_text);
     if (!method.by_paper && !with_mesh)
       return method.leaf_capacity
                  ? build_levels(points, alpha, *method.leaf_capacity, links, run.threads, progress.watch())
-                 : Built{.complex = triangulate(points, alpha,
-                                                {.complex = kind,
-                                                 .neighbors = links == Links::neighbors,
-                                                 .boundary = links == Links::boundary,
-                                                 .threads = run.threads,
-                                                 .progress = progress.watch()}),
+                 : Built{.complex = alpha_complex(points, alpha,
+                                                  {.complex = kind,
+                                                   .neighbors = links == Links::neighbors,
+                                                   .boundary = links == Links::boundary,
+                                                   .threads = run.threads,
+                                                   .progress = progress.watch()}),
                          .level = {}};
     Hierarchy made = build_mesh(points, alpha, method, run.threads, progress.watch());
     arrays.triangles = triangles(made.complex);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "rbpa/hrbpa.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "shared/run.h"
 
 namespace rbpa::app {
@@ -38,7 +38,7 @@ enum class Links { none, boundary, neighbors };
 
 /// A complex as a method makes it.
 struct Built {
-  Triangulation complex;
+  AlphaComplex complex;
   std::vector<std::uint16_t> level;  ///< of each triangle; empty if the method has no levels
   std::optional<Hierarchy> mesh = std::nullopt;
 };
@@ -46,7 +46,7 @@ struct Built {
 /// Makes the complex as arrays, and on request also as a mesh made level by level. Shows a progress line unless quiet.
 /// Throws Cancelled after a signal. Requires: a full complex is made by rbpa, without a mesh and not by the method as
 /// published.
-Built build(const std::vector<Point>& points, double alpha, const Method& method, Complex kind, Links links,
+Built build(const std::vector<Point>& points, double alpha, const Method& method, ComplexKind kind, Links links,
             const RunOptions& run, bool with_mesh = false);
 
 /// Makes the Delaunay triangulation, from which radii are chosen. Progress and exceptions are as for build().

@@ -24,7 +24,7 @@ RunOptions parse_run(const RunArguments& arguments) {
 PointFile Run::read_points(const PointSource& source) const {
   PointFile file = read([&] { return rbpa::app::read_points(source); });
   const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
-  for (const std::string& text : file.remarks) remark_on(text);
+  for (const std::string& text : file.warnings) remark_on(text);
   if (file.heights.differ() && !source.heights)
     remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
   return file;
@@ -37,7 +37,7 @@ void Run::complete_heights(std::vector<double>& z) const {
   if (without == z.size())
     z.clear();
   else if (without > 0)
-    remark(counted(without, "point") + (without == 1 ? " has" : " have") + " no z, and 0 is written");
+    warning(counted(without, "point") + (without == 1 ? " has" : " have") + " no z, and 0 is written");
 }
 
 void Run::summarize(const std::string& text) const {

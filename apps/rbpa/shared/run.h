@@ -56,9 +56,9 @@ class Run {
     return read();
   }
   /// Prints a warning about the input, unless quiet.
-  void remark(const std::string& text) const { summarize(input() + ": " + text); }
-  void remark(const std::vector<std::string>& texts) const {
-    for (const std::string& text : texts) remark(text);
+  void warning(const std::string& text) const { summarize(input() + ": " + text); }
+  void warning(const std::vector<std::string>& texts) const {
+    for (const std::string& text : texts) warning(text);
   }
   /// Reads the points, and prints the warnings about them, also if heights are left out.
   PointFile read_points(const PointSource& source) const;

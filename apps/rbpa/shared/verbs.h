@@ -111,7 +111,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> drop_small;
   std::optional<std::string> fill_holes;
   bool refine = false;
-  bool remedies = false;
+  bool repairs = false;
   std::string width = "1200";
   bool compact = false;
   bool manifold = false;

@@ -38,7 +38,7 @@ void add_points(const AddedPoints& added, SpacePoints& cloud, EstimatedNormals& 
   add_normals(cloud.normals, added);
   add_means(cloud.colors, added, mean_color);
   add_normals(estimated.normals, added);
-  add_means(estimated.certainty, added, mean_number);
+  add_means(estimated.confidence, added, mean_number);
   left_out.add_last(cloud, added.points.size());
 }
 

@@ -48,8 +48,8 @@ void LeftOutPoints::renumber(SurfaceFacts& facts) const {
 
 void renumber(SurfaceFacts& facts, std::span<const std::uint32_t> number) {
   for (UnusedPoint& point : facts.unused) point.index = number[point.index];
-  for (auto& remedy : facts.remedies)
-    for (std::size_t i = 0; remedy && i < remedy->points.size(); ++i) remedy->points[i] = number[remedy->points[i]];
+  for (auto& repair : facts.repairs)
+    for (std::size_t i = 0; repair && i < repair->points.size(); ++i) repair->points[i] = number[repair->points[i]];
   for (Hole& hole : facts.holes)
     for (RimEdge& edge : hole.edges) {
       edge.from = number[edge.from];
@@ -74,7 +74,7 @@ std::vector<Point3> LeftOutPoints::all_normals(std::span<const Point3> of_others
   return all(of_others, whole_.normals.empty() ? std::vector<Point3>(whole_.points.size()) : whole_.normals);
 }
 
-std::vector<double> LeftOutPoints::all_certainty(std::span<const double> of_others) const {
+std::vector<double> LeftOutPoints::all_confidence(std::span<const double> of_others) const {
   if (of_others.empty()) return {};
   return all(of_others, std::vector<double>(whole_.points.size()));
 }

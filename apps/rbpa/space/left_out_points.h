@@ -39,7 +39,7 @@ class LeftOutPoints {
   /// points left out. Normals and confidences that the file does not have are 0.
   std::vector<Point3> all_points(std::span<const Point3> of_others) const;
   std::vector<Point3> all_normals(std::span<const Point3> of_others) const;
-  std::vector<double> all_certainty(std::span<const double> of_others) const;
+  std::vector<double> all_confidence(std::span<const double> of_others) const;
   std::span<const std::array<std::uint8_t, 3>> all_colors() const { return whole_.colors; }
   /// Returns positions for pictures: points left out are moved onto the first of the kept points, so that they do not
   /// show.

@@ -26,7 +26,7 @@ Json base(const PeriodicFacts& facts) {
           {"box", {facts.box.x, facts.box.y, facts.box.z}},
           {"alpha", std::isinf(facts.alpha) ? Json("inf") : Json(facts.alpha)},
           {"alpha_rule", facts.alpha_rule},
-          {"complex", facts.walls == VoidWalls::full ? "full" : "solid"},
+          {"complex", facts.walls == ComplexKind::full ? "full" : "solid"},
           {"tetrahedra", topology.tetrahedra},
           {"triangles", topology.triangles},
           {"edges", topology.edges},
@@ -57,7 +57,8 @@ std::string text_of_periodic(const PeriodicFacts& facts) {
   return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
          counted(topology.solid_components.size(), "solid component") + ", " + counted(closed, "closed void") + ", " +
          counted(topology.voids.size() - closed, "channel") + ", volume " + rounded(topology.volume, 6) + ", area " +
-         rounded(topology.area, 6) + " (voids of the " + (facts.walls == VoidWalls::full ? "full complex)" : "solid)");
+         rounded(topology.area, 6) + " (voids of the " +
+         (facts.walls == ComplexKind::full ? "full complex)" : "solid)");
 }
 
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts) {

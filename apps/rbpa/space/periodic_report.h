@@ -19,7 +19,7 @@ struct PeriodicFacts {
   double alpha = 0;
   std::string alpha_rule = "given";
   unsigned threads = 1;
-  VoidWalls walls = VoidWalls::full;              ///< kind of the complex whose topology is counted
+  ComplexKind walls = ComplexKind::full;          ///< kind of the complex whose topology is counted
   std::optional<PeriodicTopology> topology = {};  ///< absent: not counted
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };

@@ -38,7 +38,7 @@ class PeriodicRun : public Run {
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
   std::string name_of_points() const;
   void settle_box();
-  void remark_range() const;
+  void warning_range() const;
   void build();
   void select_within();
   void write();
@@ -68,15 +68,15 @@ void PeriodicRun::settle_box() {
                      ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
     request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
   } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
-    remark("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
-           text_of((*sides)[2]) + " (--box auto takes it)");
+    warning("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
+            text_of((*sides)[2]) + " (--box auto takes it)");
   } else if (!fault.empty()) {
-    remark("the file has " + fault);
+    warning("the file has " + fault);
   }
 }
 
 /// Prints a warning if not all points fit into one box: the box may be the wrong one.
-void PeriodicRun::remark_range() const {
+void PeriodicRun::warning_range() const {
   Point3 low = file_.points.front(), high = low;
   for (const Point3& p : file_.points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -84,9 +84,9 @@ void PeriodicRun::remark_range() const {
   }
   const Point3 reach = {high.x - low.x, high.y - low.y, high.z - low.z}, &box = *request_.box;
   if (reach.x <= box.x && reach.y <= box.y && reach.z <= box.z) return;
-  remark(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
-         rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
-         rounded(box.z, 3) + ": coordinates count modulo its sides");
+  warning(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
+          rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
+          rounded(box.z, 3) + ": coordinates count modulo its sides");
 }
 
 void PeriodicRun::build() {
@@ -174,11 +174,11 @@ void PeriodicRun::write() {
 void PeriodicRun::run() {
   const SpacePointSource& source = request_.source;
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  remark(file_.remarks);
+  warning(file_.warnings);
   if (file_.points.empty())
     throw BadInput(input() + ": 0 " + name_of_points() + " selected, but a box needs at least one");
   settle_box();
-  remark_range();
+  warning_range();
   facts_.read_seconds = lap();
   build();
   boundary_ = periodic_boundary(solid_);
@@ -188,7 +188,7 @@ void PeriodicRun::run() {
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
   publish();
 
-  const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == VoidWalls::full;
+  const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == ComplexKind::full;
   if (solid_.simplices.empty() && !has_void)
     say("rbpa", "there is no tetrahedron: no four points have such a small circumradius");
   std::vector<std::string> files;

@@ -80,7 +80,7 @@ void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointName
                                               {"area", component.area},
                                               {"box", box_of(component.low, component.high)}});
   }
-  report["void_complex"] = facts.walls == VoidWalls::full ? "full" : "solid";
+  report["void_complex"] = facts.walls == ComplexKind::full ? "full" : "solid";
   report["void_list"] = Json::array();
   for (const SolidVoid& hollow : facts.voids) {
     stop_if_interrupted();

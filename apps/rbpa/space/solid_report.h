@@ -26,7 +26,7 @@ struct SolidFacts {
   BoundaryMeasures measures = {};
   std::optional<BallUnion> balls = {};          ///< with --balls
   std::optional<FullCounts> full = {};          ///< of the full complex, if requested
-  VoidWalls walls = VoidWalls::solid;           ///< kind of the complex whose voids are counted
+  ComplexKind walls = ComplexKind::solid;       ///< kind of the complex whose voids are counted
   std::vector<SolidComponent> components = {};  ///< solid ones
   std::vector<SolidVoid> voids = {};
   std::optional<double> choose_seconds = {};  ///< absent: alpha was given

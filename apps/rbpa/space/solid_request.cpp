@@ -75,10 +75,10 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
 
 /// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
 /// ball as well.
-VoidWalls parse_walls(const SolidArguments& arguments) {
+ComplexKind parse_walls(const SolidArguments& arguments) {
   const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
   const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
-  return is_full ? VoidWalls::full : VoidWalls::solid;
+  return is_full ? ComplexKind::full : ComplexKind::solid;
 }
 
 bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }

@@ -45,7 +45,8 @@ struct SolidRequest {
   double voids_above = 0;
   std::size_t top =
       std::numeric_limits<std::size_t>::max();  ///< the most voids, and the most pockets, that are written
-  VoidWalls walls;  ///< kind of the complex whose voids are meant: as --complex says, else full if voids are requested
+  ComplexKind
+      walls;  ///< kind of the complex whose voids are meant: as --complex says, else full if voids are requested
   int width;
   RunOptions run;
 };

@@ -45,7 +45,7 @@ class SolidRun : public Run {
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_lives() const { return arguments_.void_radii || request_.pockets; }
   /// Returns whether voids are those of the full complex.
-  bool is_full() const { return request_.walls == VoidWalls::full; }
+  bool is_full() const { return request_.walls == ComplexKind::full; }
   /// Returns the surface that has the triangles of facts_.voids.
   const Surface& around_voids() const { return is_full() ? void_boundary_ : boundary_.surface; }
   bool has_boundary() const;
@@ -243,7 +243,7 @@ void SolidRun::say_empty() const {
 void SolidRun::run() {
   const SpacePointSource& source = request_.source;
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  remark(file_.remarks);
+  warning(file_.warnings);
   facts_.read_seconds = lap();
   build();
   if (has_boundary()) find_boundary();

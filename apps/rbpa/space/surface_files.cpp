@@ -51,7 +51,7 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
                  .triangles = surface.triangles,
                  .normals = normals,
                  .colors = colors,
-                 .certainty = certainty,
+                 .confidence = confidence,
                  .shift = shift,
                  .index = index};
   SplitFans used;
@@ -71,11 +71,11 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   write_surface(file, format, mesh);
 }
 
-std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> certainty) {
+std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> confidence) {
   constexpr std::array sure{0x86, 0xBC, 0xE4}, in_doubt{0xD5, 0x5E, 0x00};
   std::vector<std::array<std::uint8_t, 3>> colors;
-  colors.reserve(certainty.size());
-  for (const double share : certainty) {
+  colors.reserve(confidence.size());
+  for (const double share : confidence) {
     auto& color = colors.emplace_back();
     for (std::size_t k = 0; k < 3; ++k)
       color[k] = static_cast<std::uint8_t>(std::lround(in_doubt[k] + share * (sure[k] - in_doubt[k])));

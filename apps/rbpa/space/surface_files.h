@@ -22,7 +22,7 @@ struct SurfaceFiles {
   std::span<const Point3> points;
   std::span<const Point3> normals;                      ///< empty, or one for each point
   std::span<const std::array<std::uint8_t, 3>> colors;  ///< empty, or one for each point
-  std::span<const double> certainty;  ///< confidence of estimated normals; empty, or one for each point
+  std::span<const double> confidence;  ///< confidence of estimated normals; empty, or one for each point
   const Surface& surface;
   const SplitFans& fans;                 ///< of the surface
   std::span<const std::uint32_t> order;  ///< of triangles in mesh files; empty: that of the surface
@@ -39,6 +39,6 @@ struct SurfaceFiles {
 };
 
 /// Returns a color for each confidence: from orange for 0 to blue for 1.
-std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> certainty);
+std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> confidence);
 
 }  // namespace rbpa::app

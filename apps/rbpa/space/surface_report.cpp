@@ -11,7 +11,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "shared/stats.h"
-#include "space/surface_remedies.h"
+#include "space/surface_repairs.h"
 #include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {
@@ -51,7 +51,7 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
                    [&](std::size_t i, std::size_t j) { return facts.kinds[i] < facts.kinds[j]; });
   const auto add = [&](std::size_t first, std::size_t last, const std::string& which) {
     std::array<std::size_t, 4> causes{};
-    std::vector<HoleRemedy> remedies;
+    std::vector<SuggestedRepair> repairs;
     double length = 0;
     std::size_t edges = 0;
     for (std::size_t i = first; i < last; ++i) {
@@ -59,14 +59,14 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
       for (const RimEdge& edge : curve.edges) ++causes[cause_of(edge)];
       length += curve.length;
       edges += curve.edges.size();
-      if (facts.has_remedies && facts.remedies[curves[i]]) remedies.push_back(*facts.remedies[curves[i]]);
+      if (facts.has_repairs && facts.repairs[curves[i]]) repairs.push_back(*facts.repairs[curves[i]]);
     }
     std::string line = which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
                        list_of_causes(causes, rim_texts);
-    if (remedies.size() == 1)
-      line += "; " + remedy_text(remedies.front(), facts.radii);
-    else if (!remedies.empty())
-      line += "; " + remedies_text(remedies);
+    if (repairs.size() == 1)
+      line += "; " + repair_text(repairs.front(), facts.radii);
+    else if (!repairs.empty())
+      line += "; " + repairs_text(repairs);
     lines.push_back(line);
   };
   for (std::size_t i = 0; i < named; ++i) add(i, i + 1, kind_names[static_cast<std::size_t>(facts.kinds[curves[i]])]);
@@ -119,10 +119,10 @@ Json base(const SurfaceFacts& facts) {
             {"triangle_share", dropped.triangle_share()},
             {"area_share", dropped.area_share()}}},
           {"filled", filled_as_json(facts.filling)},
-          {"remedies", facts.has_remedies ? counts_as_json(facts.remedies) : Json(nullptr)},
+          {"suggested_repairs", facts.has_repairs ? counts_as_json(facts.repairs) : Json(nullptr)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
-          {"crowded_edges", facts.crowded_edges},
+          {"non_manifold_edges", facts.non_manifold_edges},
           {"touching_points", counts.touching},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
@@ -214,8 +214,8 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
     if (facts.components.front().volume < 0)
       lines.push_back("the largest component faces inward (--flip turns it around)");
   }
-  if (facts.crowded_edges > 0)
-    lines.push_back(counted(facts.crowded_edges, "non-manifold edge") +
+  if (facts.non_manifold_edges > 0)
+    lines.push_back(counted(facts.non_manifold_edges, "non-manifold edge") +
                     ", with more than two triangles (--manifold splits their vertices)");
   return lines;
 }
@@ -296,8 +296,8 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
                                {"length", hole.length},
                                {"points", hole.edges.size()},
                                {"edges", edges}});
-    if (facts.has_remedies)
-      report["holes"].back()["remedy"] = facts.remedies[i] ? as_json(*facts.remedies[i]) : Json(nullptr);
+    if (facts.has_repairs)
+      report["holes"].back()["suggested_repair"] = facts.repairs[i] ? as_json(*facts.repairs[i]) : Json(nullptr);
   }
   write_json(file, report, 1);
 }

@@ -55,17 +55,17 @@ struct SurfaceFacts {
   SurfaceCounts counts = {};
   std::vector<UnusedPoint> unused = {};
   std::vector<Hole> holes = {};
-  std::vector<CurveKind> kinds = {};                     ///< of each of `holes`
-  bool has_remedies = false;                             ///< repairs were requested
-  std::vector<std::optional<HoleRemedy>> remedies = {};  ///< for each of `holes` of kind hole: the suggested repair
+  std::vector<CurveKind> kinds = {};                         ///< of each of `holes`
+  bool has_repairs = false;                                  ///< repairs were requested
+  std::vector<std::optional<SuggestedRepair>> repairs = {};  ///< for each of `holes` of kind hole: the suggested repair
   std::vector<SurfaceComponent> components = {};
   std::vector<std::size_t> inside = {};  ///< for each component, inside how many others it lies; empty: not requested
   DroppedComponents dropped = {};
   FillingCounts filling = {};
-  bool has_viewpoint = false;     ///< normals were turned towards it
-  bool watertight = false;        ///< requested, and true of the result
-  bool manifold = false;          ///< files have a vertex for each fan
-  std::size_t crowded_edges = 0;  ///< non-manifold edges of the files: with more than two triangles
+  bool has_viewpoint = false;          ///< normals were turned towards it
+  bool watertight = false;             ///< requested, and true of the result
+  bool manifold = false;               ///< files have a vertex for each fan
+  std::size_t non_manifold_edges = 0;  ///< non-manifold edges of the files: with more than two triangles
   double read_seconds = 0, normals_seconds = 0, build_seconds = 0, write_seconds = 0;
 };
 

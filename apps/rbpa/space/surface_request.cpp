@@ -149,11 +149,12 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
       throw WrongUsage("--fill-holes cannot be combined with --normals none, whose triangles have no boundary");
     request.filled = parse_fill_holes(*arguments.fill_holes);
   }
-  if (arguments.remedies) {
+  if (arguments.repairs) {
     if (arguments.fill_holes || arguments.watertight)
-      throw WrongUsage("--remedies cannot be combined with --fill-holes or --watertight, which close holes themselves");
+      throw WrongUsage(
+          "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
     if (request.normals == NormalSource::none)
-      throw WrongUsage("--remedies cannot be combined with --normals none, whose triangles have no boundary");
+      throw WrongUsage("--suggest-repairs cannot be combined with --normals none, whose triangles have no boundary");
   }
   if (arguments.watertight) request.filled = HoleChoice{};
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});

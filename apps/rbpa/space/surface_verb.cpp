@@ -30,7 +30,7 @@
 #include "space/drop_components.h"
 #include "space/left_out_points.h"
 #include "space/surface_files.h"
-#include "space/surface_remedies.h"
+#include "space/surface_repairs.h"
 #include "space/surface_report.h"
 #include "space/surface_request.h"
 #include "triangulation/close_surface.h"
@@ -56,7 +56,7 @@ class SurfaceRun : public Run {
   void take_normals();
   void build();
   void explain();
-  void find_remedies();
+  void find_repairs();
   void choose_components();
   std::vector<bool> kept_by_choice() const;
   void fill();
@@ -77,7 +77,7 @@ class SurfaceRun : public Run {
   NormalSource source_ = NormalSource::none;
   EstimatedNormals estimated_;
   std::vector<double> radii_;  ///< of the balls that make the surface
-  SurfaceRemedies remedies_;
+  SurfaceRepairs repairs_;
   Surface surface_;
   SurfaceComponents components_;  ///< of the surface; also those that are dropped later
   SplitFans fans_;
@@ -144,14 +144,14 @@ void SurfaceRun::take_normals() {
   facts_.normals = names[static_cast<std::size_t>(source_)];
   if (source_ == NormalSource::estimate) {
     estimated_ = step("estimating normals", [&](const SurfaceOptions& how) {
-      return estimate_normals_and_certainty(file_.points, {.neighbors = request_.neighbors,
-                                                           .viewpoints = request_.viewpoints,
-                                                           .threads = how.threads,
-                                                           .progress = how.progress});
+      return estimate_normals_and_confidence(file_.points, {.neighbors = request_.neighbors,
+                                                            .viewpoints = request_.viewpoints,
+                                                            .threads = how.threads,
+                                                            .progress = how.progress});
     });
     facts_.in_doubt =
-        static_cast<std::size_t>(std::count_if(estimated_.certainty.begin(), estimated_.certainty.end(),
-                                               [](double certainty) { return certainty < least_certainty; }));
+        static_cast<std::size_t>(std::count_if(estimated_.confidence.begin(), estimated_.confidence.end(),
+                                               [](double confidence) { return confidence < least_confidence; }));
   } else if (request_.colors_normals) {
     bad_input(input(), "normals, whose confidence is not known", "none, or --normals estimate for --color normals");
   } else if (source_ == NormalSource::file && !request_.viewpoints.empty()) {
@@ -189,18 +189,18 @@ void SurfaceRun::explain() {
   if (std::all_of(components_.all.begin(), components_.all.end(), is_closed)) return;
   facts_.holes = step("looking at holes",
                       [&](const SurfaceOptions& how) { return holes(file_.points, normals(), radii_, surface_, how); });
-  if (arguments_.remedies) find_remedies();
+  if (arguments_.repairs) find_repairs();
 }
 
-void SurfaceRun::find_remedies() {
+void SurfaceRun::find_repairs() {
   const std::vector<CurveKind> kinds = curve_kinds(file_.points, components_, facts_.holes);
   std::vector<Hole> wanted;
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (kinds[i] == CurveKind::hole) wanted.push_back(facts_.holes[i]);
   const auto found = step("looking for repairs", [&](const SurfaceOptions& how) {
-    return hole_remedies(file_.points, normals(), radii_, surface_, wanted, how);
+    return suggested_repairs(file_.points, normals(), radii_, surface_, wanted, how);
   });
-  remedies_ = SurfaceRemedies(wanted, found);
+  repairs_ = SurfaceRepairs(wanted, found);
 }
 
 void SurfaceRun::choose_components() {
@@ -223,11 +223,11 @@ void SurfaceRun::choose_components() {
   facts_.watertight = arguments_.watertight;
   fans_ = split_fans(surface_, until_interrupted());
   facts_.counts = count(fans_, components_);
-  facts_.crowded_edges = crowded_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
+  facts_.non_manifold_edges = non_manifold_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
   if (source_ == NormalSource::none) order_ = by_shells(components_);
   facts_.components = std::move(components_.all);
-  facts_.has_remedies = arguments_.remedies;
-  if (facts_.has_remedies) facts_.remedies = remedies_.of(facts_.holes, facts_.kinds);
+  facts_.has_repairs = arguments_.repairs;
+  if (facts_.has_repairs) facts_.repairs = repairs_.of(facts_.holes, facts_.kinds);
 }
 
 /// Returns for each component whether it is kept.
@@ -295,7 +295,7 @@ SurfaceFiles SurfaceRun::files() const {
   return {.points = points(),
           .normals = normals().empty() ? file_.normals : normals(),
           .colors = file_.colors,
-          .certainty = estimated_.certainty,
+          .confidence = estimated_.confidence,
           .surface = surface_,
           .fans = fans_,
           .order = order_,
@@ -309,7 +309,7 @@ void SurfaceRun::write() {
   const ProgressLine line = writing();
   SurfaceFiles all = files(), pictures = all;
   std::vector<Point3> whole, seen, whole_normals;
-  std::vector<double> whole_certainty;
+  std::vector<double> whole_confidence;
   std::vector<std::array<std::uint8_t, 3>> colors;
   if (outliers_.is_any()) {
     whole = outliers_.all_points(all.points);
@@ -319,7 +319,7 @@ void SurfaceRun::write() {
     pictures.points = seen;
     all.normals = pictures.normals = whole_normals;
     all.colors = pictures.colors = outliers_.all_colors();
-    all.certainty = whole_certainty = outliers_.all_certainty(all.certainty);
+    all.confidence = whole_confidence = outliers_.all_confidence(all.confidence);
     outliers_.renumber(surface_);
     outliers_.renumber(fans_);
     outliers_.renumber(facts_);
@@ -327,7 +327,7 @@ void SurfaceRun::write() {
   for (std::size_t next = all_points_; !index_.empty() && index_.size() < all.points.size(); ++next)
     index_.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
   all.index = index_;
-  if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.certainty);
+  if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.confidence);
   add(request_.targets, [&](OutputFile& file, const Target& target) {
     (is_picture(target.format) ? pictures : all).write(file, target.format, request_.width);
   });
@@ -372,7 +372,7 @@ std::string SurfaceRun::summary() const {
 void SurfaceRun::run() {
   const SpacePointSource& source = request_.source;
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  remark(file_.remarks);
+  warning(file_.warnings);
   facts_.points = file_.points.size();
   index_ = file_.index;
   all_points_ = file_.all_points;

@@ -36,7 +36,7 @@ void add_life(Json& json, const VoidLife& life) {
   json["depth"] = life.depth;
 }
 
-void write_csv(OutputFile& file, std::span<const SolidVoid> voids, VoidWalls walls,
+void write_csv(OutputFile& file, std::span<const SolidVoid> voids, ComplexKind walls,
                const std::optional<std::vector<VoidLife>>& lives) {
   file.write(volume_columns(walls) + ",area,islands,points,low_x,low_y,low_z,high_x,high_y,high_z");
   file.write(!lives ? "\n" : ",closes,filled,depth\n");
@@ -130,9 +130,9 @@ Json json_of(const SolidVoid& hollow, const PointNames& names) {
   return json;
 }
 
-std::string volume_columns(VoidWalls walls) {
-  return walls == VoidWalls::full ? "number,volume_between_points,volume_outside_balls"
-                                  : "number,volume_between_points";
+std::string volume_columns(ComplexKind walls) {
+  return walls == ComplexKind::full ? "number,volume_between_points,volume_outside_balls"
+                                    : "number,volume_between_points";
 }
 
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls) {
@@ -151,7 +151,8 @@ Json json_of_volumes(double between_points, std::optional<double> outside_balls)
 }
 
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
-                 std::span<const SolidVoid> voids, VoidWalls walls, const std::optional<std::vector<VoidLife>>& lives) {
+                 std::span<const SolidVoid> voids, ComplexKind walls,
+                 const std::optional<std::vector<VoidLife>>& lives) {
   if (format == Format::csv) return write_csv(file, voids, walls, lives);
   if (format == Format::json) return write_json(file, names, boundary, voids, lives);
   write_obj(file, names.points(), boundary, voids);

@@ -33,12 +33,12 @@ nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names)
 ///       for each side. Triangles face outward from the void, as if it were a body.
 /// Requires: voids of a solid with this boundary; a life for each void, if any; a format of void_formats.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
-                 std::span<const SolidVoid> voids, VoidWalls walls,
+                 std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});
 
 /// Return or write number and volumes, the first columns of a table of voids: the header, one void, and one void as
 /// JSON.
-std::string volume_columns(VoidWalls walls);
+std::string volume_columns(ComplexKind walls);
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls);
 nlohmann::ordered_json json_of_volumes(double between_points, std::optional<double> outside_balls);
 

@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 VoidLives::VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                     VoidWalls walls, unsigned threads)
+                     ComplexKind walls, unsigned threads)
     : delaunay_(delaunay),
       radii_(radii),
       tree_(void_tree(points, delaunay, radii, walls, threads, until_interrupted())) {}

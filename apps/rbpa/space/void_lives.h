@@ -29,7 +29,7 @@ struct Pocket {
 class VoidLives {
  public:
   /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`. Throws Cancelled after a signal.
-  VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, VoidWalls walls,
+  VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, ComplexKind walls,
             unsigned threads);
 
   /// Returns the lives of the voids at radius `alpha`. Requires: their triangles are those of `boundary`, and their

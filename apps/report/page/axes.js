@@ -68,8 +68,8 @@ function prepared(canvas, background) {
   return { context, width, height };
 }
 
-function drawLine(context, colour, x1, y1, x2, y2) {
-  context.strokeStyle = colour;
+function drawLine(context, color, x1, y1, x2, y2) {
+  context.strokeStyle = color;
   context.beginPath();
   context.moveTo(x1, y1);
   context.lineTo(x2, y2);

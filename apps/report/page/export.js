@@ -30,34 +30,34 @@ function pathOf(points, x, y) {
 /** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their color;
  *  `lines`: pairs of points to join, `dots`: points; `bar`: that of the scale, or null. Rings wholly outside the view are
  *  left out. */
-function svgOf({ width, height, x, y, polygons, regions, lines, dots, colours, bar, unit, title }) {
+function svgOf({ width, height, x, y, polygons, regions, lines, dots, colors, bar, unit, title }) {
   const touches = (points) =>
     points.some((p) => x[p] >= 0) && points.some((p) => x[p] <= width) &&
     points.some((p) => y[p] >= 0) && points.some((p) => y[p] <= height);
   const parts = [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}">`,
     `<title>${title.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</title>`,
-    `<rect width="${width}" height="${height}" fill="${colours.paper}"/>`,
+    `<rect width="${width}" height="${height}" fill="${colors.paper}"/>`,
   ];
   const shape = polygons
     .filter(({ shell }) => touches(shell))
     .map(({ shell, holes }) => [shell, ...holes.filter(touches)].map((ring) => pathOf(ring, x, y) + "Z").join(""));
   const attributes = `fill-rule="evenodd" stroke-linejoin="round"`;
-  for (const path of shape) parts.push(`<path d="${path}" fill="${colours.fill}" ${attributes}/>`);
-  for (const { triangles, colour } of regions)
-    parts.push(`<path d="${triangles.filter(touches).map((t) => pathOf(t, x, y) + "Z").join("")}" fill="${colour}"/>`);
+  for (const path of shape) parts.push(`<path d="${path}" fill="${colors.fill}" ${attributes}/>`);
+  for (const { triangles, color } of regions)
+    parts.push(`<path d="${triangles.filter(touches).map((t) => pathOf(t, x, y) + "Z").join("")}" fill="${color}"/>`);
   if (lines.length > 0)
     parts.push(
       `<path d="${lines.filter(touches).map((ends) => pathOf(ends, x, y)).join("")}" fill="none" ` +
-        `stroke="${colours.edge}" stroke-width="0.5"/>`,
+        `stroke="${colors.edge}" stroke-width="0.5"/>`,
     );
-  for (const path of shape) parts.push(`<path d="${path}" fill="none" stroke="${colours.line}" stroke-width="1.5"/>`);
+  for (const path of shape) parts.push(`<path d="${path}" fill="none" stroke="${colors.line}" stroke-width="1.5"/>`);
   for (const p of dots.filter((p) => touches([p])))
-    parts.push(`<circle cx="${pixelText(x[p])}" cy="${pixelText(y[p])}" r="2" fill="${colours.isolated}"/>`);
+    parts.push(`<circle cx="${pixelText(x[p])}" cy="${pixelText(y[p])}" r="2" fill="${colors.isolated}"/>`);
   if (bar !== null)
     parts.push(
-      `<path d="M10 ${height - 16}v6h${pixelText(bar.pixels)}v-6" fill="none" stroke="${colours.text}" stroke-width="2"/>`,
-      `<text x="10" y="${height - 20}" font-family="sans-serif" font-size="12" fill="${colours.text}">${lengthText(bar.length, unit)}</text>`,
+      `<path d="M10 ${height - 16}v6h${pixelText(bar.pixels)}v-6" fill="none" stroke="${colors.text}" stroke-width="2"/>`,
+      `<text x="10" y="${height - 20}" font-family="sans-serif" font-size="12" fill="${colors.text}">${lengthText(bar.length, unit)}</text>`,
     );
   parts.push("</svg>");
   return parts.join("\n") + "\n";

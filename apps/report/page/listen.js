@@ -5,7 +5,7 @@ function listen(page) {
   addEventListener("resize", () => page.resize());
   listenToRatio(page);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    page.takeColours();
+    page.takeColors();
     page.drawPlots();
     page.ask("step");
   });

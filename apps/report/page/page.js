@@ -4,7 +4,7 @@
 const element = (id) => document.getElementById(id);
 
 /** Returns a color of the style sheet, as text. */
-const colourText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+const colorText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 /** Returns "#rrggbb" as an opaque pixel. */
 function pixelOf(text) {
@@ -33,7 +33,7 @@ class Page {
     this.region = [];
     this.pending = { view: false, step: false };
     this.axis = LogAxis.of(this.complex.data.radii, this.complex.reach(), 0, 1000);
-    this.takeColours();
+    this.takeColors();
     this.describe();
     this.listChoices();
     this.listPairs("hole-pairs", 1);
@@ -50,12 +50,12 @@ class Page {
 
   // ---- fixed
 
-  takeColours() {
+  takeColors() {
     const names = ["paper", "panel", "text", "faint", "grid", "fill", "edge", "line", "isolated", "holes", "free", "lit"];
-    this.colours = Object.fromEntries(names.map((name) => [name, colourText(name)]));
-    this.colours.litGap = colourText("lit-gap");
-    this.pixelColours = Object.fromEntries(
-      ["paper", "fill", "line", "isolated", "lit", "litGap"].map((name) => [name, pixelOf(this.colours[name])]),
+    this.colors = Object.fromEntries(names.map((name) => [name, colorText(name)]));
+    this.colors.litGap = colorText("lit-gap");
+    this.pixelColors = Object.fromEntries(
+      ["paper", "fill", "line", "isolated", "lit", "litGap"].map((name) => [name, pixelOf(this.colors[name])]),
     );
   }
 
@@ -293,7 +293,7 @@ class Page {
 
   paint(outline, dots) {
     const marked = this.region.length > 0 ? this.marked : null;
-    this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColours, { outline, dots });
+    this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColors, { outline, dots });
     this.context.putImageData(this.image, 0, 0);
   }
 
@@ -307,10 +307,10 @@ class Page {
     const context = canvas.getContext("2d", { alpha: false });
     const fill = (outline, dots) => {
       const marked = this.region.length > 0 ? this.marked : null;
-      this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColours, { outline, dots });
+      this.raster.paint(this.pixels, this.complex.countAt(this.step), marked, this.pixelColors, { outline, dots });
       context.putImageData(this.image, 0, 0);
     };
-    const drawing = fineDrawing(context, this.complex, this.view, this.step, this.shown, this.colours, this.ratio, fill);
+    const drawing = fineDrawing(context, this.complex, this.view, this.step, this.shown, this.colors, this.ratio, fill);
     this.fine = drawing;
     const go = () => {
       if (this.fine !== drawing) return;
@@ -336,7 +336,7 @@ class Page {
       this.movingFrom = this.laid;
     }
     const by = this.view.scale / this.movingFrom.scale;
-    this.context.fillStyle = this.colours.paper;
+    this.context.fillStyle = this.colors.paper;
     this.context.fillRect(0, 0, this.canvas.width, this.canvas.height);
     this.context.drawImage(this.moving, this.view.left - this.movingFrom.left * by, this.view.top - this.movingFrom.top * by, this.canvas.width * by, this.canvas.height * by);
   }
@@ -359,8 +359,8 @@ class Page {
   }
 
   drawPlots() {
-    this.countsPlot.draw(this.complex, this.colours);
-    this.diagram.draw(this.complex, this.colours);
+    this.countsPlot.draw(this.complex, this.colors);
+    this.diagram.draw(this.complex, this.colors);
     this.tellNumbers();
   }
 

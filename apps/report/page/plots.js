@@ -4,13 +4,13 @@
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
 
-function drawRadiusTicks(context, axis, top, bottom, colours) {
+function drawRadiusTicks(context, axis, top, bottom, colors) {
   context.lineWidth = 1;
   context.textAlign = "center";
   for (const power of axis.ticks(6)) {
     const x = axis.at(10 ** power);
-    drawLine(context, colours.grid, x, top, x, bottom);
-    context.fillStyle = colours.text;
+    drawLine(context, colors.grid, x, top, x, bottom);
+    context.fillStyle = colors.text;
     context.fillText(powerOfTenText(power), x, bottom + 16);
   }
 }
@@ -28,28 +28,28 @@ class CountsPlot {
     this.canvas = canvas;
   }
 
-  draw(complex, colours) {
-    const { context, width, height } = prepared(this.canvas, colours.panel);
+  draw(complex, colors) {
+    const { context, width, height } = prepared(this.canvas, colors.panel);
     const { left, right, top, bottom } = plotMargin;
     const { radii, counts } = complex.data;
     this.axis = LogAxis.of(radii, complex.reach(), left, width - right);
-    this.drawPlateaus(context, complex.data.plateaus.slice(0, maxPlateaus), top, height - bottom, colours);
-    drawRadiusTicks(context, this.axis, top, height - bottom, colours);
+    this.drawPlateaus(context, complex.data.plateaus.slice(0, maxPlateaus), top, height - bottom, colors);
+    drawRadiusTicks(context, this.axis, top, height - bottom, colors);
     let most = 1;
     for (const [name] of plottedCounts) for (const count of counts[name]) most = Math.max(most, count);
     const up = (count) => height - bottom - (Math.log10(1 + count) / Math.log10(1 + most)) * (height - bottom - top);
     context.textAlign = "right";
     for (const count of [0, ...Array.from({ length: Math.floor(Math.log10(most)) + 1 }, (_, i) => 10 ** i)]) {
-      drawLine(context, colours.grid, left, up(count), width - right, up(count));
-      context.fillStyle = colours.text;
+      drawLine(context, colors.grid, left, up(count), width - right, up(count));
+      context.fillStyle = colors.text;
       context.fillText(count >= 10000 ? count.toExponential(0).replace("+", "") : String(count), left - 4, up(count) + 4);
     }
     context.lineWidth = 1.5;
-    for (const [name, colour] of plottedCounts) this.drawCurve(context, radii, counts[name], up, colours[colour]);
+    for (const [name, color] of plottedCounts) this.drawCurve(context, radii, counts[name], up, colors[color]);
   }
 
-  drawPlateaus(context, plateaus, top, bottom, colours) {
-    context.fillStyle = colours.fill;
+  drawPlateaus(context, plateaus, top, bottom, colors) {
+    context.fillStyle = colors.fill;
     for (const { from, to } of plateaus) {
       const left = this.axis.at(from);
       context.globalAlpha = 0.55;
@@ -57,13 +57,13 @@ class CountsPlot {
     }
     context.globalAlpha = 1;
     context.textAlign = "center";
-    context.fillStyle = colours.text;
+    context.fillStyle = colors.text;
     plateaus.forEach(({ alpha }, i) => context.fillText(`${i + 1}`, this.axis.at(alpha), top + 10));
   }
 
   /** Draws a curve: each column of pixels gets its least, greatest and last value. */
-  drawCurve(context, radii, counts, up, colour) {
-    context.strokeStyle = colour;
+  drawCurve(context, radii, counts, up, color) {
+    context.strokeStyle = color;
     context.beginPath();
     context.moveTo(this.axis.from, up(0));
     let last = up(0);
@@ -90,24 +90,24 @@ class PersistenceDiagram {
     this.canvas = canvas;
   }
 
-  draw(complex, colours) {
-    const { context, width, height } = prepared(this.canvas, colours.panel);
+  draw(complex, colors) {
+    const { context, width, height } = prepared(this.canvas, colors.panel);
     const { left, right, top, bottom } = plotMargin;
     const { radii, pairs } = complex.data;
     const never = top + 4; // position of the deaths of pairs that never die
     this.births = LogAxis.of(radii, complex.reach(), left, width - right);
     this.deaths = LogAxis.of(radii, complex.reach(), height - bottom, top + 18);
-    drawRadiusTicks(context, this.births, top, height - bottom, colours);
+    drawRadiusTicks(context, this.births, top, height - bottom, colors);
     context.textAlign = "right";
     for (const power of this.deaths.ticks(5)) {
       const y = this.deaths.at(10 ** power);
-      drawLine(context, colours.grid, left, y, width - right, y);
-      context.fillStyle = colours.text;
+      drawLine(context, colors.grid, left, y, width - right, y);
+      context.fillStyle = colors.text;
       context.fillText(powerOfTenText(power), left - 4, y + 4);
     }
     context.fillText("never", left - 4, never + 4);
-    drawLine(context, colours.grid, left, never, width - right, never);
-    drawLine(context, colours.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
+    drawLine(context, colors.grid, left, never, width - right, never);
+    drawLine(context, colors.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
     // If dots would cover each other, only the longest pair is drawn: the first one, as the longest come first.
     this.dots = new Map();
     for (let p = 0; p < pairs.count; ++p) {
@@ -117,7 +117,7 @@ class PersistenceDiagram {
       if (!this.dots.has(key)) this.dots.set(key, { x, y, pair: p });
     }
     for (const { x, y, pair } of this.dots.values()) {
-      context.fillStyle = pairs.dimension[pair] === 0 ? colours.line : colours.holes;
+      context.fillStyle = pairs.dimension[pair] === 0 ? colors.line : colors.holes;
       context.fillRect(x - 2, y - 2, 4, 4);
     }
   }

@@ -73,22 +73,22 @@ class Raster {
   }
 
   /** Fills `pixels`, one element for each pixel, with the given colors. Marked triangles are lit, present or not. */
-  paint(pixels, count, marked, colours, { outline, dots }) {
+  paint(pixels, count, marked, colors, { outline, dots }) {
     const { width, height, triangle, dot } = this;
-    const { paper, fill, line, isolated, lit, litGap } = colours;
+    const { paper, fill, line, isolated, lit, litGap } = colors;
     for (let row = 0, i = 0; row < height; ++row) {
       for (let column = 0; column < width; ++column, ++i) {
         const t = triangle[i];
         const inside = t < count;
-        let colour = inside ? fill : paper;
-        if (marked !== null && t !== noTriangle && marked[t] === 1) colour = inside ? lit : litGap;
+        let color = inside ? fill : paper;
+        if (marked !== null && t !== noTriangle && marked[t] === 1) color = inside ? lit : litGap;
         if (outline) {
           const right = column + 1 < width ? triangle[i + 1] < count : inside;
           const below = row + 1 < height ? triangle[i + width] < count : inside;
-          if (inside !== right || inside !== below) colour = line;
+          if (inside !== right || inside !== below) color = line;
         }
-        if (dots && dot[i] > count) colour = isolated;
-        pixels[i] = colour;
+        if (dots && dot[i] > count) color = isolated;
+        pixels[i] = color;
       }
     }
   }

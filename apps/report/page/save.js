@@ -6,7 +6,7 @@ function shapeAsGeojson({ complex, step }) {
 }
 
 function viewAsSvg(page) {
-  const { complex, view, step, shown, colours } = page;
+  const { complex, view, step, shown, colors } = page;
   const count = complex.countAt(step);
   view.project();
   page.light(Infinity);
@@ -21,10 +21,10 @@ function viewAsSvg(page) {
     x: view.x,
     y: view.y,
     polygons: polygonsAt(complex, count),
-    regions: page.region.length === 0 ? [] : [{ triangles: page.region.map(corners), colour: isHole ? colours.litGap : colours.lit }],
+    regions: page.region.length === 0 ? [] : [{ triangles: page.region.map(corners), color: isHole ? colors.litGap : colors.lit }],
     lines: [...inner, ...free].map(ends),
     dots: shown.isolated ? isolatedInView(complex, view, count) : [],
-    colours,
+    colors,
     bar: page.scaleBar(),
     unit: page.unit,
     title: `${complex.data.facts.source}, alpha ${page.alpha}`,

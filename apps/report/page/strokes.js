@@ -49,9 +49,9 @@ function isolatedInView(complex, view, count) {
 }
 
 /** Strokes sides; pauses after every thousand. */
-function* strokeSides(context, complex, view, sides, colour, width) {
+function* strokeSides(context, complex, view, sides, color, width) {
   const { x, y } = view;
-  context.strokeStyle = colour;
+  context.strokeStyle = color;
   context.lineWidth = width;
   context.lineCap = "round";
   for (let begin = 0; begin < sides.length; begin += 1000) {
@@ -66,8 +66,8 @@ function* strokeSides(context, complex, view, sides, colour, width) {
   }
 }
 
-function* fillDots(context, view, dots, colour, radius) {
-  context.fillStyle = colour;
+function* fillDots(context, view, dots, color, radius) {
+  context.fillStyle = color;
   for (let begin = 0; begin < dots.length; begin += 1000) {
     context.beginPath();
     for (const p of dots.slice(begin, begin + 1000)) {
@@ -80,16 +80,16 @@ function* fillDots(context, view, dots, colour, radius) {
 }
 
 /** Draws the whole picture. `fill(outline, dots)` draws the pixels, with a boundary and dots of pixels on request. */
-function* fineDrawing(context, complex, view, step, shown, colours, ratio, fill) {
+function* fineDrawing(context, complex, view, step, shown, colors, ratio, fill) {
   const count = complex.countAt(step);
   const { boundary, inner } = sidesInView(complex, view, count);
   yield;
   const dots = shown.isolated ? isolatedInView(complex, view, count) : [];
   fill(boundary === null, dots.length > mostDots);
   yield;
-  if (inner !== null && shown.edges) yield* strokeSides(context, complex, view, inner, colours.edge, 0.6 * ratio);
+  if (inner !== null && shown.edges) yield* strokeSides(context, complex, view, inner, colors.edge, 0.6 * ratio);
   if (shown.freeEdges)
-    yield* strokeSides(context, complex, view, freeEdgesInView(complex, view, step), colours.free, ratio);
-  if (boundary !== null) yield* strokeSides(context, complex, view, boundary, colours.line, 1.6 * ratio);
-  if (dots.length <= mostDots) yield* fillDots(context, view, dots, colours.isolated, 2.2 * ratio);
+    yield* strokeSides(context, complex, view, freeEdgesInView(complex, view, step), colors.free, ratio);
+  if (boundary !== null) yield* strokeSides(context, complex, view, boundary, colors.line, 1.6 * ratio);
+  if (dots.length <= mostDots) yield* fillDots(context, view, dots, colors.isolated, 2.2 * ratio);
 }

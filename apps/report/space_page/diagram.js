@@ -16,55 +16,55 @@ class SpaceDiagram {
     this.range = Float64Array.of(low, high);
   }
 
-  draw(colours, alpha, chosen) {
-    const { context, width, height } = prepared(this.canvas, colours.panel);
+  draw(colors, alpha, chosen) {
+    const { context, width, height } = prepared(this.canvas, colors.panel);
     const { left, right, top, bottom } = diagramMargin;
     this.births = LogAxis.of(this.range, Infinity, left, width - right);
     this.deaths = LogAxis.of(this.range, Infinity, height - bottom, top);
-    this.shade(context, colours, alpha);
-    this.drawGrid(context, colours, width, height);
-    for (const pair of this.data.pairs) this.dot(context, pair, 2, colours[dimensionNames[pair.dimension] + "s"], true);
-    for (const pair of this.data.representatives) this.dot(context, pair, 4, colours[dimensionNames[pair.dimension] + "s"], false);
-    if (chosen !== null) this.dot(context, chosen, 7, colours.text, false);
+    this.shade(context, colors, alpha);
+    this.drawGrid(context, colors, width, height);
+    for (const pair of this.data.pairs) this.dot(context, pair, 2, colors[dimensionNames[pair.dimension] + "s"], true);
+    for (const pair of this.data.representatives) this.dot(context, pair, 4, colors[dimensionNames[pair.dimension] + "s"], false);
+    if (chosen !== null) this.dot(context, chosen, 7, colors.text, false);
   }
 
   place({ birth, death }) {
     return { x: birth > 0 ? this.births.at(birth) : diagramMargin.left, y: Number.isFinite(death) ? this.deaths.at(death) : 8 };
   }
 
-  dot(context, pair, size, colour, isFilled) {
+  dot(context, pair, size, color, isFilled) {
     const { x, y } = this.place(pair);
     context.beginPath();
     context.arc(x, y, size, 0, 2 * Math.PI);
-    context.fillStyle = context.strokeStyle = colour;
+    context.fillStyle = context.strokeStyle = color;
     if (isFilled) context.fill();
     else context.stroke();
   }
 
-  shade(context, colours, alpha) {
+  shade(context, colors, alpha) {
     if (!(alpha > 0)) return;
     const { left } = diagramMargin;
     const x = this.births.at(alpha), y = this.deaths.at(alpha);
-    context.fillStyle = colours.fill;
+    context.fillStyle = colors.fill;
     context.globalAlpha = 0.5;
     context.fillRect(left, 0, x - left, y);
     context.globalAlpha = 1;
   }
 
-  drawGrid(context, colours, width, height) {
+  drawGrid(context, colors, width, height) {
     const { left, right, top, bottom } = diagramMargin;
     context.lineWidth = 1;
-    context.fillStyle = colours.faint;
+    context.fillStyle = colors.faint;
     for (const power of this.births.ticks(5)) {
       const x = this.births.at(10 ** power), y = this.deaths.at(10 ** power);
-      drawLine(context, colours.grid, x, top, x, height - bottom);
-      drawLine(context, colours.grid, left, y, width - right, y);
+      drawLine(context, colors.grid, x, top, x, height - bottom);
+      drawLine(context, colors.grid, left, y, width - right, y);
       context.textAlign = "center";
       context.fillText(powerOfTenText(power), x, height - 8);
       context.textAlign = "right";
       context.fillText(powerOfTenText(power), left - 4, y + 4);
     }
-    drawLine(context, colours.grid, left, height - bottom, width - right, top);
+    drawLine(context, colors.grid, left, height - bottom, width - right, top);
     context.textAlign = "right";
     context.fillText("never", left - 4, 12);
   }

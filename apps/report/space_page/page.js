@@ -2,7 +2,7 @@
 "use strict";
 
 const element = (id) => document.getElementById(id);
-const colourText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+const colorText = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 class SpacePage {
   constructor() {
@@ -22,7 +22,7 @@ class SpacePage {
     this.listChoices();
     for (const dimension of [1, 2]) this.listPairs(dimension);
     this.listen();
-    this.takeColours();
+    this.takeColors();
     const { auto, min, plateau } = this.data.facts;
     this.goToAlpha([plateau, min, auto].map(radiusOf).find((alpha) => alpha !== null && alpha < Infinity) ?? Infinity);
     this.resize();
@@ -30,10 +30,10 @@ class SpacePage {
 
   // ---- fixed
 
-  takeColours() {
+  takeColors() {
     const names = ["paper", "panel", "text", "faint", "grid", "fill", "solid", "dangling", "components", "tunnels", "voids"];
-    this.colours = Object.fromEntries(names.map((name) => [name, colourText(name)]));
-    this.scene?.setColours(this.colours);
+    this.colors = Object.fromEntries(names.map((name) => [name, colorText(name)]));
+    this.scene?.setColors(this.colors);
   }
 
   describe() {
@@ -121,7 +121,7 @@ class SpacePage {
     element("slider").setAttribute("aria-valuetext", short(alpha));
     for (const { button, alpha: its } of this.choiceButtons) button.setAttribute("aria-pressed", String(its === alpha));
     element("status").textContent = `alpha ${short(alpha)}: ${element("components").textContent} components, ${element("tunnels").textContent} tunnels, ${element("voids").textContent} voids`;
-    this.diagram.draw(this.colours, alpha, this.chosen);
+    this.diagram.draw(this.colors, alpha, this.chosen);
     this.milliseconds = performance.now() - start;
   }
 
@@ -137,7 +137,7 @@ class SpacePage {
       }
       this.goToAlpha(one.birth);
     } else {
-      this.diagram.draw(this.colours, this.alpha, one);
+      this.diagram.draw(this.colors, this.alpha, one);
     }
     this.scene?.choose(one);
   }
@@ -152,8 +152,8 @@ class SpacePage {
   listen() {
     addEventListener("resize", () => this.resize());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      this.takeColours();
-      this.diagram.draw(this.colours, this.alpha, this.chosen);
+      this.takeColors();
+      this.diagram.draw(this.colors, this.alpha, this.chosen);
     });
     element("slider").addEventListener("input", (event) => this.goTo(Number(event.target.value)));
     element("previous").addEventListener("click", () => this.goTo(this.step - 1));
@@ -206,7 +206,7 @@ class SpacePage {
 
   resize() {
     this.scene?.resize();
-    this.diagram.draw(this.colours, this.alpha, this.chosen);
+    this.diagram.draw(this.colors, this.alpha, this.chosen);
   }
 }
 

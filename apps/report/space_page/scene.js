@@ -100,7 +100,7 @@ class SpaceScene {
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, corners.subarray(0, count), gl.DYNAMIC_DRAW);
   }
 
-  setColours({ paper, solid, dangling, text, tunnels, voids, components }) {
+  setColors({ paper, solid, dangling, text, tunnels, voids, components }) {
     this.background = colorNumbers(paper);
     this.boundary.color = colorNumbers(solid);
     this.dangling.color = colorNumbers(dangling);

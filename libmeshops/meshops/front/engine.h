@@ -34,8 +34,8 @@ void advance(Front& front, Policy& policy, Visitor&& visitor) {
       !detail::misses_glues<Policy>,
       "the policy has a member glues that is ignored: expected bool glues(const Front&, Halfedge, Site), public");
   static_assert(!detail::misses_rekeys<Policy>,
-                "the policy has a member rekeys_neighbours that is ignored: expected static constexpr bool "
-                "rekeys_neighbours, public, beside a member key");
+                "the policy has a member rekeys_neighbors that is ignored: expected static constexpr bool "
+                "rekeys_neighbors, public, beside a member key");
   static_assert(!detail::misses_curves<std::remove_cvref_t<Visitor>>(),
                 "the visitor has events of curves that are ignored: expected it to derive from CurveVisitor");
   static_assert(

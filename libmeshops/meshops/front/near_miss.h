@@ -20,7 +20,7 @@ struct NamedGlues {
   int glues;
 };
 struct NamedRekeys {
-  int rekeys_neighbours;
+  int rekeys_neighbors;
 };
 template <typename Policy, typename Named>
 struct Beside : Policy, Named {};
@@ -44,10 +44,10 @@ constexpr bool names_glues() {
 template <typename Policy>
 constexpr bool names_rekeys() {
   if constexpr (std::is_class_v<Policy> && !std::is_final_v<Policy>) return !requires {
-      &Beside<Policy, NamedRekeys>::rekeys_neighbours;
+      &Beside<Policy, NamedRekeys>::rekeys_neighbors;
     };
   else
-    return requires { &Policy::rekeys_neighbours; };
+    return requires { &Policy::rekeys_neighbors; };
 }
 
 template <typename Policy>
@@ -58,7 +58,7 @@ constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !Gluing
 /// A value of `false` is allowed, also for a policy without keys.
 template <typename Policy>
 constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
-  requires !std::bool_constant<Policy::rekeys_neighbours>::value;
+  requires !std::bool_constant<Policy::rekeys_neighbors>::value;
 };
 
 /// The visitor overrides no event of triangles and edges (KeepsEvents), or none of curves (KeepsCurves). A member of

@@ -61,7 +61,7 @@ class LeastKeyFirst {
   }
 
   /// Notes that a triangle at the vertex was inserted or detached.
-  void neighbours_changed(Vertex v) {
+  void neighbors_changed(Vertex v) {
     const Connectivity& mesh = front_.mesh();
     const Halfedge out = mesh.halfedge_handle(v);
     if (!out.is_valid() || !mesh.is_boundary(out)) return;

@@ -98,13 +98,13 @@ concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& f
 };
 
 /// Policy whose keys depend on the neighbors on the curve, as angles between edges do. A policy that declares
-///   static constexpr bool rekeys_neighbours = true;
+///   static constexpr bool rekeys_neighbors = true;
 /// is called again for the keys of both boundary halfedges at each corner of a triangle that was inserted or detached,
 /// if they are active. Their age stays the same: if no triangle is detached, and the new keys equal the old ones, the
 /// run is the same.
 template <typename P>
 concept RekeyingFrontPolicy = OrderedFrontPolicy<P> && requires {
-  requires std::bool_constant<P::rekeys_neighbours>::value;
+  requires std::bool_constant<P::rekeys_neighbors>::value;
 };
 
 }  // namespace meshops

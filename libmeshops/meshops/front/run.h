@@ -119,7 +119,7 @@ class Run {
   /// the sides that it left.
   template <typename Around, typename Event>
   void notify_of_change(Around around, std::size_t curves_before, Event event) {
-    if constexpr (RekeyingFrontPolicy<Policy>) neighbours_changed(around());
+    if constexpr (RekeyingFrontPolicy<Policy>) neighbors_changed(around());
     if constexpr (Visitor::follows_curves) {
       const DistinctCurves now(front_.mesh(), around());
       AllSteps steps(engine_);
@@ -130,14 +130,14 @@ class Run {
       engine_.notify(event);
     }
   }
-  void neighbours_changed(const std::array<Vertex, 3>& corners) {
-    for (const Vertex v : corners) order_.neighbours_changed(v);
+  void neighbors_changed(const std::array<Vertex, 3>& corners) {
+    for (const Vertex v : corners) order_.neighbors_changed(v);
   }
-  void neighbours_changed(const std::array<Halfedge, 3>& sides) {
+  void neighbors_changed(const std::array<Halfedge, 3>& sides) {
     for (const Halfedge side : sides)
       if (side.is_valid()) {
-        order_.neighbours_changed(front_.mesh().from_vertex_handle(side));
-        order_.neighbours_changed(front_.mesh().to_vertex_handle(side));
+        order_.neighbors_changed(front_.mesh().from_vertex_handle(side));
+        order_.neighbors_changed(front_.mesh().to_vertex_handle(side));
       }
   }
 

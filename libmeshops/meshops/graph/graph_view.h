@@ -50,7 +50,7 @@ class GraphView {
   using edge_iterator = detail::ListIterator<GraphView, Halfedge>;
   using out_edge_iterator = detail::TurnIterator<Kind, detail::LeavingEdge>;
   using in_edge_iterator = detail::TurnIterator<Kind, detail::ArrivingEdge>;
-  using adjacency_iterator = detail::TurnIterator<Kind, detail::Neighbour<Kind>>;
+  using adjacency_iterator = detail::TurnIterator<Kind, detail::Neighbor<Kind>>;
 
   using VertexIndexMap = IndexMap<vertex_descriptor, 1>;
   using EdgeIndexMap = IndexMap<Halfedge, is_undirected ? 2 : 1>;

@@ -64,7 +64,7 @@ struct ArrivingEdge {
   static Halfedge of(const Connectivity& mesh, Halfedge h) { return mesh.opposite_halfedge_handle(h); }
 };
 template <typename Kind>
-struct Neighbour {
+struct Neighbor {
   using Value = typename Kind::Node;
   static Value of(const Connectivity& mesh, Halfedge h) { return Kind::source(mesh, mesh.opposite_halfedge_handle(h)); }
 };

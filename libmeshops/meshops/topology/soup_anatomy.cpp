@@ -11,7 +11,7 @@ SoupAnatomy::SoupAnatomy(const PolygonSoup& given, const GoOn& go_on)
       fans(fans_of(
           given, sides,
           [this](std::span<const SoupSide> edge) {
-            has_crowded_edge = has_crowded_edge || edge.size() > 2;
+            has_non_manifold_edge = has_non_manifold_edge || edge.size() > 2;
             return true;
           },
           go_on)),

@@ -20,7 +20,7 @@ struct SoupAnatomy {
   const PolygonSoup& soup;
   FaceFaults faults;
   SoupSides sides;
-  bool has_crowded_edge = false;                         ///< more than two faces meet at some edge
+  bool has_non_manifold_edge = false;                    ///< more than two faces meet at some edge
   std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no choice of directions agrees
   DisjointSets pieces;                                   ///< sets of faces
   DisjointSets fans;                                     ///< sets of corners, joined at every edge

@@ -48,7 +48,8 @@ void find_bad_edges(SoupAnatomy& anatomy, Steps& step, std::vector<SoupDefect>& 
         defects.push_back({kind, {edge[0].low, edge[0].high}, faces_at(edge)});
     }
   };
-  if (anatomy.has_crowded_edge) find(SoupDefectKind::non_manifold_edge, [](SoupEdge edge) { return edge.size() > 2; });
+  if (anatomy.has_non_manifold_edge)
+    find(SoupDefectKind::non_manifold_edge, [](SoupEdge edge) { return edge.size() > 2; });
   find(SoupDefectKind::inconsistent_orientation,
        [](SoupEdge edge) { return edge.size() == 2 && edge[0].ascending() == edge[1].ascending(); });
   // Take the first edge of each piece at which no choice of directions agrees.

@@ -19,7 +19,7 @@ class SoupReporter {
 
   TopologyReport operator()() {
     find_pieces();
-    if (anatomy_.has_crowded_edge) {
+    if (anatomy_.has_non_manifold_edge) {
       // Pieces end at edges with more than two faces.
       DisjointSets fans = detail::fans_of(
           soup_, sides_, [](SoupEdge edge) { return edge.size() == 2; }, go_on_);
@@ -32,7 +32,7 @@ class SoupReporter {
     total_.genus = 0;
     for (const ComponentReport& piece : total_.per_component) {
       total_.boundary_curves += piece.boundary_curves;
-      if (total_.genus && piece.orientable && !anatomy_.has_crowded_edge)
+      if (total_.genus && piece.orientable && !anatomy_.has_non_manifold_edge)
         *total_.genus += *piece.genus();
       else
         total_.genus.reset();
@@ -118,7 +118,7 @@ class SoupReporter {
   /// Returns the number of sets of connected pieces.
   std::size_t joined_pieces() {
     const std::size_t pieces = total_.per_component.size();
-    if (total_.pinches == 0 && !anatomy_.has_crowded_edge) return pieces;
+    if (total_.pinches == 0 && !anatomy_.has_non_manifold_edge) return pieces;
     constexpr std::uint32_t none = ~0U;
     std::vector<std::uint32_t> piece_at_point(soup_.points, none);
     DisjointSets connected(pieces);
@@ -142,7 +142,7 @@ class SoupReporter {
     });
     detail::Z2Rank equations;
     std::vector<std::size_t> unknowns;
-    if (anatomy_.has_crowded_edge)
+    if (anatomy_.has_non_manifold_edge)
       for_each_edge([&](SoupEdge edge) {
         if (edge.size() <= 2) return;
         unknowns.clear();

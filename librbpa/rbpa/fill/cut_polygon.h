@@ -29,7 +29,7 @@ struct PolygonCut {
 
 /// Cuts `polygon` along the line at `x`.
 /// Requires: a valid polygon (validity.h) on these points, whose shell is counter-clockwise and whose holes are
-///           clockwise, as polygons() returns them; a finite x.
+///           clockwise, as outline_polygons() returns them; a finite x.
 /// Throws:   InvalidInput that names the place if rounded crossings would make a part invalid; otherwise as
 ///           polygons_of_rings().
 RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);

@@ -29,7 +29,7 @@ class ApartRings {
     place_ = place_rings(points, rings, node(points, rings, step), name, go_on);
   }
 
-  std::vector<Polygon> polygons() const {
+  std::vector<Polygon> outline_polygons() const {
     std::vector<Polygon> polygons = regions(false);
     // Rings that touch each other in turn may split the interior.
     if (const auto why = why_invalid(points_, polygons, go_on_)) throw InvalidInput(*why);
@@ -70,7 +70,7 @@ class ApartRings {
 
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                        const std::function<bool()>& go_on) {
-  return ApartRings(points, rings, go_on).polygons();
+  return ApartRings(points, rings, go_on).outline_polygons();
 }
 
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
@@ -102,7 +102,7 @@ std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<
                        ": found it within another and no hole point in it, expected one: lines inside of a polygon are "
                        "not kept");
   }
-  return apart.polygons();
+  return apart.outline_polygons();
 }
 
 }  // namespace rbpa

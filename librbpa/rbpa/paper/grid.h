@@ -65,11 +65,11 @@ class Grid {
 
   /// Returns the number of neighboring cells on each side. From 2⁵⁴ on a number stands for a single coordinate, and no
   /// other double is within 2α of it.
-  static int neighbours(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
+  static int neighbors(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
 
   template <typename Visit>
   void for_each_in_nine(const Cell& middle, Visit& visit) const {
-    const int columns = neighbours(middle.column), rows = neighbours(middle.row);
+    const int columns = neighbors(middle.column), rows = neighbors(middle.row);
     for (int row = -rows; row <= rows; ++row)
       for (int column = -columns; column <= columns; ++column) {
         const auto cell = cells_.find({middle.column + Real(column), middle.row + Real(row)});

@@ -33,8 +33,8 @@ bool Ball::in_arriving_ball(Site v, Site p, Site q) const {
   const int cosine = P::dot_sign(at(q), at(v), at(p));
   if (side == 0) return cosine < 0;  // q is between v and p
   const auto radius_to_alpha = [&] { return P::compare_circumradius(at(v), at(p), at(q), alpha_.value()); };
-  const bool is_beside_centre = side < 0;
-  return is_beside_centre ? cosine < 0 || radius_to_alpha() < 0 : cosine < 0 && radius_to_alpha() > 0;
+  const bool is_beside_center = side < 0;
+  return is_beside_center ? cosine < 0 || radius_to_alpha() < 0 : cosine < 0 && radius_to_alpha() > 0;
 }
 
 }  // namespace rbpa::paper

@@ -1,5 +1,5 @@
 // What: polygons whose corners carry coordinates and 64-bit indices, for an input that is not in memory.
-// Law:  the polygons equal those of polygons() (rbpa/plane/outline_polygons.h), to the last bit.
+// Law:  the polygons equal those of outline_polygons() (rbpa/plane/outline_polygons.h), to the last bit.
 #pragma once
 
 #include <array>

@@ -11,12 +11,12 @@
 namespace rbpa {
 namespace {
 
-Triangulation triangulated(std::span<const Point> points, const TriangulationOptions& options) {
-  return triangulate(points, std::numeric_limits<double>::infinity(),
-                     {.neighbors = true, .threads = options.threads, .progress = options.progress});
+AlphaComplex triangulated(std::span<const Point> points, const AlphaComplexOptions& options) {
+  return alpha_complex(points, std::numeric_limits<double>::infinity(),
+                       {.neighbors = true, .threads = options.threads, .progress = options.progress});
 }
 
-void check(const Triangulation& delaunay, std::span<const Point> points, const std::function<bool()>& go_on,
+void check(const AlphaComplex& delaunay, std::span<const Point> points, const std::function<bool()>& go_on,
            const char* function) {
   const auto require = [&](bool is_so, const char* why_not) {
     if (!is_so) throw meshops::ContractViolation(std::string(function) + ": " + why_not);
@@ -35,18 +35,18 @@ void check(const Triangulation& delaunay, std::span<const Point> points, const s
 
 }  // namespace
 
-Delaunay::Delaunay(std::span<const Point> points, const TriangulationOptions& options)
-    : triangulation_(std::make_shared<const Triangulation>(triangulated(points, options))), points_(points) {}
+Delaunay::Delaunay(std::span<const Point> points, const AlphaComplexOptions& options)
+    : triangulation_(std::make_shared<const AlphaComplex>(triangulated(points, options))), points_(points) {}
 
-Delaunay::Delaunay(const Triangulation& triangulation, std::span<const Point> points,
-                   const std::function<bool()>& go_on, const char* function)
+Delaunay::Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const std::function<bool()>& go_on,
+                   const char* function)
     : triangulation_(std::shared_ptr<void>(), &triangulation), points_(points) {  // the pointer owns nothing
   check(triangulation, points, go_on, function);
 }
 
-Delaunay::Delaunay(Triangulation&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on,
+Delaunay::Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on,
                    const char* function)
-    : triangulation_(std::make_shared<const Triangulation>(std::move(triangulation))), points_(points) {
+    : triangulation_(std::make_shared<const AlphaComplex>(std::move(triangulation))), points_(points) {
   check(*triangulation_, points, go_on, function);
 }
 

@@ -9,7 +9,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
@@ -17,26 +17,26 @@ namespace rbpa {
 class RBPA_API Delaunay {
  public:
   /// Triangulates the points. The options `complex`, `neighbors` and `boundary` are ignored.
-  /// Throws: as triangulate(points, infinity, options).
-  /// Cost:   that of triangulate().
-  explicit Delaunay(std::span<const Point> points, const TriangulationOptions& options = {});
+  /// Throws: as alpha_complex(points, infinity, options).
+  /// Cost:   that of alpha_complex().
+  explicit Delaunay(std::span<const Point> points, const AlphaComplexOptions& options = {});
 
-  /// Takes the result of triangulate(points, infinity, {.neighbors = true}), which is checked. An lvalue is not copied:
+  /// Takes the result of alpha_complex(points, infinity, {.neighbors = true}), which is checked. An lvalue is not copied:
   /// it must outlive this object and stay unchanged.
   /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
   ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled when `go_on`, which is
   ///         called every few milliseconds, returns false. Empty: never called.
   /// Cost:   linear: about a tenth of the cost of the triangulation.
-  Delaunay(const Triangulation& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
+  Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
            const char* function = "Delaunay");
-  Delaunay(Triangulation&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
+  Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
            const char* function = "Delaunay");
 
-  const Triangulation& triangulation() const { return *triangulation_; }
+  const AlphaComplex& triangulation() const { return *triangulation_; }
   std::span<const Point> points() const { return points_; }
 
  private:
-  std::shared_ptr<const Triangulation> triangulation_;
+  std::shared_ptr<const AlphaComplex> triangulation_;
   std::span<const Point> points_;
 };
 

@@ -37,7 +37,7 @@ FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double ar
 }  // namespace
 
 std::vector<double> radii_of(const Delaunay& of, Steps& step) {
-  const Triangulation& delaunay = of.triangulation();
+  const AlphaComplex& delaunay = of.triangulation();
   std::vector<double> radii(delaunay.triangles.size());
   for (std::size_t t = 0; t < radii.size(); ++t) {
     step();
@@ -48,7 +48,7 @@ std::vector<double> radii_of(const Delaunay& of, Steps& step) {
 }
 
 Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on) {
-  const Triangulation& delaunay = of.triangulation();
+  const AlphaComplex& delaunay = of.triangulation();
   const std::span<const Point> points = of.points();
   Steps pulse(go_on);
   Filtration result{.steps = {}, .triangle_alpha = radii_of(of, pulse), .distinct = delaunay.distinct};

@@ -14,8 +14,8 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -40,19 +40,19 @@ struct Filtration {
 /// Computes the filtration of the points by circumradius.
 /// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on = {});
-/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
-inline Filtration filtration(const Triangulation& delaunay, std::span<const Point> points,
+inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point> points,
                              const std::function<bool()>& go_on = {}) {
   return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
 }
 
-/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of triangulate(points, alpha,
+/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of alpha_complex(points, alpha,
 /// {.neighbors = true}), without triangulating again.
 /// Requires: the filtration is that of the triangulation.
 /// Throws:   ContractViolation when the filtration is visibly of another triangulation, or alpha is not a valid radius.
 /// Cost:     linear.
-RBPA_API Triangulation complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
+RBPA_API AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
 
 /// Returns the least alpha at which every distinct point is in a triangle. With `max_components`, there must also be at
 /// most that many solid components; their number is not monotone in alpha and may exceed the bound again above. The

@@ -13,10 +13,10 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/persistence.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -51,9 +51,9 @@ struct FiltrationArrays {
 ///           every few milliseconds, returns false. Empty: never called.
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
                                             const std::function<bool()>& go_on = {});
-/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
-inline FiltrationArrays filtration_arrays(const Triangulation& delaunay, std::span<const Point> points,
+inline FiltrationArrays filtration_arrays(const AlphaComplex& delaunay, std::span<const Point> points,
                                           const Filtration& filtration, const std::function<bool()>& go_on = {}) {
   return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);
 }

@@ -89,13 +89,14 @@ struct GroupProblem {
 
 /// The solid alpha complexes of groups. Entry g of a vector is that of group g, unless stated otherwise.
 struct GroupShapes {
-  std::vector<double> alphas;     ///< the given or chosen radius; NaN if the points have no triangle at any radius
-  std::vector<Polygon> polygons;  ///< of all groups, in their order, each sorted as by polygons(); input indices
+  std::vector<double> alphas;  ///< the given or chosen radius; NaN if the points have no triangle at any radius
+  std::vector<Polygon>
+      polygons;  ///< of all groups, in their order, each sorted as by outline_polygons(); input indices
   /// The polygons of group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
   std::vector<std::uint64_t> polygon_begin = {0};
   std::vector<PolygonTotals> totals;
   std::vector<std::uint64_t> triangle_begin = {0};  ///< likewise for triangles, also if these are not kept
-  std::vector<Triangle> triangles;     ///< only on request: of all groups, each as triangulate() returns its own
+  std::vector<Triangle> triangles;     ///< only on request: of all groups, each as alpha_complex() returns its own
   std::vector<GroupProblem> problems;  ///< for groups without a polygon, ascending
 };
 

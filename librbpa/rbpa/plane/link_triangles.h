@@ -1,6 +1,6 @@
 // What: computes the neighbors of each triangle from the triangles in canonical order alone.
-// Law:  the neighbors equal those that triangulate() finds.
-// Why:  less memory than finding them in triangulate(): the result and four bytes a point, after triangulate() has
+// Law:  the neighbors equal those that alpha_complex() finds.
+// Why:  less memory than finding them in alpha_complex(): the result and four bytes a point, after alpha_complex() has
 //       freed its own memory.
 // Cost: linear if few triangles meet at each point, n log n if many do.
 #pragma once
@@ -18,7 +18,7 @@
 namespace rbpa {
 
 /// Returns for each triangle its neighbors: number k is the triangle across from corner k, or TriangleArrays::none.
-/// Requires: triangles of a complex in the plane as in a Triangulation; corners are below `points`.
+/// Requires: triangles of a complex in the plane as in a AlphaComplex; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
                                               const std::function<bool()>& go_on = {});

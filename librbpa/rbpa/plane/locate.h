@@ -46,7 +46,7 @@ struct InterpolateOptions {
 class RBPA_API Locator {
  public:
   /// Prepares queries in a triangulation. Keeps the spans.
-  /// Requires: finite points and all triangles of their Delaunay triangulation, as triangulate() returns them for an
+  /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
   ///           infinite alpha with neighbors.
   /// Throws:   ContractViolation as require_linked(), or when the triangles are visibly not Delaunay; Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});

@@ -153,8 +153,8 @@ std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std:
 
 }  // namespace
 
-std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex, const PolygonFilter& filter,
-                              const std::function<bool()>& go_on) {
+std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
+                                      const PolygonFilter& filter, const std::function<bool()>& go_on) {
   check(filter);
   require_linked(complex, points.size(), go_on);
   return polygons_of_linked(points, complex, filter, go_on);

@@ -53,13 +53,14 @@ struct PolygonFilter {
 /// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled when `go_on`, which is called
 ///         every few milliseconds, returns false. Empty: never called.
 /// Cost:   as above; a bound on holes adds a plane sweep over the boundary.
-RBPA_API std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
-                                       const std::function<bool()>& go_on = {});
+RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
+                                               const std::function<bool()>& go_on = {});
 
 /// Returns the same for a solid complex in arrays, with neighbors, on these points.
 /// Throws: also ContractViolation as require_linked(), or when the points are visibly others.
-RBPA_API std::vector<Polygon> polygons(std::span<const Point> points, const TriangleArrays& complex,
-                                       const PolygonFilter& filter = {}, const std::function<bool()>& go_on = {});
+RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
+                                               const PolygonFilter& filter = {},
+                                               const std::function<bool()>& go_on = {});
 
 struct PolygonTotals {
   std::size_t holes = 0;

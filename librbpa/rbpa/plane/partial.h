@@ -2,8 +2,8 @@
 //         which depends on regions not merged yet. The contributions of all regions are merged to the whole.
 // Law:    partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
 //         commutative: bytes (partial_bytes.h) depend on which regions were merged, not on the order. When the whole
-//         plane is merged, finish() returns what rbpa(), count() and polygons() compute for all points.
-// Cost:   that of triangulate(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
+//         plane is merged, finish() returns what rbpa(), count() and outline_polygons() compute for all points.
+// Cost:   that of alpha_complex(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
 //         kept in memory.
 // Source: docs/explanation/plane.md, sections 22 to 27.
 #pragma once
@@ -79,23 +79,23 @@ class RBPA_API Partial {
 };
 
 struct PartialOptions {
-  /// Threads and progress as in TriangulationOptions.
+  /// Threads and progress as in AlphaComplexOptions.
   unsigned threads = 0;
   std::function<bool(const Progress&)> progress = {};
 };
 
 /// Computes the contribution of a region.
 /// Throws: InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending order,
-///         when a point is not finite or there are too many (triangulate.h), when the number of indices differs from
+///         when a point is not finite or there are too many (alpha_complex.h), when the number of indices differs from
 ///         that of points or an index is given twice; Cancelled.
-/// Cost:   that of triangulate() with neighbors, on all given points.
+/// Cost:   that of alpha_complex() with neighbors, on all given points.
 RBPA_API Partial partial(const Region& region, const RegionPoints& points, double alpha,
                          const PartialOptions& options = {});
 
 /// The items that a region owns.
 struct OwnedItems {
   /// Triangles as indices into the whole input: counter-clockwise, the smallest index first, in lexicographic order.
-  /// The triangles of all regions together, sorted, are the result of triangulate().
+  /// The triangles of all regions together, sorted, are the result of alpha_complex().
   std::vector<std::array<std::uint64_t, 3>> triangles;
   std::vector<std::uint64_t> isolated;  ///< distinct points in no triangle, ascending
 };

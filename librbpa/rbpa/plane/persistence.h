@@ -13,19 +13,13 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/complex_kind.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
-
-enum class ComplexKind {
-  solid,  ///< triangles of circumradius ≤ alpha, with their edges and vertices
-  /// The alpha complex: also every point from alpha 0 on, and every edge whose ends an empty ball of radius alpha can
-  /// touch, whether in a triangle or not.
-  full
-};
 
 /// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death. When two components meet,
 /// the younger one dies. Birth and death are double radii, rounded up from the exact ones.
@@ -44,9 +38,9 @@ struct PersistencePair {
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid,
                                                   const std::function<bool()>& go_on = {});
-/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
-inline std::vector<PersistencePair> persistence(const Triangulation& delaunay, std::span<const Point> points,
+inline std::vector<PersistencePair> persistence(const AlphaComplex& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
                                                 const std::function<bool()>& go_on = {}) {
   return persistence(Delaunay(delaunay, points, go_on, "persistence"), filtration, kind, go_on);

@@ -15,9 +15,9 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -60,9 +60,9 @@ inline constexpr double plateau_settles = 2;
 ///           every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
                                        const std::function<bool()>& go_on = {});
-/// Computes the same for triangulate(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
+/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
-inline std::vector<Plateau> plateaus(const Triangulation& delaunay, std::span<const Point> points,
+inline std::vector<Plateau> plateaus(const AlphaComplex& delaunay, std::span<const Point> points,
                                      const Filtration& filtration, const std::function<bool()>& go_on = {}) {
   return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);
 }

@@ -121,7 +121,7 @@ class HoleSearch {
       }
       neighbors.push_back(all_.neighbors[t]);
       for (std::uint32_t& beyond : neighbors.back())
-        beyond = beyond == Triangulation::none || number_[beyond] == none ? Triangulation::none : number_[beyond];
+        beyond = beyond == AlphaComplex::none || number_[beyond] == none ? AlphaComplex::none : number_[beyond];
     }
     for (const std::uint32_t t : reached_) number_[t] = none;
     for (const std::uint32_t point : index) place_[point] = none;
@@ -153,7 +153,7 @@ class HoleSearch {
       const std::uint32_t t = reached_[i];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t beyond = all_.neighbors[t][k];
-        if (beyond == Triangulation::none || alpha_[beyond] <= alpha || number_[beyond] != none ||
+        if (beyond == AlphaComplex::none || alpha_[beyond] <= alpha || number_[beyond] != none ||
             (!closes_.empty() && closes_[t][k] <= alpha))
           continue;
         number_[beyond] = static_cast<std::uint32_t>(reached_.size());
@@ -163,7 +163,7 @@ class HoleSearch {
   }
 
   std::span<const Point> points_;
-  const Triangulation& all_;
+  const AlphaComplex& all_;
   const std::vector<double>& alpha_;
   // for each side: the alpha of the edge, if it appears before both of its triangles; empty if there is no such edge
   std::vector<std::array<double, 3>> closes_;

@@ -42,7 +42,7 @@ std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t p
 }
 
 /// Returns the radius at which the last point gets into a triangle.
-double covering_radius(const Triangulation& delaunay, std::size_t points, std::span<const double> radii) {
+double covering_radius(const AlphaComplex& delaunay, std::size_t points, std::span<const double> radii) {
   std::vector<double> least(points, std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
     for (const std::uint32_t corner : delaunay.triangles[t]) least[corner] = std::min(least[corner], radii[t]);
@@ -54,7 +54,7 @@ double covering_radius(const Triangulation& delaunay, std::size_t points, std::s
 
 /// Returns the radius at which all points are in at most `max_components` solid components. Before each point is in a
 /// triangle, the order does not matter: on most sets few triangles come later.
-std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t points, std::span<const double> radii,
+std::optional<double> smallest_of_all(const AlphaComplex& delaunay, std::size_t points, std::span<const double> radii,
                                       std::size_t max_components, Steps& step) {
   const double covering = covering_radius(delaunay, points, radii);
   std::vector<std::uint32_t> later;
@@ -67,7 +67,7 @@ std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t
     is_in[t] = 1;
     ++components;
     for (const std::uint32_t neighbor : delaunay.neighbors[t])
-      if (neighbor != Triangulation::none && is_in[neighbor] != 0) components -= parts.join(t, neighbor);
+      if (neighbor != AlphaComplex::none && is_in[neighbor] != 0) components -= parts.join(t, neighbor);
   };
   for (std::uint32_t t = 0; t < radii.size(); ++t)
     if (radii[t] <= covering) {
@@ -87,7 +87,7 @@ std::optional<double> smallest_of_all(const Triangulation& delaunay, std::size_t
   return std::nullopt;
 }
 
-std::optional<double> smallest(const Triangulation& delaunay, std::span<const double> radii, const Covering& covering,
+std::optional<double> smallest(const AlphaComplex& delaunay, std::span<const double> radii, const Covering& covering,
                                Steps& step) {
   const std::size_t points = delaunay.distinct + delaunay.duplicates.size();
   const auto is_enough = [&](std::size_t count) { return is_share(count, delaunay.distinct, covering.share); };
@@ -100,7 +100,7 @@ std::optional<double> smallest(const Triangulation& delaunay, std::span<const do
   });
 }
 
-std::optional<double> smallest(const Triangulation& delaunay, bool is_checked, const Filtration& filtration,
+std::optional<double> smallest(const AlphaComplex& delaunay, bool is_checked, const Filtration& filtration,
                                const Covering& covering, const std::function<bool()>& go_on) {
   require_same(filtration, delaunay, "smallest_covering");
   check(covering);
@@ -124,7 +124,7 @@ std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtrati
   return smallest(delaunay.triangulation(), true, filtration, covering, go_on);
 }
 
-std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
+std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                         const Covering& covering, const std::function<bool()>& go_on) {
   return smallest(delaunay, false, filtration, covering, go_on);
 }

@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "rbpa/base/api.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -44,9 +44,9 @@ RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const
 /// Computes the same without a filtration: only its radii are computed, in about half the time.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const std::function<bool()>& go_on = {});
-/// Computes the same for triangulate(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
+/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
 /// where they are used.
-RBPA_API std::optional<double> smallest_covering(const Triangulation& delaunay, const Filtration& filtration,
+RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

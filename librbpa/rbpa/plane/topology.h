@@ -8,7 +8,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
@@ -41,7 +41,7 @@ RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 /// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled when `go_on`, which is
 ///           called every few milliseconds, returns false. Empty: never called.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
-RBPA_API ComplexCounts count(std::span<const Point> points, const Triangulation& complex, Complex kind = Complex::solid,
-                             const std::function<bool()>& go_on = {});
+RBPA_API ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex,
+                             ComplexKind kind = ComplexKind::solid, const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -20,7 +20,7 @@ namespace {
 /// Fills in the levels from the level number of each triangle; levels without a triangle between the first and the last
 /// are left out.
 void part_by_level(std::span<const std::uint32_t> numbers, const Ladder& ladder, double alpha,
-                   HierarchyArrays& result) {
+                   TrianglesByLevel& result) {
   const auto end = static_cast<std::size_t>(ladder.end());
   std::vector<std::size_t> count(end + 1, 0);
   for (const std::uint32_t number : numbers) ++count[number];
@@ -41,11 +41,12 @@ void part_by_level(std::span<const std::uint32_t> numbers, const Ladder& ladder,
 
 }  // namespace
 
-HierarchyArrays hrbpa_arrays(std::span<const Point> points, double alpha, const HierarchyArraysOptions& options) {
-  meshops::require(options.leaf_capacity > 0, "hrbpa_arrays: leaf_capacity is 0, expected at least 1");
+TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
+                                    const TrianglesByLevelOptions& options) {
+  meshops::require(options.leaf_capacity > 0, "triangles_by_level: leaf_capacity is 0, expected at least 1");
   check(points, alpha);
-  HierarchyArrays result;
-  Triangulation& complex = result.complex;
+  TrianglesByLevel result;
+  AlphaComplex& complex = result.complex;
   Threads threads = threads_for(points.size(), options.threads);
   std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
   complex.distinct = sites->size();

@@ -1,7 +1,7 @@
 // What:   the solid alpha complex as plain arrays, with the level of each triangle: the first of the radii α₀, 2α₀, 4α₀
 //         … alpha that admits it.
-// Law:    the triangles are those of triangulate(), the levels those of hrbpa() (hrbpa.h).
-// Cost:   that of triangulate(), plus a quadtree and a comparison of the circumradius for each triangle.
+// Law:    the triangles are those of alpha_complex(), the levels those of hrbpa() (hrbpa.h).
+// Cost:   that of alpha_complex(), plus a quadtree and a comparison of the circumradius for each triangle.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/explanation/plane.md, sections 19 to 21.
 // Note:   independent of OpenMesh.
 #pragma once
@@ -16,18 +16,18 @@
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
-/// The default of HierarchyOptions::leaf_capacity and of HierarchyArraysOptions::leaf_capacity.
+/// The default of HierarchyOptions::leaf_capacity and of TrianglesByLevelOptions::leaf_capacity.
 inline constexpr std::size_t usual_leaf_capacity = 16384;
 
-struct HierarchyArraysOptions {
+struct TrianglesByLevelOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1.
   std::size_t leaf_capacity = usual_leaf_capacity;
-  bool neighbors = false;  ///< fills in Triangulation::neighbors
-  bool boundary = false;   ///< fills in Triangulation::boundary
+  bool neighbors = false;  ///< fills in AlphaComplex::neighbors
+  bool boundary = false;   ///< fills in AlphaComplex::boundary
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. The result does
   /// not depend on it.
   unsigned threads = 0;
@@ -44,18 +44,18 @@ struct ArrayLevel {
   friend bool operator==(const ArrayLevel&, const ArrayLevel&) = default;
 };
 
-struct HierarchyArrays {
-  Triangulation complex;
+struct TrianglesByLevel {
+  AlphaComplex complex;
   std::vector<std::uint16_t> level;  ///< for each triangle, a position in `levels`
   double least_radius = 0;           ///< α₀; 0 if there can be no triangle
   std::vector<ArrayLevel> levels;    ///< ascending in alpha
 };
 
 /// Computes the solid alpha complex with the level of each triangle.
-/// Requires: as triangulate(); a leaf capacity of at least 1.
-/// Throws:   as triangulate(); ContractViolation when the leaf capacity is 0.
-/// Cost:     about linear; 15 bytes a point more than triangulate().
-RBPA_API HierarchyArrays hrbpa_arrays(std::span<const Point> points, double alpha,
-                                      const HierarchyArraysOptions& options = {});
+/// Requires: as alpha_complex(); a leaf capacity of at least 1.
+/// Throws:   as alpha_complex(); ContractViolation when the leaf capacity is 0.
+/// Cost:     about linear; 15 bytes a point more than alpha_complex().
+RBPA_API TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
+                                             const TrianglesByLevelOptions& options = {});
 
 }  // namespace rbpa

@@ -162,7 +162,7 @@ await test("the pixels of the shape are its area", async () => {
     const pixels = await wide.value(`(() => {
       page.paint(false, false);
       const { data } = page.context.getImageData(0, 0, page.canvas.width, page.canvas.height);
-      const fill = page.pixelColours.fill;
+      const fill = page.pixelColors.fill;
       return new Uint32Array(data.buffer).reduce((count, pixel) => count + (pixel === fill), 0);
     })()`);
     const scale = await wide.value("page.view.scale / (page.complex.data.points.reduce((m, v, i) => i % 2 ? m : Math.max(m, v), -Infinity) - page.complex.data.points.reduce((m, v, i) => i % 2 ? m : Math.min(m, v), Infinity)) * 2 * page.view.halfWidth");
@@ -189,7 +189,7 @@ await test("a pair of the lists is lit up, and a click into its hole finds it ag
       lit: page.context.getImageData(i % width, Math.floor(i / width), 1, 1).data.join() };
   })()`);
   assert(at !== null);
-  const paper = await wide.value(`new Uint8Array(new Uint32Array([page.pixelColours.litGap]).buffer).join()`);
+  const paper = await wide.value(`new Uint8Array(new Uint32Array([page.pixelColors.litGap]).buffer).join()`);
   assert.equal(at.lit, paper);
   await focus(wide, "shape");
   await wide.press("Escape");
@@ -297,11 +297,11 @@ await test("text stands out from what is behind it, light and dark", async () =>
   for (const dark of [false, true]) {
     const tab = await opened({ dark });
     writeFileSync(join(folder, dark ? "dark.png" : "light.png"), await tab.screenshot());
-    const colours = await tab.value("page.colours");
-    for (const name of ["text", "faint"]) assert(contrast(colours[name], colours.panel) >= 4.5, name);
-    for (const name of ["line", "isolated", "holes", "edge"]) assert(contrast(colours[name], colours.panel) >= 3, name);
-    for (const name of ["line", "isolated"]) assert(contrast(colours[name], colours.paper) >= 3, name);
-    assert.equal(luminance(colours.paper) < 0.1, dark);
+    const colors = await tab.value("page.colors");
+    for (const name of ["text", "faint"]) assert(contrast(colors[name], colors.panel) >= 4.5, name);
+    for (const name of ["line", "isolated", "holes", "edge"]) assert(contrast(colors[name], colors.panel) >= 3, name);
+    for (const name of ["line", "isolated"]) assert(contrast(colors[name], colors.paper) >= 3, name);
+    assert.equal(luminance(colors.paper) < 0.1, dark);
   }
 });
 

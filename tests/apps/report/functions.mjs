@@ -131,7 +131,7 @@ for (const [name, complex] of Object.entries(complexes)) {
     }
   });
 
-  if (complex.size < 1500) test(`${name}: a pixel has the triangle that its centre is in`, () => {
+  if (complex.size < 1500) test(`${name}: a pixel has the triangle that its center is in`, () => {
     const view = new page.View(complex.data.points);
     view.resize(61, 47);
     view.fit();
@@ -158,16 +158,16 @@ for (const [name, complex] of Object.entries(complexes)) {
           else assert(near.has(found));
         }
       const pixels = new Uint32Array(61 * 47);
-      const colours = { paper: 1, fill: 2, line: 3, isolated: 4, lit: 5, litGap: 6 };
+      const colors = { paper: 1, fill: 2, line: 3, isolated: 4, lit: 5, litGap: 6 };
       const count = complex.countAt(complex.steps >> 1);
       const marked = new Uint8Array(complex.size);
       marked[raster.at(30, 23)] = 1;
-      raster.paint(pixels, count, marked, colours, { outline: false, dots: false });
-      pixels.forEach((colour, i) => {
+      raster.paint(pixels, count, marked, colors, { outline: false, dots: false });
+      pixels.forEach((color, i) => {
         const t = raster.triangle[i];
-        if (t === page.noTriangle) assert.equal(colour, 1);
-        else if (marked[t] === 1) assert.equal(colour, t < count ? 5 : 6);
-        else assert.equal(colour, t < count ? 2 : 1);
+        if (t === page.noTriangle) assert.equal(color, 1);
+        else if (marked[t] === 1) assert.equal(color, t < count ? 5 : 6);
+        else assert.equal(color, t < count ? 2 : 1);
       });
       // Just before and just after the first triangle at a point has come.
       const p = complex.firstAt.findIndex((first, p) => first > 0 && view.x[p] > 2 && view.x[p] < 59 && view.y[p] > 2 && view.y[p] < 45);
@@ -175,10 +175,10 @@ for (const [name, complex] of Object.entries(complexes)) {
       const at = Math.floor(view.y[p]) * 61 + Math.floor(view.x[p]);
       const alone = new page.Raster(61, 47);
       alone.layDot(complex.firstAt[p] + 1, view.x[p], view.y[p], 1);
-      for (const [then, colour] of [[complex.firstAt[p], 4], [complex.firstAt[p] + 1, 1]]) {
+      for (const [then, color] of [[complex.firstAt[p], 4], [complex.firstAt[p] + 1, 1]]) {
         alone.triangle.fill(page.noTriangle);
-        alone.paint(pixels, then, null, colours, { outline: false, dots: true });
-        assert.deepEqual([pixels[at], pixels[at + 1], pixels[at - 61], pixels[at + 2]], [colour, colour, colour, 1]);
+        alone.paint(pixels, then, null, colors, { outline: false, dots: true });
+        assert.deepEqual([pixels[at], pixels[at + 1], pixels[at - 61], pixels[at + 2]], [color, color, color, 1]);
       }
     }
   });

@@ -53,7 +53,7 @@ const pixelsLike = (tab, name) => tab.value(`(() => {
   const context = copy.getContext("2d");
   context.drawImage(canvas, 0, 0);
   const { data } = context.getImageData(0, 0, copy.width, copy.height);
-  const wanted = [1, 3, 5].map((at) => parseInt(page.colours["${name}"].slice(at, at + 2), 16));
+  const wanted = [1, 3, 5].map((at) => parseInt(page.colors["${name}"].slice(at, at + 2), 16));
   let count = 0;
   for (let i = 0; i < data.length; i += 4) count += wanted.every((value, k) => Math.abs(value - data[i + k]) < 40);
   return count;
@@ -152,16 +152,16 @@ await test("a lost context comes back with the same picture", async () => {
 });
 
 await test("a pair of the lists shows its cycle, or the surface around its void, at its birth; again, and it is gone", async () => {
-  for (const [list, dimension, colour] of [["pairs-1", 1, "tunnels"], ["pairs-2", 2, "voids"]]) {
+  for (const [list, dimension, color] of [["pairs-1", 1, "tunnels"], ["pairs-2", 2, "voids"]]) {
     const button = `document.querySelector("#${list} button")`;
     await wide.value(`${button}.click()`);
     await drawn(wide);
-    writeFileSync(join(folder, `${colour}.png`), await wide.screenshot());
+    writeFileSync(join(folder, `${color}.png`), await wide.screenshot());
     assert.equal(await wide.value("page.chosen.dimension"), dimension);
     assert.equal(await wide.value("page.alpha"), await wide.value("page.chosen.birth"));
     assert.equal(await wide.value(`${button}.getAttribute("aria-pressed")`), "true");
     assert(await wide.value(`page.scene.${dimension === 1 ? "lines" : "chosenSurface"}.visible`));
-    if (dimension === 1) assert((await pixelsLike(wide, colour)) > 50);
+    if (dimension === 1) assert((await pixelsLike(wide, color)) > 50);
     await wide.value(`${button}.click()`);
     assert.equal(await wide.value("page.chosen"), null);
     assert(!(await wide.value("page.scene.lines.visible || page.scene.chosenSurface.visible")));

@@ -36,7 +36,7 @@ void check_same(const PointSource& source) {
   const PointFile whole = read_points(source);
   PointFile about;
   CHECK(same_bits(by_blocks(source, &about), whole.points));
-  CHECK(about.remarks == whole.remarks);
+  CHECK(about.warnings == whole.warnings);
   CHECK(about.degrees == whole.degrees);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("text is the same by pieces and at once, compressed or not") {
   REQUIRE(folder.run("/bin/gzip", "-k p.csv").code == 0);
   CHECK(same_bits(by_blocks({.path = folder.path("p.csv.gz")}), read_points(source).points));
   // Two members, one behind the other.
-  const std::string packed = folder.content("p.csv.gz");
+  const std::string compressed = folder.content("p.csv.gz");
   folder.file("q.xy", "1 2\n3 4\n");
   REQUIRE(folder.run("/bin/gzip", "q.xy").code == 0);
   const std::string twice = folder.content("q.xy.gz") + folder.content("q.xy.gz");
@@ -171,7 +171,7 @@ TEST_CASE("an endless line, and points that begin after the file, take no memory
   folder.file("p.xy.gz", apps_test::bomb("0 0\n1 0\n", std::string(1, '\0'), 256 * mebibyte));
   apps_test::LasFile las;
   las.points.resize(3);
-  folder.file("p.las.gz", apps_test::packed(apps_test::bytes_of(las).replace(96, 4, "\xFF\xFF\xFF\xFF")));
+  folder.file("p.las.gz", apps_test::compressed(apps_test::bytes_of(las).replace(96, 4, "\xFF\xFF\xFF\xFF")));
   const auto refused = [&](const std::string& name) {
     const auto outcome = folder.run(
         "/bin/sh", "-c 'ulimit -v 200000; " RBPA_PROGRAM " stream " + name + " --alpha 1 --memory 64M -o t.npy'");

@@ -21,7 +21,7 @@ using rbpa::Region;
 namespace {
 
 /// Returns the size of the block. Checks that decompressing gives the same bits.
-std::size_t packed_size_of(const IndexedPoints& points) {
+std::size_t compressed_size_of(const IndexedPoints& points) {
   PackingHint hint;
   std::string bytes;
   pack_block(points.points, points.indices, hint, bytes);
@@ -60,19 +60,21 @@ TEST_CASE("compressed blocks come back to the bit") {
   for (const std::size_t count : {1U, 2U, 63U, 4096U}) {
     // Centimeters within some hundred meters, far from the origin, take 2 · 16 bits and few for the index.
     const auto metres = block(count, [&] { return double(50'000'000 + std::int64_t(random.below(60'000))) / 100; });
-    CHECK(packed_size_of(metres) < 60 + count * 5);
+    CHECK(compressed_size_of(metres) < 60 + count * 5);
     const auto whole = block(count, [&] { return double(random.below(1000)) * 64; });
-    CHECK(packed_size_of(whole) < 60 + count * 4);
-    packed_size_of(block(count, [&] { return any_double(random); }));
-    packed_size_of(block(count, [&] { return double(random.bits() >> 11U) / 0x1p53; }));
-    packed_size_of(block(count, [&] { return random.below(2) == 0 ? -0.0 : 0.0; }));
-    packed_size_of(block(count, [&] { return random.below(3) == 0 ? -0.0 : double(random.below(9)) / 10; }));
-    packed_size_of(block(count, [&] { return (random.below(2) == 0 ? 1 : -1) * std::numeric_limits<double>::max(); }));
-    packed_size_of(block(count, [&] { return double(random.below(5)) * std::numeric_limits<double>::denorm_min(); }));
-    packed_size_of(block(count, [&] { return (double(random.below(2000)) - 1000) / 1e15; }));
-    packed_size_of(block(count, [&] { return 0x1p51 + double(random.below(9)) - 4; }));
-    packed_size_of(block(count, [&] { return double(random.below(1000)) / 1000 + 1e9; }));
-    packed_size_of(block(count, [&] { return double(float(random.below(1000)) / 3); }));
+    CHECK(compressed_size_of(whole) < 60 + count * 4);
+    compressed_size_of(block(count, [&] { return any_double(random); }));
+    compressed_size_of(block(count, [&] { return double(random.bits() >> 11U) / 0x1p53; }));
+    compressed_size_of(block(count, [&] { return random.below(2) == 0 ? -0.0 : 0.0; }));
+    compressed_size_of(block(count, [&] { return random.below(3) == 0 ? -0.0 : double(random.below(9)) / 10; }));
+    compressed_size_of(
+        block(count, [&] { return (random.below(2) == 0 ? 1 : -1) * std::numeric_limits<double>::max(); }));
+    compressed_size_of(
+        block(count, [&] { return double(random.below(5)) * std::numeric_limits<double>::denorm_min(); }));
+    compressed_size_of(block(count, [&] { return (double(random.below(2000)) - 1000) / 1e15; }));
+    compressed_size_of(block(count, [&] { return 0x1p51 + double(random.below(9)) - 4; }));
+    compressed_size_of(block(count, [&] { return double(random.below(1000)) / 1000 + 1e9; }));
+    compressed_size_of(block(count, [&] { return double(float(random.below(1000)) / 3); }));
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace apps_test {
 
-std::string packed(const std::string& content) {
+std::string compressed(const std::string& content) {
   z_stream state{};
   constexpr int widest_window = 15, gzip_only = 16, memory = 8;
   if (deflateInit2(&state, 1, Z_DEFLATED, widest_window + gzip_only, memory, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -26,8 +26,8 @@ std::string packed(const std::string& content) {
 std::string bomb(const std::string& content, const std::string& filler, std::size_t size) {
   std::string much;
   while (much.size() < (std::size_t{1} << 20U)) much += filler;
-  const std::string member = packed(much);  // a gzip file may have several
-  std::string bytes = packed(content);
+  const std::string member = compressed(much);  // a gzip file may have several
+  std::string bytes = compressed(content);
   for (std::size_t done = 0; done < size; done += much.size()) bytes += member;
   return bytes;
 }

@@ -7,7 +7,7 @@
 namespace apps_test {
 
 /// Returns `content` as a gzip file.
-std::string packed(const std::string& content);
+std::string compressed(const std::string& content);
 
 /// Returns a gzip file of `content` followed by repetitions of `filler`, `size` bytes or a little more: a small file
 /// that decompresses to much.

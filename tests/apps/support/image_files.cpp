@@ -44,21 +44,21 @@ std::vector<png_byte> row_of(const Picture& picture, std::uint32_t y, PngKind ki
       bits.add(grey >> (8 - depth));
       continue;
     }
-    const bool colour = kind == PngKind::colour || kind == PngKind::colour_with_opacity;
-    for (int channel = 0; channel < (colour ? 3 : 1); ++channel) bits.add_grey(grey);
-    if (kind == PngKind::grey_with_opacity || kind == PngKind::colour_with_opacity) bits.add_grey(opacity);
+    const bool color = kind == PngKind::color || kind == PngKind::color_with_opacity;
+    for (int channel = 0; channel < (color ? 3 : 1); ++channel) bits.add_grey(grey);
+    if (kind == PngKind::grey_with_opacity || kind == PngKind::color_with_opacity) bits.add_grey(opacity);
   }
   return bits.bytes();
 }
 
 std::vector<png_color> palette_of(int depth) {
   const unsigned count = 1U << static_cast<unsigned>(depth);
-  std::vector<png_color> colours;
+  std::vector<png_color> colors;
   for (unsigned i = 0; i < count; ++i) {
     const auto value = static_cast<png_byte>(255 * i / (count - 1));
-    colours.push_back({value, value, value});
+    colors.push_back({value, value, value});
   }
-  return colours;
+  return colors;
 }
 
 void append(png_struct* png, png_byte* data, std::size_t size) {
@@ -82,10 +82,10 @@ std::string png(const Picture& picture, PngKind kind, int depth, bool interlaced
   png_set_IHDR(writer, info, picture.width, picture.height, depth, type_of(kind),
                interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
   if (kind == PngKind::palette) {
-    const auto colours = palette_of(depth);
-    png_set_PLTE(writer, info, colours.data(), static_cast<int>(colours.size()));
+    const auto colors = palette_of(depth);
+    png_set_PLTE(writer, info, colors.data(), static_cast<int>(colors.size()));
   }
-  const bool has_channel = kind == PngKind::grey_with_opacity || kind == PngKind::colour_with_opacity;
+  const bool has_channel = kind == PngKind::grey_with_opacity || kind == PngKind::color_with_opacity;
   if (!picture.opacity.empty() && !has_channel) {
     const png_byte first_of_palette = 0;
     const png_color_16 black{};

@@ -14,7 +14,7 @@ struct Picture {
   std::vector<std::uint8_t> opacity = {};
 };
 
-enum class PngKind { grey, grey_with_opacity, colour, colour_with_opacity, palette };
+enum class PngKind { grey, grey_with_opacity, color, color_with_opacity, palette };
 
 /// Returns a PNG file. `depth` is in bits a channel, or bits an index for a palette. Kinds without opacity make black
 /// the transparent color of the file if the picture has opacity. Requires: the depth can hold the values; for 1 bit 0

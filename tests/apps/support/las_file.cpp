@@ -31,7 +31,7 @@ std::string bytes_of(const LasPoint& p, const LasFile& file) {
     bytes += little(p.classification, 1) + little(p.user_data, 1) +
              little(static_cast<std::uint16_t>(p.scan_angle), 2) + little(p.source, 2);
   }
-  const std::string time = little(p.time), colour = little(p.red, 2) + little(p.green, 2) + little(p.blue, 2);
+  const std::string time = little(p.time), color = little(p.red, 2) + little(p.green, 2) + little(p.blue, 2);
   const std::string infrared = little(p.infrared, 2);
   switch (file.format) {
     case 1:
@@ -39,24 +39,24 @@ std::string bytes_of(const LasPoint& p, const LasFile& file) {
       bytes += time;
       break;
     case 2:
-      bytes += colour;
+      bytes += color;
       break;
     case 3:
     case 7:
-      bytes += time + colour;
+      bytes += time + color;
       break;
     case 4:
     case 9:
       bytes += time + wave_packet();
       break;
     case 5:
-      bytes += time + colour + wave_packet();
+      bytes += time + color + wave_packet();
       break;
     case 8:
-      bytes += time + colour + infrared;
+      bytes += time + color + infrared;
       break;
     case 10:
-      bytes += time + colour + infrared + wave_packet();
+      bytes += time + color + infrared + wave_packet();
       break;
     default:
       break;

@@ -6,6 +6,7 @@
 
 #include "rbpa/fill/polygons_of_rings.h"
 #include "rbpa/fill/validity.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/boundary_curves.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/corner_polygon.h"
@@ -22,7 +23,6 @@
 #include "rbpa/plane/polygon_of_points.h"
 #include "rbpa/plane/region.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/surface/auto_radii.h"
@@ -36,16 +36,16 @@
 
 int main() {
   const std::vector<rbpa::Point> points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}};
-  rbpa::TriangulationOptions options;
+  rbpa::AlphaComplexOptions options;
   options.neighbors = true;
-  const rbpa::Triangulation found = rbpa::triangulate(points, 1, options);
+  const rbpa::AlphaComplex found = rbpa::alpha_complex(points, 1, options);
   const bool has_triangles = found.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 3}, {1, 2, 3}} &&
                              found.neighbors[0][0] == 1 && found.neighbors[1][1] == 0 &&
                              found.isolated == std::vector<std::uint32_t>{4};
   std::puts(has_triangles ? "two triangles" : "not the triangles that are expected");
 
-  const std::vector<rbpa::Polygon> polygons = rbpa::polygons(points, found);
-  const auto delaunay = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), options);
+  const std::vector<rbpa::Polygon> polygons = rbpa::outline_polygons(points, found);
+  const auto delaunay = rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), options);
   const rbpa::Filtration filtration = rbpa::filtration(delaunay, points);
   const bool has_shape = polygons.size() == 1 && polygons[0].area == 1 && filtration.steps.front().triangles == 2 &&
                          !rbpa::plateaus(delaunay, points, filtration).empty() &&

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/surface.h"
@@ -41,9 +41,9 @@ int main() {
   std::puts(is_one ? "one thread" : "not the one thread that is expected");
 
   const std::vector<rbpa::Point> points = scattered(50'000);
-  rbpa::TriangulationOptions options;
+  rbpa::AlphaComplexOptions options;
   options.threads = 8;
-  const auto triangles = rbpa::triangulate(points, 500, options).triangles;
+  const auto triangles = rbpa::alpha_complex(points, 500, options).triangles;
   // Hash from a build with oneTBB.
   constexpr std::uint64_t with_threads = 0xd3ae08a6fd0d85d4U;
   const bool is_same = fingerprint(triangles) == with_threads &&

@@ -7,7 +7,7 @@ endif()
 foreach(expected IN ITEMS
     "a member key that is ignored: expected key(const Front&, Halfedge)"
     "a member glues that is ignored: expected bool glues(const Front&, Halfedge, Site)"
-    "a member rekeys_neighbours that is ignored: expected static constexpr bool"
+    "a member rekeys_neighbors that is ignored: expected static constexpr bool"
     "events of curves that are ignored: expected it to derive from CurveVisitor"
     "the visitor has no event, or a member with nearly the name of one"
     "policy.propose(front, h)")

@@ -84,19 +84,19 @@ struct GoodGlues : Plain {
 static_assert(misses_glues<IntGlues> && misses_glues<GluesWithoutApex> && !misses_glues<GoodGlues>);
 
 struct Rekeys : GoodKey {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
 };
 struct RekeysNot : Plain {
-  static constexpr bool rekeys_neighbours = false;
+  static constexpr bool rekeys_neighbors = false;
 };
 struct RekeysWithoutKey : Plain {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
 };
 struct RekeysAtRunTime : GoodKey {
-  bool rekeys_neighbours = true;
+  bool rekeys_neighbors = true;
 };
 struct RekeysByCall : GoodKey {
-  static constexpr bool rekeys_neighbours() { return true; }
+  static constexpr bool rekeys_neighbors() { return true; }
 };
 static_assert(misses_rekeys<RekeysWithoutKey> && misses_rekeys<RekeysAtRunTime> && misses_rekeys<RekeysByCall>);
 static_assert(!misses_rekeys<Rekeys> && !misses_rekeys<RekeysNot> && !misses_rekeys<Plain> && !misses_rekeys<GoodKey>);

@@ -21,7 +21,7 @@ struct IntGlues : Plain {
   int glues(const Front&, Halfedge, Site) { return 1; }
 };
 struct RekeysWithoutKey : Plain {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
 };
 struct CurvesOverridden : meshops::FrontVisitor {
   void curve_split(const Front&, Halfedge, Halfedge) {}

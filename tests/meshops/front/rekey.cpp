@@ -54,7 +54,7 @@ unsigned angle(const Front& front, Halfedge h) {
 
 /// Policy that checks by brute force that each edge proposed for has the least key of all that wait.
 struct ByAngle : Wild {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
   std::set<Halfedge> waiting_for_change;
   std::size_t revision = 0, at_first = 0, keys = 0;
   unsigned key(const Front& front, Halfedge h) {
@@ -88,14 +88,14 @@ struct OfTheEdge : Wild {
   Proposal propose(const Front& front, Halfedge h) { return answer(front, h); }
 };
 struct OfTheEdgeAgain : OfTheEdge {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
 };
 struct OfTheEdgeOnce : OfTheEdge {
-  static constexpr bool rekeys_neighbours = false;
+  static constexpr bool rekeys_neighbors = false;
 };
 
 struct Once : ByAngle {
-  static constexpr bool rekeys_neighbours = false;
+  static constexpr bool rekeys_neighbors = false;
   std::size_t late = 0;
   Proposal propose(const Front& front, Halfedge h) {
     for (const BoundaryCurve& curve : front.curves())
@@ -104,7 +104,7 @@ struct Once : ByAngle {
   }
 };
 struct Growing : Wild {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
   std::size_t keys = 0, proposals = 0;
   unsigned key(const Front& front, Halfedge h) {
     ++keys;

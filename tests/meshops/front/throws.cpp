@@ -99,7 +99,7 @@ struct Waiting : OfTheEdge {
   }
 };
 struct WaitingByAngle : Waiting {
-  static constexpr bool rekeys_neighbours = true;
+  static constexpr bool rekeys_neighbors = true;
   unsigned key(const Front& front, Halfedge h) {
     fuse.burn();
     return mixed(front.from_site(front.mesh().prev_halfedge_handle(h)), front.to_site(h), 4) % 11;

@@ -38,14 +38,14 @@ void check_incidence(const Graph& g) {
   const bool both_ways = boost::is_directed(g);
   using Node = typename Graph::vertex_descriptor;
   std::map<Node, std::multiset<Halfedge>> leaving, arriving;
-  std::map<Node, std::multiset<Node>> neighbours;
-  for (const Node v : nodes_of(g)) leaving[v], arriving[v], neighbours[v];
+  std::map<Node, std::multiset<Node>> neighbors;
+  for (const Node v : nodes_of(g)) leaving[v], arriving[v], neighbors[v];
   const auto add = [&](Halfedge h) {
     REQUIRE(leaving.contains(source(h, g)));
     REQUIRE(leaving.contains(target(h, g)));
     leaving[source(h, g)].insert(h);
     arriving[target(h, g)].insert(h);
-    neighbours[source(h, g)].insert(target(h, g));
+    neighbors[source(h, g)].insert(target(h, g));
   };
   for (const Halfedge h : edges_of(g)) {
     add(h);
@@ -57,7 +57,7 @@ void check_incidence(const Graph& g) {
     const auto a = adjacent_vertices(v, g);
     CHECK(std::multiset<Halfedge>(o.first, o.second) == out);
     CHECK(std::multiset<Halfedge>(i.first, i.second) == arriving[v]);
-    CHECK(std::multiset<Node>(a.first, a.second) == neighbours[v]);
+    CHECK(std::multiset<Node>(a.first, a.second) == neighbors[v]);
     CHECK(out_degree(v, g) == out.size());
     CHECK(in_degree(v, g) == out.size());
     CHECK(degree(v, g) == (both_ways ? 2 : 1) * out.size());

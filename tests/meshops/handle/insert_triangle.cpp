@@ -105,16 +105,16 @@ TEST_SUITE("insert_triangle") {
     t.insert(no_sides);
     // A fan around vertex `center`, until only the corner at it is open.
     const Halfedge start = boundary_curves(t.fast)[0].front();
-    const Vertex centre = t.fast.to_vertex_handle(start);
+    const Vertex center = t.fast.to_vertex_handle(start);
     for (int i = 0; i < 3; ++i) {
       std::array<Halfedge, 3> side;
-      side[0] = t.fast.halfedge_handle(centre);
+      side[0] = t.fast.halfedge_handle(center);
       t.insert(side);
     }
-    const Halfedge out = t.fast.halfedge_handle(centre);
+    const Halfedge out = t.fast.halfedge_handle(center);
     t.insert({t.fast.prev_halfedge_handle(out), out, Halfedge()});
     t.check_equal();
-    CHECK_FALSE(t.fast.is_boundary(centre));
+    CHECK_FALSE(t.fast.is_boundary(center));
   }
 
   TEST_CASE("insert_triangle closes a curve of three edges") {

@@ -208,10 +208,10 @@ TEST_SUITE("collapse") {
     // A face inside a face: its corners are joined by edges that bound no common face.
     TestMesh nested;
     add_triangles(nested, 3, {{0, 1, 2}});
-    const Vertex centre = split_face(nested, Face(0)).added.vertex;
+    const Vertex center = split_face(nested, Face(0)).added.vertex;
     CHECK(*collapse_blocker(nested, nested.find_halfedge(Vertex(0), Vertex(1))) ==
           "two edges would join the same vertices");
-    CHECK_FALSE(collapse_blocker(nested, nested.find_halfedge(centre, Vertex(0))));
+    CHECK_FALSE(collapse_blocker(nested, nested.find_halfedge(center, Vertex(0))));
     collapse(nested, nested.find_halfedge(Vertex(0), Vertex(1)), Keep::manifold);
     check_sound(nested);
     CHECK(counts(nested) == Delta{3, 4, 2, 1, 1, 0});

@@ -98,10 +98,10 @@ TEST_SUITE("diagonal") {
     CHECK(*insert_diagonal_blocker(mesh, side(0, 1), Halfedge()) == "no such halfedge");
     CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(2, 1)) == "the halfedges are not sides of one face");
     CHECK(*insert_diagonal_blocker(mesh, side(1, 0), side(3, 2)) == "the halfedges are not sides of one face");
-    const char* const neighbours = "the corners are neighbors: a face of two sides would be left";
-    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(0, 1)) == neighbours);
-    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(1, 2)) == neighbours);
-    CHECK(*insert_diagonal_blocker(mesh, side(1, 2), side(0, 1)) == neighbours);
+    const char* const neighbors = "the corners are neighbors: a face of two sides would be left";
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(0, 1)) == neighbors);
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(1, 2)) == neighbors);
+    CHECK(*insert_diagonal_blocker(mesh, side(1, 2), side(0, 1)) == neighbors);
     insert_diagonal(mesh, side(1, 2), side(3, 0));
     check_sound(mesh);
     CHECK(side(1, 3).is_valid());

@@ -79,9 +79,9 @@ TEST_SUITE("split hooks") {
     using Place = std::pair<double, double>;
     Mesh mesh;
     triangle(mesh);
-    const Vertex centre = split_face(mesh, Face(0)).added.vertex;
-    CHECK(place(mesh, centre).first == doctest::Approx(2));
-    CHECK(place(mesh, centre).second == doctest::Approx(2));
+    const Vertex center = split_face(mesh, Face(0)).added.vertex;
+    CHECK(place(mesh, center).first == doctest::Approx(2));
+    CHECK(place(mesh, center).second == doctest::Approx(2));
     const Halfedge h = mesh.find_halfedge(Vertex(0), Vertex(1));
     CHECK(place(mesh, split_edge(mesh, h).added.vertex) == Place(3, 0));
     CHECK(place(mesh, split_edge(mesh, mesh.edge_handle(h)).added.vertex).first == 1.5);

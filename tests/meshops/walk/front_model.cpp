@@ -42,8 +42,8 @@ FrontModel::Star FrontModel::star(Site s) const {
     star.after[next] = {previous, &face};
     behind.insert(previous);
   }
-  for (const auto& [neighbour, unused] : star.after)
-    if (!behind.contains(neighbour)) star.first.insert(neighbour);
+  for (const auto& [neighbor, unused] : star.after)
+    if (!behind.contains(neighbor)) star.first.insert(neighbor);
   return star;
 }
 

@@ -89,7 +89,7 @@ enum class Order { first_in, keys, keys_again };
 /// Policy whose keys throw, too.
 template <Order order, bool gluing>
 struct AnyPolicy : AnyGlues<gluing> {
-  static constexpr bool rekeys_neighbours = order == Order::keys_again;
+  static constexpr bool rekeys_neighbors = order == Order::keys_again;
   std::uint32_t key(const Front&, Halfedge) {
     if (this->choices.one_in(400)) throw std::runtime_error("tired of keys");
     return below(this->choices, 5);

@@ -170,8 +170,8 @@ void Walk::remove_vertex() {
   const auto effect =
       judge_.run(remove_vertex_blocker(mesh_, v, keep), [&] { return meshops::remove_vertex(mesh_, v, keep); });
   judge_.compare(delta_of(effect), {.keep = keep}, [&](Model& model) -> std::string {
-    if (!can) return "no neighbour takes over";
-    if (effect && effect->halfedge != tried.back()) return "another neighbour comes first";
+    if (!can) return "no neighbor takes over";
+    if (effect && effect->halfedge != tried.back()) return "another neighbor comes first";
     return by_definition::collapse(model, tried.back().idx());
   });
   if (effect) remember(welded_, *effect);

@@ -6,37 +6,37 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/generate.h"
 
-using rbpa::Triangulation;
+using rbpa::AlphaComplex;
 
 TEST_SUITE_BEGIN("arrays");
 
-TEST_CASE("arrays of triangulate() are linked, and are no longer linked after any one number changes") {
+TEST_CASE("arrays of alpha_complex() are linked, and are no longer linked after any one number changes") {
   const rbpa_test::Points points = rbpa_test::sparse_grid(4, 0.9, 3);
-  const Triangulation good = rbpa::triangulate(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
+  const AlphaComplex good = rbpa::alpha_complex(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   REQUIRE(good.triangles.size() > 10);
   CHECK_NOTHROW(rbpa::require_linked(good, points.size()));
-  const auto is_refused = [&](const Triangulation& bad) {
+  const auto is_refused = [&](const AlphaComplex& bad) {
     CHECK_THROWS_AS(rbpa::require_linked(bad, points.size()), meshops::ContractViolation);
   };
   for (std::size_t t = 0; t < good.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       for (const std::uint32_t other : {good.triangles[t][(k + 1) % 3], std::uint32_t{1000}}) {
-        Triangulation bad = good;
+        AlphaComplex bad = good;
         bad.triangles[t][k] = other;
         is_refused(bad);
       }
       for (const std::uint32_t other : {static_cast<std::uint32_t>(t), good.neighbors[t][(k + 1) % 3], 1000u}) {
         if (other == good.neighbors[t][k]) continue;
-        Triangulation bad = good;
+        AlphaComplex bad = good;
         bad.neighbors[t][k] = other;
         is_refused(bad);
       }
     }
   CHECK_THROWS_AS(rbpa::require_linked(good, points.size(), [] { return false; }), rbpa::Cancelled);
-  Triangulation shorter = good;
+  AlphaComplex shorter = good;
   shorter.neighbors.pop_back();
   is_refused(shorter);
 }

@@ -9,7 +9,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/fill/validity.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 using namespace rbpa;
 
@@ -56,7 +56,7 @@ TEST_SUITE("cut polygon") {
     for (int round = 0; round < 150; ++round) {
       const std::vector<Point> points = lattice(random, 9);
       const double alpha = round % 2 == 0 ? 0.75 : 1.2;
-      const std::vector<Polygon> all = polygons(points, triangulate(points, alpha, {.neighbors = true}));
+      const std::vector<Polygon> all = outline_polygons(points, alpha_complex(points, alpha, {.neighbors = true}));
       for (const double x : {2.0, 3.5, 4.0, 5.0, 5.125, 7.0})
         for (const Polygon& polygon : all) {
           CAPTURE(round);

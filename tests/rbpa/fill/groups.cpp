@@ -11,7 +11,7 @@
 #include "fill/laws.h"
 #include "fill/refusal.h"
 #include "rbpa/fill.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/random.h"
 
 TEST_SUITE_BEGIN("fill");
@@ -46,7 +46,7 @@ void check_groups(const Points& points, const std::vector<Polygon>& polygons, Fi
 /// Returns all triangles of random points, as rings that begin anywhere and have either direction.
 std::vector<Polygon> parcels(const Points& points, Random& random) {
   std::vector<Polygon> parcels;
-  for (const auto& triangle : rbpa::triangulate(points, infinity).triangles) {
+  for (const auto& triangle : rbpa::alpha_complex(points, infinity).triangles) {
     std::vector<std::uint32_t> ring(triangle.begin(), triangle.end());
     std::rotate(ring.begin(), ring.begin() + random.integer(0, 2), ring.end());
     if (random.integer(0, 1) == 0) std::reverse(ring.begin(), ring.end());

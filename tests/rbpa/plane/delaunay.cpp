@@ -16,15 +16,15 @@
 #include "support/generate.h"
 
 using namespace rbpa_test;
+using rbpa::AlphaComplex;
 using rbpa::Delaunay;
-using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
 
 /// Returns the message when the triangulation is claimed to be one of these points.
-std::string refusal(const Triangulation& triangulation, std::span<const rbpa::Point> points) {
+std::string refusal(const AlphaComplex& triangulation, std::span<const rbpa::Point> points) {
   try {
     const Delaunay unexpected(triangulation, points, {}, "who asks");
   } catch (const meshops::ContractViolation& e) {
@@ -38,7 +38,7 @@ std::string refusal(const Triangulation& triangulation, std::span<const rbpa::Po
 TEST_CASE("a computed and a checked triangulation are equal, and give equal results") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
-    const Triangulation arrays = delaunay_arrays(set.points);
+    const AlphaComplex arrays = delaunay_arrays(set.points);
     const Delaunay computed(set.points), checked(arrays, set.points);
     CHECK(computed.triangulation().triangles == arrays.triangles);
     CHECK(computed.triangulation().neighbors == arrays.neighbors);
@@ -56,7 +56,7 @@ TEST_CASE("a computed and a checked triangulation are equal, and give equal resu
 
 TEST_CASE("a triangulation is referred to, a temporary is kept, and copies share it") {
   const Points points = uniform(30, 9);
-  const Triangulation arrays = delaunay_arrays(points);
+  const AlphaComplex arrays = delaunay_arrays(points);
   CHECK(&Delaunay(arrays, points).triangulation() == &arrays);
   Delaunay copy(points);
   {
@@ -69,24 +69,24 @@ TEST_CASE("a triangulation is referred to, a temporary is kept, and copies share
 
 TEST_CASE("an obviously wrong triangulation of the points is refused, and the message names the function called") {
   const Points points = uniform(30, 9);
-  const Triangulation arrays = delaunay_arrays(points);
+  const AlphaComplex arrays = delaunay_arrays(points);
   CHECK(refusal(arrays, points).empty());
   CHECK(refusal(arrays, std::span(points).first(29)) ==
         "who asks: the triangulation is of other points than those given");
   Points mirrored = points;
   for (rbpa::Point& p : mirrored) p.x = -p.x;
   CHECK(refusal(arrays, mirrored) == "who asks: the triangulation is of other points than those given");
-  CHECK(refusal(rbpa::triangulate(points, 0.5, {.neighbors = true}), points) ==
+  CHECK(refusal(rbpa::alpha_complex(points, 0.5, {.neighbors = true}), points) ==
         "who asks: the triangulation leaves points out, so it is not the Delaunay triangulation");
-  Triangulation unlinked = arrays;
+  AlphaComplex unlinked = arrays;
   std::swap(unlinked.neighbors[3][0], unlinked.neighbors[3][1]);
   CHECK(refusal(unlinked, points).starts_with("triangle "));
-  CHECK_THROWS_AS(Delaunay(rbpa::Triangulation(unlinked), points), meshops::ContractViolation);
+  CHECK_THROWS_AS(Delaunay(rbpa::AlphaComplex(unlinked), points), meshops::ContractViolation);
 }
 
 TEST_CASE("a triangulation is checked once") {
   const Points points = uniform(40000, 9);
-  const Triangulation arrays = delaunay_arrays(points);
+  const AlphaComplex arrays = delaunay_arrays(points);
   std::size_t calls = 0;
   const auto calls_of = [&](const auto& work) {
     calls = 0;
@@ -103,7 +103,7 @@ TEST_CASE("a triangulation is checked once") {
 TEST_CASE("triangulating and checking can be cancelled") {
   const Points points = uniform(40000, 9);
   CHECK_THROWS_AS(Delaunay(points, {.progress = [](const rbpa::Progress&) { return false; }}), rbpa::Cancelled);
-  const Triangulation arrays = delaunay_arrays(points);
+  const AlphaComplex arrays = delaunay_arrays(points);
   for (std::size_t last = 1; last <= 4; ++last) {
     std::size_t calls = 0;
     CHECK_THROWS_AS(Delaunay(arrays, points, [&] { return ++calls < last; }), rbpa::Cancelled);

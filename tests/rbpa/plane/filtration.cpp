@@ -111,8 +111,8 @@ TEST_CASE("complex_at() a radius is the complex of another triangulation") {
     }
     for (const double alpha : alphas) {
       INFO("alpha ", literal(alpha));
-      const rbpa::Triangulation at = rbpa::complex_at(delaunay, all, alpha),
-                                anew = rbpa::triangulate(set.points, alpha, {.neighbors = true});
+      const rbpa::AlphaComplex at = rbpa::complex_at(delaunay, all, alpha),
+                               anew = rbpa::alpha_complex(set.points, alpha, {.neighbors = true});
       CHECK(at.triangles == anew.triangles);
       CHECK(at.neighbors == anew.neighbors);
       CHECK(at.isolated == anew.isolated);
@@ -235,9 +235,9 @@ TEST_CASE("a triangulation of other points, or not of all triangles, is refused"
   const auto delaunay = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::filtration(delaunay, exchanged), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::filtration(delaunay, std::span(points).first(10)), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::filtration(rbpa::triangulate(points, 0.5, {.neighbors = true}), points),
+  CHECK_THROWS_AS(rbpa::filtration(rbpa::alpha_complex(points, 0.5, {.neighbors = true}), points),
                   meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::filtration(rbpa::triangulate(points, infinity), points), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::filtration(rbpa::alpha_complex(points, infinity), points), meshops::ContractViolation);
   auto unlinked = delaunay;
   std::swap(unlinked.neighbors[3][0], unlinked.neighbors[3][1]);
   CHECK_THROWS_AS(rbpa::filtration(unlinked, points), meshops::ContractViolation);

@@ -35,7 +35,7 @@ struct Made {
       : delaunay(delaunay_arrays(points)),
         filtration(rbpa::filtration(delaunay, points)),
         arrays(rbpa::filtration_arrays(delaunay, points, filtration)) {}
-  rbpa::Triangulation delaunay;
+  rbpa::AlphaComplex delaunay;
   rbpa::Filtration filtration;
   FiltrationArrays arrays;
 };

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/generate.h"
 #include "support/random.h"
 
@@ -23,7 +23,7 @@ TEST_CASE("neighbors from the triangles alone equal those that the run finds") {
     const auto count = static_cast<std::size_t>(random.integer(3, columns * columns));
     const Points points = random_grid(columns, count, random.chance(0.3), random.bits());
     for (const double alpha : {0.5, 0.75, 1.0, 1.6, infinity}) {
-      const rbpa::Triangulation made = rbpa::triangulate(points, alpha, {.neighbors = true});
+      const rbpa::AlphaComplex made = rbpa::alpha_complex(points, alpha, {.neighbors = true});
       CHECK(rbpa::link_triangles(made.triangles, points.size()) == made.neighbors);
     }
   }
@@ -31,7 +31,7 @@ TEST_CASE("neighbors from the triangles alone equal those that the run finds") {
   Points wheel = {{0, 0}};
   for (int i = 0; i < 500; ++i) wheel.push_back({std::cos(i * 0.0125), std::sin(i * 0.0125)});
   for (int turn = 0; turn < 2; ++turn) {
-    const rbpa::Triangulation made = rbpa::triangulate(wheel, infinity, {.neighbors = true});
+    const rbpa::AlphaComplex made = rbpa::alpha_complex(wheel, infinity, {.neighbors = true});
     CHECK(rbpa::link_triangles(made.triangles, wheel.size()) == made.neighbors);
     std::reverse(wheel.begin(), wheel.end());
   }
@@ -39,7 +39,7 @@ TEST_CASE("neighbors from the triangles alone equal those that the run finds") {
 }
 
 TEST_CASE("linking can be cancelled") {
-  const rbpa::Triangulation made = rbpa::triangulate(uniform(60000, 5), 1);
+  const rbpa::AlphaComplex made = rbpa::alpha_complex(uniform(60000, 5), 1);
   CHECK_THROWS_AS(rbpa::link_triangles(made.triangles, 60000, [] { return false; }), rbpa::Cancelled);
 }
 

@@ -7,7 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/arguments.h"
 #include "support/delaunay_arrays.h"
 #include "support/exact.h"
@@ -16,8 +16,8 @@
 #include "support/sets.h"
 
 using namespace rbpa_test;
+using rbpa::AlphaComplex;
 using rbpa::Point;
-using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("locate");
 
@@ -26,19 +26,19 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the first triangle that contains the point, by exact arithmetic on each.
-std::uint32_t first_by_trying_all(const Points& points, const Triangulation& of, const Point& query) {
+std::uint32_t first_by_trying_all(const Points& points, const AlphaComplex& of, const Point& query) {
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
     const auto& [a, b, c] = of.triangles[t];
     if (exact::orientation(points[a], points[b], query) >= 0 && exact::orientation(points[b], points[c], query) >= 0 &&
         exact::orientation(points[c], points[a], query) >= 0)
       return t;
   }
-  return Triangulation::none;
+  return AlphaComplex::none;
 }
 
 /// Returns the points themselves, middles of sides, points near them by a bit, corners of the box and beyond, and
 /// arbitrary points.
-Points queries_for(const Points& points, const Triangulation& of, Random& random) {
+Points queries_for(const Points& points, const AlphaComplex& of, Random& random) {
   Points queries = {{infinity, 0}, {0, std::nan("")}, {1e308, 1e308}, {-1e308, 1e-308}};
   for (const Point& p : points) {
     queries.push_back(p);
@@ -67,7 +67,7 @@ TEST_CASE(
     Points points = set.make();
     const std::size_t most = all_trials() ? 30 : 14;  // exact arithmetic is slow
     if (points.size() > most) points.resize(most);
-    const Triangulation of = delaunay_arrays(points);
+    const AlphaComplex of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);
     const auto found = locator.find(queries);
@@ -75,14 +75,14 @@ TEST_CASE(
       CAPTURE(queries[i].x);
       CAPTURE(queries[i].y);
       REQUIRE(found[i] ==
-              (rbpa::is_finite(queries[i]) ? first_by_trying_all(points, of, queries[i]) : Triangulation::none));
+              (rbpa::is_finite(queries[i]) ? first_by_trying_all(points, of, queries[i]) : AlphaComplex::none));
     }
   }
 }
 
 TEST_CASE("many queries by many threads have the results of single ones") {
   const Points points = uniform(5000, 7), queries = uniform(20000, 8);
-  const Triangulation of = delaunay_arrays(points);
+  const AlphaComplex of = delaunay_arrays(points);
   const rbpa::Locator locator(points, of);
   const auto found = locator.find(queries);
   CHECK(found == locator.find(queries, {.threads = 1}));
@@ -97,7 +97,7 @@ TEST_CASE("values are convex combinations of the corners' values, a point has it
     CAPTURE(set.name);
     Points points = set.make();
     if (points.size() > 100) points.resize(100);
-    const Triangulation of = delaunay_arrays(points);
+    const AlphaComplex of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);
     std::vector<double> values;  // two for each point, the second of which is 1
@@ -109,7 +109,7 @@ TEST_CASE("values are convex combinations of the corners' values, a point has it
     const std::vector<double> result = locator.interpolate(values, 2, queries);
     REQUIRE(result.size() == 2 * queries.size());
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (found[i] == Triangulation::none) {
+      if (found[i] == AlphaComplex::none) {
         CHECK(std::isnan(result[2 * i]));
         CHECK(std::isnan(result[2 * i + 1]));
         continue;
@@ -147,7 +147,7 @@ TEST_CASE("a linear function is reproduced, wherever the points are, and wrong v
       return points;
     };
     const Points points = scaled(unit), at = scaled(queries);
-    const Triangulation of = delaunay_arrays(points);
+    const AlphaComplex of = delaunay_arrays(points);
     std::vector<double> values;
     for (const Point& p : unit) values.push_back(2 * p.x - 3 * p.y + 1);
     const std::vector<double> result = rbpa::Locator(points, of).interpolate(values, 1, at);
@@ -163,7 +163,7 @@ TEST_CASE("a linear function is reproduced, wherever the points are, and wrong v
   for (const double thin : {1e-3, 1e-6, 1e-9}) {
     const Point at = {1e6 + 1. / 3, 1e6 / 7};
     const Points corners = {at, {at.x + 1, at.y + 1. / 3}, {at.x + 3, at.y + 1 - thin}};
-    const Triangulation of = delaunay_arrays(corners);
+    const AlphaComplex of = delaunay_arrays(corners);
     REQUIRE(of.triangles.size() == 1);
     const rbpa::Locator locator(corners, of);
     const std::vector<double> x = {corners[0].x - at.x, corners[1].x - at.x, corners[2].x - at.x};
@@ -179,7 +179,7 @@ TEST_CASE("a linear function is reproduced, wherever the points are, and wrong v
     CHECK(inside > 3);
   }
   const Points points = {{0, 0}, {4, 0}, {0, 4}};
-  const Triangulation of = delaunay_arrays(points);
+  const AlphaComplex of = delaunay_arrays(points);
   const rbpa::Locator locator(points, of);
   const std::vector<double> values = {1, 2, 3, infinity};
   CHECK_THROWS_WITH_AS(locator.interpolate(values, 1, points),
@@ -193,14 +193,14 @@ TEST_CASE("a linear function is reproduced, wherever the points are, and wrong v
 
 TEST_CASE("nothing is found where there is no triangle") {
   for (const Points& points : {Points{}, Points{{1, 2}}, Points{{0, 0}, {1, 1}, {2, 2}}}) {
-    const Triangulation of = delaunay_arrays(points);
-    CHECK(rbpa::Locator(points, of).find(Points{{1, 1}, {0, 0}}) == std::vector(2, Triangulation::none));
+    const AlphaComplex of = delaunay_arrays(points);
+    CHECK(rbpa::Locator(points, of).find(Points{{1, 1}, {0, 0}}) == std::vector(2, AlphaComplex::none));
   }
 }
 
 TEST_CASE("a complex with a radius is refused, other points too, and a cancelled run ends") {
   const Points points = uniform(20000, 3);
-  const Triangulation solid = rbpa::triangulate(points, 0.6, {.neighbors = true}), all = delaunay_arrays(points);
+  const AlphaComplex solid = rbpa::alpha_complex(points, 0.6, {.neighbors = true}), all = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::Locator(points, solid), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::Locator(uniform(100, 3), all), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::Locator(points, all, {.go_on = [] { return false; }}), rbpa::Cancelled);

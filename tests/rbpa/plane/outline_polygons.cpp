@@ -10,7 +10,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
@@ -38,12 +38,12 @@ const double infinity = std::numeric_limits<double>::infinity();
 /// Returns the polygons after checking every law.
 std::vector<Polygon> checked(const Points& points, double alpha) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
-  const std::vector<Polygon> polygons = rbpa::polygons(complex);
+  const std::vector<Polygon> polygons = rbpa::outline_polygons(complex);
   const std::string wrong = wrong_with_polygons(polygons, rbpa::triangles(complex), points);
   CHECK_MESSAGE(wrong.empty(), wrong, ", alpha ", literal(alpha));
   const rbpa::ComplexCounts counts = rbpa::count(complex);
   CHECK(polygons.size() == counts.solid_components);
-  CHECK(rbpa::polygons(points, rbpa::triangulate(points, alpha, {.neighbors = true})) == polygons);
+  CHECK(rbpa::outline_polygons(points, rbpa::alpha_complex(points, alpha, {.neighbors = true})) == polygons);
   return polygons;
 }
 
@@ -175,13 +175,14 @@ TEST_CASE("filters fill and drop parts of random pictures as a flood fill does")
       const Picture picture = random_picture(14, 14, solid, random);
       const Points points = points_of(picture);
       const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, picture_alpha);
-      const rbpa::Triangulation arrays = rbpa::triangulate(points, picture_alpha, {.neighbors = true});
+      const rbpa::AlphaComplex arrays = rbpa::alpha_complex(points, picture_alpha, {.neighbors = true});
       for (const double hole : {0.0, 4.0, 5.0, 8.5, 40.0, infinity})
         for (const double part : {0.0, 4.0, 4.5, 30.0, infinity}) {
           CAPTURE(hole);
           CAPTURE(part);
-          REQUIRE(parts(rbpa::polygons(complex, {hole, part})) == parts_of(picture, hole, part));
-          REQUIRE(rbpa::polygons(points, arrays, {hole, part}) == rbpa::polygons(complex, {hole, part}));
+          REQUIRE(parts(rbpa::outline_polygons(complex, {hole, part})) == parts_of(picture, hole, part));
+          REQUIRE(rbpa::outline_polygons(points, arrays, {hole, part}) ==
+                  rbpa::outline_polygons(complex, {hole, part}));
         }
     }
 }
@@ -195,7 +196,7 @@ TEST_CASE("filters that fill a hole cover its islands, and others keep them") {
                            "#.....#",  //
                            "#######"};
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points_of(picture), picture_alpha);
-  const auto left = [&](double hole, double part) { return parts(rbpa::polygons(complex, {hole, part})); };
+  const auto left = [&](double hole, double part) { return parts(rbpa::outline_polygons(complex, {hole, part})); };
   CHECK(left(0, 0) == std::vector<Part>{{32, 32, 1}, {96, 96, 1}});
   CHECK(left(4, 0) == left(0, 0));
   CHECK(left(4.5, 0) == std::vector<Part>{{36, 24, 0}, {96, 96, 1}});
@@ -208,23 +209,23 @@ TEST_CASE("filters that fill a hole cover its islands, and others keep them") {
 
 TEST_CASE("filters refuse invalid areas") {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(Points{{0, 0}, {1, 0}, {0, 1}}, 1);
-  const rbpa::Triangulation arrays = rbpa::triangulate(Points{{0, 0}, {1, 0}, {0, 1}}, 1, {.neighbors = true});
+  const rbpa::AlphaComplex arrays = rbpa::alpha_complex(Points{{0, 0}, {1, 0}, {0, 1}}, 1, {.neighbors = true});
   for (const double bad : {-1.0, -infinity, std::nan("")}) {
-    CHECK_THROWS_AS(rbpa::polygons(Points(3), arrays, {.min_hole_area = bad}), rbpa::InvalidInput);
-    CHECK_THROWS_AS(rbpa::polygons(complex, {.min_hole_area = bad}), rbpa::InvalidInput);
-    CHECK_THROWS_AS(rbpa::polygons(complex, {.min_part_area = bad}), rbpa::InvalidInput);
+    CHECK_THROWS_AS(rbpa::outline_polygons(Points(3), arrays, {.min_hole_area = bad}), rbpa::InvalidInput);
+    CHECK_THROWS_AS(rbpa::outline_polygons(complex, {.min_hole_area = bad}), rbpa::InvalidInput);
+    CHECK_THROWS_AS(rbpa::outline_polygons(complex, {.min_part_area = bad}), rbpa::InvalidInput);
   }
 }
 
 TEST_CASE("arrays of other points are refused, and a cancelled run ends") {
   const Points points = uniform(5000, 1);
-  const rbpa::Triangulation arrays = rbpa::triangulate(points, 0.7, {.neighbors = true});
-  CHECK_THROWS_AS(rbpa::polygons(Points(17), arrays), meshops::ContractViolation);
+  const rbpa::AlphaComplex arrays = rbpa::alpha_complex(points, 0.7, {.neighbors = true});
+  CHECK_THROWS_AS(rbpa::outline_polygons(Points(17), arrays), meshops::ContractViolation);
   Points mirrored = points;
   for (Point& p : mirrored) p.x = -p.x;
-  CHECK_THROWS_AS(rbpa::polygons(mirrored, rbpa::triangulate(points, infinity, {.neighbors = true})),
+  CHECK_THROWS_AS(rbpa::outline_polygons(mirrored, rbpa::alpha_complex(points, infinity, {.neighbors = true})),
                   meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::outline_polygons(points, arrays, {}, [] { return false; }), rbpa::Cancelled);
 }
 
 TEST_CASE("dust, and a plate with many holes, can be cancelled in every sort") {
@@ -232,15 +233,15 @@ TEST_CASE("dust, and a plate with many holes, can be cancelled in every sort") {
   for (const double alpha : {0.6, 0.9}) {  // some triangles and a few holes; most of them
     CAPTURE(alpha);
     const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
-    const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true});
+    const rbpa::AlphaComplex arrays = rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true});
     std::size_t calls = 0;
     const auto count_asks = [&](const PolygonFilter& filter) {
       calls = 0;
       const auto go_on = [&] { return ++calls > 0; };
-      const std::vector<Polygon> made = rbpa::polygons(points, arrays, filter, go_on);
+      const std::vector<Polygon> made = rbpa::outline_polygons(points, arrays, filter, go_on);
       const std::size_t of_arrays = calls;
       calls = 0;
-      CHECK(rbpa::polygons(complex, filter, go_on) == made);
+      CHECK(rbpa::outline_polygons(complex, filter, go_on) == made);
       CHECK(2 * calls > of_arrays);
       return of_arrays;
     };
@@ -251,7 +252,7 @@ TEST_CASE("dust, and a plate with many holes, can be cancelled in every sort") {
           2 * compared / 16384);  // by where edges begin, and by where they end
     for (std::size_t last = 1; last <= filled; last += all_trials() ? 1U : 5U) {
       std::size_t left = last;
-      CHECK_THROWS_AS(rbpa::polygons(points, arrays, {.min_hole_area = infinity}, [&] { return --left > 0; }),
+      CHECK_THROWS_AS(rbpa::outline_polygons(points, arrays, {.min_hole_area = infinity}, [&] { return --left > 0; }),
                       rbpa::Cancelled);
       CHECK(left == 0);  // and was not called again
     }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "plane/partial/cuts.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/partial_bytes.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
@@ -35,7 +35,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// Checks that triangles and isolated points of all regions are those of the whole.
 std::string wrong_with_items(const Points& points, double alpha, const Regions& regions) {
-  const rbpa::Triangulation expected = rbpa::triangulate(points, alpha, {.threads = 1});
+  const rbpa::AlphaComplex expected = rbpa::alpha_complex(points, alpha, {.threads = 1});
   rbpa::OwnedItems all;
   for (const Region& region : regions) {
     const auto [partial, owned] = rbpa::partial_and_items(region, given(region, points, alpha), alpha, {.threads = 1});

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/pictures.h"
@@ -62,7 +62,7 @@ Numbers by_definition(const std::vector<Polygon>& polygons, const Points& points
 
 void check(const Points& points, double alpha) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
-  const rbpa::Triangulation arrays = rbpa::triangulate(points, alpha, {.neighbors = true});
+  const rbpa::AlphaComplex arrays = rbpa::alpha_complex(points, alpha, {.neighbors = true});
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double hole : {0.0, 1.5, 4.5, 20.0, infinity})
     for (const double part : {0.0, 1.0, 5.0, infinity}) {
@@ -70,7 +70,7 @@ void check(const Points& points, double alpha) {
       CAPTURE(hole);
       CAPTURE(part);
       const PolygonFilter filter{.min_hole_area = hole, .min_part_area = part};
-      const std::vector<Polygon> polygons = rbpa::polygons(complex, filter);
+      const std::vector<Polygon> polygons = rbpa::outline_polygons(complex, filter);
       const Numbers wanted = by_definition(polygons, points);
       REQUIRE(rbpa::polygon_of_points(complex, polygons, filter, points) == wanted);
       REQUIRE(rbpa::polygon_of_points(points, arrays, arrays.duplicates, polygons, filter) == wanted);
@@ -109,7 +109,7 @@ TEST_CASE("the search for points in filled holes can be cancelled anywhere") {
   const Points points = uniform(60000, 5);
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, 0.4);
   const PolygonFilter filled{.min_hole_area = std::numeric_limits<double>::infinity()};
-  const std::vector<Polygon> polygons = rbpa::polygons(complex, filled);
+  const std::vector<Polygon> polygons = rbpa::outline_polygons(complex, filled);
   std::size_t asked = 0;
   rbpa::polygon_of_points(complex, polygons, filled, points, [&] { return ++asked > 0; });
   const auto queries = static_cast<double>(complex.isolated.size());

@@ -36,9 +36,9 @@ double area(const Points& points, const rbpa::Triangle& t) {
 
 /// Returns the areas of the holes of a complex: sets of Delaunay triangles outside of it, joined across edges outside
 /// of it.
-std::vector<double> hole_areas(const Points& points, const rbpa::Triangulation& delaunay, double alpha,
+std::vector<double> hole_areas(const Points& points, const rbpa::AlphaComplex& delaunay, double alpha,
                                ComplexKind kind) {
-  const rbpa::Triangulation complex = rbpa::triangulate(points, alpha, {.complex = rbpa::Complex::full});
+  const rbpa::AlphaComplex complex = rbpa::alpha_complex(points, alpha, {.complex = rbpa::ComplexKind::full});
   std::set<rbpa::Triangle> triangles(complex.triangles.begin(), complex.triangles.end());
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   if (kind == ComplexKind::full)
@@ -51,7 +51,7 @@ std::vector<double> hole_areas(const Points& points, const rbpa::Triangulation& 
       const std::uint32_t beyond = delaunay.neighbors[t][k];
       const auto side = std::minmax({delaunay.triangles[t][(k + 1) % 3], delaunay.triangles[t][(k + 2) % 3]});
       if (edges.contains(side)) continue;
-      if (beyond == rbpa::Triangulation::none)
+      if (beyond == rbpa::AlphaComplex::none)
         sets.join(t, outside);
       else if (!triangles.contains(delaunay.triangles[beyond]))
         sets.join(t, beyond);
@@ -159,7 +159,7 @@ TEST_CASE("levels list the first and the last of the holes that exist") {
     const rbpa::Delaunay checked(delaunay, points);
     std::vector<double> levels;
     if (trial % 3 == 0)
-      for (const rbpa::ArrayLevel& level : rbpa::hrbpa_arrays(points, infinity, {.leaf_capacity = 4}).levels)
+      for (const rbpa::ArrayLevel& level : rbpa::triangles_by_level(points, infinity, {.leaf_capacity = 4}).levels)
         levels.push_back(level.alpha);
     else  // close to each other, and not up to the end
       for (std::size_t i = 0; i < filtration.steps.size() / 2; i += 3) levels.push_back(filtration.steps[i].alpha);

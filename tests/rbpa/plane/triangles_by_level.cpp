@@ -26,13 +26,13 @@ namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the first difference from hrbpa() or triangulate(); "" when there is none.
+/// Returns the first difference from hrbpa() or alpha_complex(); "" when there is none.
 std::string difference_from_mesh(const Points& points, double alpha, std::size_t leaf_capacity, unsigned threads) {
-  const rbpa::HierarchyArrays made = rbpa::hrbpa_arrays(
+  const rbpa::TrianglesByLevel made = rbpa::triangles_by_level(
       points, alpha, {.leaf_capacity = leaf_capacity, .neighbors = true, .boundary = true, .threads = threads});
   const rbpa::Hierarchy mesh = hierarchy(points, alpha, leaf_capacity);
-  const rbpa::Triangulation direct =
-      rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true, .threads = 1});
+  const rbpa::AlphaComplex direct =
+      rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true, .threads = 1});
   if (made.complex.triangles != direct.triangles) return "triangles";
   if (made.complex.neighbors != direct.neighbors) return "neighbors";
   if (made.complex.boundary != direct.boundary) return "boundary";
@@ -97,17 +97,17 @@ TEST_CASE("levels in arrays equal those of the mesh where doubles are far apart"
 }
 
 TEST_CASE("levels in arrays of trivial input are empty, and wrong calls are refused") {
-  CHECK(rbpa::hrbpa_arrays({}, 1).levels.empty());
+  CHECK(rbpa::triangles_by_level({}, 1).levels.empty());
   const Points line = {{0, 0}, {1, 1}, {2, 2}, {1, 1}};
-  const rbpa::HierarchyArrays made = rbpa::hrbpa_arrays(line, infinity);
+  const rbpa::TrianglesByLevel made = rbpa::triangles_by_level(line, infinity);
   CHECK(made.levels.empty());
   CHECK(made.least_radius == 0);
-  CHECK(made.complex.isolated == rbpa::triangulate(line, infinity).isolated);
+  CHECK(made.complex.isolated == rbpa::alpha_complex(line, infinity).isolated);
   CHECK(made.complex.duplicates.size() == 1);
-  CHECK_THROWS_AS(rbpa::hrbpa_arrays(line, 0), rbpa::InvalidInput);
-  CHECK_THROWS_AS(rbpa::hrbpa_arrays(line, 1, {.leaf_capacity = 0}), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::triangles_by_level(line, 0), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::triangles_by_level(line, 1, {.leaf_capacity = 0}), meshops::ContractViolation);
   const Points square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  CHECK_THROWS_AS(rbpa::hrbpa_arrays(square, 1, {.progress = [](const rbpa::Progress&) { return false; }}),
+  CHECK_THROWS_AS(rbpa::triangles_by_level(square, 1, {.progress = [](const rbpa::Progress&) { return false; }}),
                   rbpa::Cancelled);
 }
 

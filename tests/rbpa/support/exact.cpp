@@ -57,8 +57,8 @@ int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Po
 int compare_circumradius(const Point& a, const Point& b, const Point& c, double alpha) {
   const Vector u = from(a, b), v = from(a, c);
   const Rational uu = dot(u, u), vv = dot(v, v), twice_cross = 2 * cross(u, v);
-  const Vector centre{(uu * v.y - vv * u.y) / twice_cross, (vv * u.x - uu * v.x) / twice_cross};
-  const Rational radius = rational(alpha), difference = dot(centre, centre) - radius * radius;
+  const Vector center{(uu * v.y - vv * u.y) / twice_cross, (vv * u.x - uu * v.x) / twice_cross};
+  const Rational radius = rational(alpha), difference = dot(center, center) - radius * radius;
   return difference.sign();
 }
 
@@ -74,9 +74,9 @@ int compare_distances(const Point& v, const Point& p, const Point& q) {
 
 int dot_sign(const Point& v, const Point& p, const Point& q) { return dot(from(v, p), from(v, q)).sign(); }
 
-bool in_disc(const Point& centre, double radius, const Point& p) {
+bool in_disc(const Point& center, double radius, const Point& p) {
   const Rational r = rational(radius);
-  return lift(centre, p) <= r * r;
+  return lift(center, p) <= r * r;
 }
 
 bool in_segment(const Point& a, const Point& b, double k, const Point& p) {

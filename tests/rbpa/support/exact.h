@@ -31,7 +31,7 @@ int compare_distances(const Point& v, const Point& p, const Point& q);
 int dot_sign(const Point& v, const Point& p, const Point& q);
 
 /// Returns whether |p − center| ≤ radius.
-bool in_disc(const Point& centre, double radius, const Point& p);
+bool in_disc(const Point& center, double radius, const Point& p);
 
 /// Returns whether p is left of a→b, and inside or on the circle through a, b whose center lies k half-chords left of
 /// their midpoint.

@@ -11,8 +11,8 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/predicate/predicates.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 namespace {
@@ -45,9 +45,9 @@ class Constrained {
     first_edge_.assign(places_.size() + 1, 0);
     for (const Directed& edge : edges_) ++first_edge_[edge.from + 1];
     std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
-    Triangulation whole =
-        triangulate(places_, std::numeric_limits<double>::infinity(),
-                    {.neighbors = true, .threads = 1, .progress = [&](const auto&) { return !go_on || go_on(); }});
+    AlphaComplex whole =
+        alpha_complex(places_, std::numeric_limits<double>::infinity(),
+                      {.neighbors = true, .threads = 1, .progress = [&](const auto&) { return !go_on || go_on(); }});
     corners_ = std::move(whole.triangles);
     across_ = std::move(whole.neighbors);
     star_.assign(places_.size(), no_index);

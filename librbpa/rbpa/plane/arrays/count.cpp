@@ -35,7 +35,7 @@ namespace {
 
 using Side = std::array<std::uint32_t, 2>;
 
-std::vector<Side> boundary_of(const Triangulation& complex, Steps& step) {
+std::vector<Side> boundary_of(const AlphaComplex& complex, Steps& step) {
   if (!complex.boundary.empty()) return complex.boundary;
   meshops::require(complex.neighbors.size() == complex.triangles.size(),
                    "count: expected the boundary, or the neighbors of every triangle");
@@ -152,7 +152,7 @@ class BoundarySides {
 };
 
 /// Returns the boundary with the edges in no triangle added, in both directions.
-std::vector<Side> with_edges(std::vector<Side> boundary, const Triangulation& complex, Steps& step) {
+std::vector<Side> with_edges(std::vector<Side> boundary, const AlphaComplex& complex, Steps& step) {
   for (const auto& [a, b] : complex.edges) {
     boundary.push_back({a, b});
     boundary.push_back({b, a});
@@ -163,10 +163,10 @@ std::vector<Side> with_edges(std::vector<Side> boundary, const Triangulation& co
 
 }  // namespace
 
-ComplexCounts count(std::span<const Point> points, const Triangulation& complex, Complex kind,
+ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind,
                     const std::function<bool()>& go_on) {
   Steps step(go_on);
-  const bool is_full = kind == Complex::full;
+  const bool is_full = kind == ComplexKind::full;
   std::vector<Side> boundary = boundary_of(complex, step);
   ComplexCounts counts{
       .points_covered = complex.distinct - (is_full ? complex.points.size() : complex.isolated.size()),

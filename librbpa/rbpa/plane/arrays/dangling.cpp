@@ -12,7 +12,7 @@ using Real = long double;  // fits any coordinates
 using Edge = std::array<std::uint32_t, 2>;
 
 /// Returns the edges between neighbors on a line, if a ball of radius alpha reaches both.
-std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const Triangulation& of) {
+std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const AlphaComplex& of) {
   std::vector<std::uint32_t> order = of.isolated;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });
   std::vector<Edge> edges;
@@ -25,7 +25,7 @@ std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius
 
 }  // namespace
 
-std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, const Triangulation& delaunay) {
+std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, const AlphaComplex& delaunay) {
   const Radius radius = Radius::of(alpha);
   if (delaunay.triangles.empty()) return along_line(points, radius, delaunay);
   const auto admits = [&](std::size_t t) {
@@ -37,7 +37,7 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
     if (admits(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = delaunay.neighbors[t][k];
-      if (other != Triangulation::none && (other < t || admits(other))) continue;
+      if (other != AlphaComplex::none && (other < t || admits(other))) continue;
       const auto& corner = delaunay.triangles[t];
       const std::uint32_t a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
       // Seen from a point in the diametral circle, the edge subtends more than a right angle; the apexes are the
@@ -46,7 +46,7 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
         return Predicates<Real>::dot_sign(points[apex], points[a], points[b]) >= 0;
       };
       if (!radius.spans<Real>(points[a], points[b]) || !is_empty(corner[k])) continue;
-      if (other != Triangulation::none) {
+      if (other != AlphaComplex::none) {
         const auto& beyond = delaunay.triangles[other];
         const std::uint32_t apex = beyond[0] ^ beyond[1] ^ beyond[2] ^ a ^ b;
         if (!is_empty(apex)) continue;
@@ -58,7 +58,7 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
   return edges;
 }
 
-void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay) {
+void keep_within(std::span<const Point> points, double alpha, AlphaComplex& delaunay) {
   const Radius radius = Radius::of(alpha);
   keep_triangles(delaunay, [&](std::size_t t) {
     const auto [a, b, c] = delaunay.triangles[t];

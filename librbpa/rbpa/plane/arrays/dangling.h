@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
@@ -16,9 +16,9 @@ namespace rbpa {
 /// Requires: the Delaunay triangulation with neighbors; for points on one line, without a triangle.
 /// Cost:     linear; for points on one line, that of a sort.
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
-                                                         const Triangulation& delaunay);
+                                                         const AlphaComplex& delaunay);
 
 /// Removes the triangles of circumradius > alpha, also from the neighbors.
-void keep_within(std::span<const Point> points, double alpha, Triangulation& delaunay);
+void keep_within(std::span<const Point> points, double alpha, AlphaComplex& delaunay);
 
 }  // namespace rbpa

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "rbpa/base/arrays/distinct.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
 /// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order.
 /// Requires: neighbors.
 template <typename IsKept>
-void keep_triangles(Triangulation& of, const IsKept& is_kept) {
-  std::vector<std::uint32_t> number(of.triangles.size(), Triangulation::none);
+void keep_triangles(AlphaComplex& of, const IsKept& is_kept) {
+  std::vector<std::uint32_t> number(of.triangles.size(), AlphaComplex::none);
   std::uint32_t kept = 0;
   for (std::size_t t = 0; t < number.size(); ++t) {
     if (!is_kept(t)) continue;
@@ -26,7 +26,7 @@ void keep_triangles(Triangulation& of, const IsKept& is_kept) {
   of.neighbors.resize(kept);
   for (Triangle& across : of.neighbors)
     for (std::uint32_t& neighbor : across)
-      if (neighbor != Triangulation::none) neighbor = number[neighbor];
+      if (neighbor != AlphaComplex::none) neighbor = number[neighbor];
 }
 
 /// Returns the distinct points that are not marked, ascending.
@@ -39,8 +39,8 @@ inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& mark
   return found;
 }
 
-/// Returns Triangulation::isolated for this number of points.
-inline std::vector<std::uint32_t> isolated_in(const Triangulation& of, std::size_t points) {
+/// Returns AlphaComplex::isolated for this number of points.
+inline std::vector<std::uint32_t> isolated_in(const AlphaComplex& of, std::size_t points) {
   std::vector<std::uint8_t> covered(points, 0);
   for (const Triangle& triangle : of.triangles)
     for (const std::uint32_t corner : triangle) covered[corner] = 1;

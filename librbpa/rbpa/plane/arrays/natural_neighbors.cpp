@@ -54,7 +54,7 @@ Vector<Number> from(const Point& a, const Point& b, int exponent) {
 
 /// Returns the vector from a corner of a triangle to its circumcenter, given the vectors to the two other corners.
 template <typename Number>
-Vector<Number> to_circumcentre(const Vector<Number>& u, const Vector<Number>& v) {
+Vector<Number> to_circumcenter(const Vector<Number>& u, const Vector<Number>& v) {
   const Number uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y, area = cross(u, v);
   const Number twice = area + area;
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
@@ -90,26 +90,26 @@ template <typename Number, typename Visit>
 void NaturalNeighbors::measure(const Point& query, const Side& first, int exponent, Visit visit) const {
   const auto way = [&](const Point& a, const Point& b) { return from<Number>(a, b, exponent); };
   const auto of_side = [&](const Side& s) {
-    return to_circumcentre(way(query, points_[begin(s)]), way(query, points_[end(s)]));
+    return to_circumcenter(way(query, points_[begin(s)]), way(query, points_[end(s)]));
   };
   const auto of_triangle = [&](std::uint32_t t) {
     const Point &a = points_[of_.triangles[t][0]], &b = points_[of_.triangles[t][1]], &c = points_[of_.triangles[t][2]];
-    return way(query, a) + to_circumcentre(way(a, b), way(a, c));
+    return way(query, a) + to_circumcenter(way(a, b), way(a, c));
   };
   Side side = first;
-  Vector<Number> centre = of_side(side);
+  Vector<Number> center = of_side(side);
   do {
     const std::uint32_t corner = end(side);
-    Vector<Number> last = of_triangle(side.triangle) - centre;
+    Vector<Number> last = of_triangle(side.triangle) - center;
     Number area{};
     for (side = next(side); goes_on_beyond(side, query); side = next(beyond(side))) {
-      const Vector<Number> here = of_triangle(of_.neighbors[side.triangle][side.across]) - centre;
+      const Vector<Number> here = of_triangle(of_.neighbors[side.triangle][side.across]) - center;
       area = area + cross(here, last);
       last = here;
     }
-    const Vector<Number> centre_of_next = of_side(side);
-    area = area + cross(Vector<Number>(centre_of_next - centre), last);
-    centre = centre_of_next;
+    const Vector<Number> center_of_next = of_side(side);
+    area = area + cross(Vector<Number>(center_of_next - center), last);
+    center = center_of_next;
     visit(corner, area);
   } while (!(side == first));
 }

@@ -113,7 +113,7 @@ class SortedTriangles {
     for (std::uint32_t k = 0; k < size_; ++k) rank[order[k]] = k;
     const auto across = [&](Edge side) {
       const int number = edges_.number(QuadEdges::sym(side));
-      return number < 0 ? Triangulation::none : rank[static_cast<std::size_t>(number)];
+      return number < 0 ? AlphaComplex::none : rank[static_cast<std::size_t>(number)];
     };
     neighbors->resize(size_);
     for (std::size_t k = 0; k < size_; ++k) {
@@ -140,8 +140,8 @@ class SortedTriangles {
 
 }  // namespace
 
-bool triangulate_small_set(std::span<const Point> points, double alpha, const TriangulationOptions& options,
-                           Triangulation& result) {
+bool triangulate_small_set(std::span<const Point> points, double alpha, const AlphaComplexOptions& options,
+                           AlphaComplex& result) {
   const Magnitude bound = magnitude_bound(points);
   if (!fits_double(bound)) return false;
   std::vector<SitePoint> places;

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "rbpa/base/point.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t small_set_limit = 10000;
 /// double (base/exact/magnitude.h).
 /// Requires: fewer than `small_set_limit` finite points.
 /// Throws:   Cancelled.
-bool triangulate_small_set(std::span<const Point> points, double alpha, const TriangulationOptions& options,
-                           Triangulation& result);
+bool triangulate_small_set(std::span<const Point> points, double alpha, const AlphaComplexOptions& options,
+                           AlphaComplex& result);
 
 }  // namespace rbpa

@@ -9,14 +9,14 @@
 
 namespace rbpa {
 
-Triangulation complex_at(const Delaunay& of, const Filtration& filtration, double alpha) {
+AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha) {
   meshops::require(alpha > 0, "complex_at: alpha is a radius above 0, or infinity");
   require_same(filtration, of.triangulation(), "complex_at");
   return complex_at(of, std::span<const double>(filtration.triangle_alpha), alpha);
 }
 
-Triangulation complex_at(const Delaunay& of, std::span<const double> radii, double alpha) {
-  Triangulation complex = of.triangulation();
+AlphaComplex complex_at(const Delaunay& of, std::span<const double> radii, double alpha) {
+  AlphaComplex complex = of.triangulation();
   keep_triangles(complex, [&](std::size_t t) { return radii[t] <= alpha; });
   complex.isolated = isolated_in(complex, of.points().size());
   return complex;

@@ -19,7 +19,7 @@ struct Side {
 
 /// Calls visit(Side) for each edge once, from the triangle with the smaller number.
 template <typename Visit>
-void for_each_edge(const Triangulation& delaunay, Visit visit) {
+void for_each_edge(const AlphaComplex& delaunay, Visit visit) {
   for (std::uint32_t t = 0; t < delaunay.triangles.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k)
       if (const std::uint32_t beyond = delaunay.neighbors[t][k]; beyond > t)
@@ -27,22 +27,22 @@ void for_each_edge(const Triangulation& delaunay, Visit visit) {
 }
 
 /// Returns the corner of the triangle beyond that is not an end of the side.
-std::uint32_t opposite(const Triangulation& delaunay, const Side& side) {
+std::uint32_t opposite(const AlphaComplex& delaunay, const Side& side) {
   const auto& across = delaunay.neighbors[side.beyond];
   const auto k = static_cast<std::size_t>(std::find(across.begin(), across.end(), side.triangle) - across.begin());
   return delaunay.triangles[side.beyond][k];
 }
 
 /// Returns whether some point is inside the circle whose diameter the edge is; one of the two apexes is then inside.
-bool is_crowded(const Triangulation& delaunay, std::span<const Point> points, const Side& side, const Point& a,
-                const Point& b) {
+bool is_non_manifold(const AlphaComplex& delaunay, std::span<const Point> points, const Side& side, const Point& a,
+                     const Point& b) {
   using Wide = Predicates<long double>;
   if (Wide::dot_sign(points[delaunay.triangles[side.triangle][side.corner]], a, b) < 0) return true;
-  return side.beyond != Triangulation::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
+  return side.beyond != AlphaComplex::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
 }
 
 /// Returns the cells of points on a line: neighbors on it are joined at half their distance.
-FilteredCells cells_on_line(const Triangulation& delaunay, std::span<const Point> points,
+FilteredCells cells_on_line(const AlphaComplex& delaunay, std::span<const Point> points,
                             const std::vector<std::uint32_t>& number, Steps& pulse) {
   std::vector<std::uint32_t> line = delaunay.isolated;
   std::sort(line.begin(), line.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -75,7 +75,7 @@ DistinctPoints distinct_points(const Delaunay& delaunay) {
 
 FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse) {
-  const Triangulation& delaunay = of.triangulation();
+  const AlphaComplex& delaunay = of.triangulation();
   const std::span<const Point> points = of.points();
   const std::vector<std::uint32_t>& number = distinct.number;
   if (delaunay.triangles.empty())
@@ -90,7 +90,7 @@ FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct,
     pulse();
     const auto& corners = delaunay.triangles[side.triangle];
     const std::uint32_t from = corners[(side.corner + 1) % 3], to = corners[(side.corner + 2) % 3];
-    const bool is_inner = side.beyond != Triangulation::none;
+    const bool is_inner = side.beyond != AlphaComplex::none;
     FilteredCells::Edge edge{
         .alpha = is_inner ? std::min(alpha[side.triangle], alpha[side.beyond]) : alpha[side.triangle],
         .ends = {number[from], number[to]},
@@ -99,7 +99,7 @@ FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct,
       // An edge with no point inside its diametral circle appears at half its length, any other with its first
       // triangle. The circle is tested last: on grids, where right angles are the rule, both radii are the same.
       const double half = least_alpha(points[from], points[to]);
-      if (half != edge.alpha && !is_crowded(delaunay, points, side, points[from], points[to])) edge.alpha = half;
+      if (half != edge.alpha && !is_non_manifold(delaunay, points, side, points[from], points[to])) edge.alpha = half;
     } else {
       for (const std::uint32_t v : edge.ends) cells.vertices[v] = std::min(cells.vertices[v], edge.alpha);
     }

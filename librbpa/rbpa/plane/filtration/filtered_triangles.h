@@ -9,8 +9,8 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/point.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/filtration.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -34,7 +34,7 @@ inline long double area(Corners corners) {
 /// Checks the filtration.
 /// Throws: ContractViolation, whose message begins with `function`, when the filtration is visibly of another
 ///         triangulation.
-inline void require_same(const Filtration& filtration, const Triangulation& delaunay, const std::string& function) {
+inline void require_same(const Filtration& filtration, const AlphaComplex& delaunay, const std::string& function) {
   if (filtration.triangle_alpha.size() != delaunay.triangles.size() || filtration.distinct != delaunay.distinct)
     throw meshops::ContractViolation(function + ": the filtration is of another triangulation");
 }

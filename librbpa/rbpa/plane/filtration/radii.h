@@ -19,6 +19,6 @@ std::optional<double> smallest_covering(const Delaunay& delaunay, std::span<cons
                                         const Covering& covering, Steps& step);
 
 /// Computes complex_at() from the radii.
-Triangulation complex_at(const Delaunay& delaunay, std::span<const double> radii, double alpha);
+AlphaComplex complex_at(const Delaunay& delaunay, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

@@ -95,7 +95,7 @@ Wide eighth_root(Wide x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 }  // namespace
 
 std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse) {
-  const Triangulation& delaunay = of.triangulation();
+  const AlphaComplex& delaunay = of.triangulation();
   const std::span<const Point> points = of.points();
   const std::vector<double>& alpha = filtration.triangle_alpha;
   std::vector<Wide> areas(delaunay.triangles.size());

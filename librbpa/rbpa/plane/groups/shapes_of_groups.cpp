@@ -12,6 +12,7 @@
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
@@ -20,7 +21,6 @@
 #include "rbpa/plane/groups/chunks.h"
 #include "rbpa/plane/plateaus.h"
 #include "rbpa/plane/shape/polygons_of_linked.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 constexpr double no_alpha = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns why there is no triangle at any radius, or nothing.
-std::optional<std::string> without_triangles(const Triangulation& complex) {
+std::optional<std::string> without_triangles(const AlphaComplex& complex) {
   if (complex.distinct == 0) return "no points";
   if (complex.distinct < 3) return "fewer than three distinct points (" + std::to_string(complex.distinct) + ")";
   return std::nullopt;
@@ -89,7 +89,7 @@ class GroupShaper {
   /// Appends everything except totals and problems; returns why there is no polygon.
   std::string find(const Group& group, unsigned threads, GroupShapes& made) {
     std::function<bool()> go_on;
-    TriangulationOptions of_group{.neighbors = true, .threads = threads};
+    AlphaComplexOptions of_group{.neighbors = true, .threads = threads};
     if (options_.go_on && group.points.size() >= long_enough) {
       go_on = [this] { return done_.go_on(); };
       of_group.progress = [this](const Progress&) { return done_.go_on(); };
@@ -101,12 +101,12 @@ class GroupShaper {
         return "point " + std::to_string(group.members[i]) + " is (" + text(p.x) + ", " + text(p.y) +
                "), expected finite coordinates";
     double& alpha = made.alphas.back();
-    Triangulation complex;
+    AlphaComplex complex;
     if (!alpha_.given.empty()) {
       const double given = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
       if (!(given > 0)) return "alpha is " + text(given) + ", expected a radius above 0, or infinity";
       alpha = given;
-      complex = triangulate(group.points, alpha, of_group);
+      complex = alpha_complex(group.points, alpha, of_group);
     } else {
       const Delaunay delaunay(group.points, of_group);
       complex = choose(delaunay, alpha, go_on);
@@ -128,7 +128,7 @@ class GroupShaper {
   }
 
   /// Returns the complex at the chosen radius, which is stored in `alpha`; all triangles if there is no radius.
-  Triangulation choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
+  AlphaComplex choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
     Steps step(go_on);
     if (alpha_.plateau == 0) {

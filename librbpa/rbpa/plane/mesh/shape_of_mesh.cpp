@@ -30,9 +30,9 @@ std::vector<Point> points_under(const SolidAlphaComplex& complex) {
 
 }  // namespace
 
-std::vector<Polygon> polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
-                              const std::function<bool()>& go_on) {
-  return polygons(points_under(complex), faces_on_points(complex), filter, go_on);
+std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
+                                      const std::function<bool()>& go_on) {
+  return outline_polygons(points_under(complex), faces_on_points(complex), filter, go_on);
 }
 
 std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,

@@ -142,7 +142,7 @@ class Builder {
   }
 
   void add_points() {
-    const Triangulation& triangulation = of_.triangulation();
+    const AlphaComplex& triangulation = of_.triangulation();
     PartialCounts& counts = state_.counts;
     for (std::uint32_t i = 0; i < of_.points(); ++i) {
       counts.points += std::uint64_t{of_.owns(i)};
@@ -195,7 +195,7 @@ class Builder {
 };
 
 Partial partial_of(const RegionComplex& complex, const Region& region, double alpha, const PartialOptions& options) {
-  const Triangulation& triangulation = complex.triangulation();
+  const AlphaComplex& triangulation = complex.triangulation();
   const Ask ask = asking(options.progress, triangulation.distinct, triangulation.triangles.size());
   PartialState state = Builder(complex, look_at_triangles(complex, ask), ask).build();
   state.alpha = alpha;
@@ -205,7 +205,7 @@ Partial partial_of(const RegionComplex& complex, const Region& region, double al
 }
 
 OwnedItems items_of(const RegionComplex& complex) {
-  const Triangulation& triangulation = complex.triangulation();
+  const AlphaComplex& triangulation = complex.triangulation();
   OwnedItems items;
   for (std::uint32_t t = 0; t < triangulation.triangles.size(); ++t) {
     const unsigned owned = complex.owned_corners(t);

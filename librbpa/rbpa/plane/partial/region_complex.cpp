@@ -28,7 +28,7 @@ RegionComplex::RegionComplex(const Region& region, const RegionPoints& points, d
   owned_.resize(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) owned_[i] = region.contains(points_[i]) ? 1 : 0;
   triangulation_ =
-      triangulate(points_, alpha, {.neighbors = true, .threads = options.threads, .progress = options.progress});
+      alpha_complex(points_, alpha, {.neighbors = true, .threads = options.threads, .progress = options.progress});
 }
 
 void RegionComplex::sort(const RegionPoints& given) {

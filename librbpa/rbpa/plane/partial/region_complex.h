@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/partial.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 
 namespace rbpa {
 
@@ -22,7 +22,7 @@ class RegionComplex {
 
   /// Returns the triangulation, with neighbors; indices are positions among the points, and ascend as those into the
   /// whole input do.
-  const Triangulation& triangulation() const { return triangulation_; }
+  const AlphaComplex& triangulation() const { return triangulation_; }
   std::size_t points() const { return points_.size(); }
   const Point& at(std::uint32_t i) const { return points_[i]; }
   std::uint64_t index(std::uint32_t i) const { return indices_[i]; }
@@ -47,7 +47,7 @@ class RegionComplex {
   std::span<const Point> points_;
   std::span<const std::uint64_t> indices_;  // ascending
   std::vector<std::uint8_t> owned_;
-  Triangulation triangulation_;
+  AlphaComplex triangulation_;
 };
 
 }  // namespace rbpa

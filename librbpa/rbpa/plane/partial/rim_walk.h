@@ -47,7 +47,7 @@ class RimWalk {
   OpenSide side_after(const OpenSide& side) const {
     const std::uint32_t pivot = to(side);
     OpenSide at{side.triangle, (side.across + 1) % 3};
-    for (std::uint32_t next = across(at); next != Triangulation::none; next = across(at)) {
+    for (std::uint32_t next = across(at); next != AlphaComplex::none; next = across(at)) {
       const auto& corners = of_.triangulation().triangles[next];
       const std::uint32_t place = corners[0] == pivot ? 0 : corners[1] == pivot ? 1 : 2;
       at = {next, (place + 2) % 3};

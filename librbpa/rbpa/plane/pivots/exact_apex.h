@@ -48,12 +48,12 @@ class ExactApex {
     struct Ratio {
       double dot, cross;
     };
-    const auto centre = [&](std::size_t i) -> Ratio {
+    const auto center = [&](std::size_t i) -> Ratio {
       const double ex = double(at_.x[i]) - at_.x[a], ey = double(at_.y[i]) - at_.y[a];
       const double dx = double(at_.x[b]) - at_.x[a], dy = double(at_.y[b]) - at_.y[a];
       return {ex * (double(at_.x[i]) - at_.x[b]) + ey * (double(at_.y[i]) - at_.y[b]), dx * ey - dy * ex};
     };
-    const Ratio of_p = centre(p), of_q = centre(q);
+    const Ratio of_p = center(p), of_q = center(q);
     const double first = of_p.dot * of_q.cross, second = of_q.dot * of_p.cross;
     return first < second || (first == second && wins_tie_on_lattice(a, b, p, q));
   }

@@ -174,12 +174,12 @@ HWY_EXPORT(advance_on);
 /// Returns whether points lie along curves: they fill a few cells, about as many in each, most of which have few
 /// neighbors that are not empty.
 bool is_along_curves(const Tile& tile) {
-  constexpr double max_per_cell = 4;      // evenly scattered points have 2.3 per cell that is not empty
-  constexpr double min_neighbours = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
+  constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
+  constexpr double min_neighbors = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
   // occupancy seen by a point, as a multiple of the mean over cells; higher in clusters
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
-  std::uint64_t filled = 0, neighbours = 0, squares = 0;
+  std::uint64_t filled = 0, neighbors = 0, squares = 0;
   // No branches, as all would be unpredictable. The cell after a row's last one is not its neighbor, but not far
   // either.
   const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
@@ -187,11 +187,11 @@ bool is_along_curves(const Tile& tile) {
     const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);
     squares += count * count;
     filled += here;
-    neighbours += here & has_points(c + 1);
-    neighbours += here & has_points(c + columns);
+    neighbors += here & has_points(c + 1);
+    neighbors += here & has_points(c + columns);
   }
   const auto points = static_cast<double>(tile.start[cells - columns]), of_filled = static_cast<double>(filled);
-  return points > max_per_cell * of_filled && static_cast<double>(neighbours) < min_neighbours * of_filled &&
+  return points > max_per_cell * of_filled && static_cast<double>(neighbors) < min_neighbors * of_filled &&
          static_cast<double>(squares) * of_filled < max_occupancy * points * points;
 }
 

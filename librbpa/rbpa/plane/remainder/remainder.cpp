@@ -29,8 +29,8 @@ std::vector<std::uint32_t> Remainder::not_done() const {
   std::vector<std::uint32_t> unsettled, beside;
   for (std::uint32_t s = 0; s < sites_.size(); ++s)
     if (!is_settled(s)) unsettled.push_back(s);
-  for (const auto& [site, neighbour] : unsettled_neighbors_)
-    if (is_settled(site) && !is_settled(neighbour)) beside.push_back(site);
+  for (const auto& [site, neighbor] : unsettled_neighbors_)
+    if (is_settled(site) && !is_settled(neighbor)) beside.push_back(site);
   std::sort(beside.begin(), beside.end());
   beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
   std::vector<std::uint32_t> sites(unsettled.size() + beside.size());

@@ -1,4 +1,4 @@
-// What: polygons() of a complex that is known to be linked, such as one that was just computed.
+// What: outline_polygons() of a complex that is known to be linked, such as one that was just computed.
 #pragma once
 
 #include <functional>

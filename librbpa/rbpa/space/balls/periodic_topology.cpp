@@ -168,7 +168,7 @@ std::vector<double> outside_of_balls(const Complex& of, const space::Parts& part
 }  // namespace
 
 PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
-                                   VoidWalls walls, unsigned wanted, const std::function<bool()>& go_on) {
+                                   ComplexKind walls, unsigned wanted, const std::function<bool()>& go_on) {
   const std::size_t all = delaunay.simplices.size();
   meshops::require(radii.size() == all, "periodic_topology: expected a radius for each tetrahedron");
   meshops::require(delaunay.neighbors.size() == all, "periodic_topology: the triangulation has no neighbors");
@@ -181,7 +181,7 @@ PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<cons
   Threads threads = threads_for(delaunay.distinct, wanted);
   Complex of{delaunay, std::vector<bool>(all)};
   for (std::size_t t = 0; t < all; ++t) of.is_inside[t] = radii[t] <= alpha;
-  if (walls == VoidWalls::full) of.faces.emplace(space::Triangulated(delaunay), radii, alpha, threads, go_on);
+  if (walls == ComplexKind::full) of.faces.emplace(space::Triangulated(delaunay), radii, alpha, threads, go_on);
   PeriodicTopology topology;
   count_simplices(of, threads, go_on, topology);
 

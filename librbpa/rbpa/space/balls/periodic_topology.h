@@ -51,7 +51,7 @@ struct PeriodicTopology {
 /// Throws:   ContractViolation on others; InvalidInput when alpha is not a valid radius; Cancelled when `go_on`, which
 ///           one thread at a time calls every few milliseconds, returns false.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
-                                            VoidWalls walls = VoidWalls::full, unsigned threads = 0,
+                                            ComplexKind walls = ComplexKind::full, unsigned threads = 0,
                                             const std::function<bool()>& go_on = {});
 
 }  // namespace rbpa

@@ -177,7 +177,7 @@ std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const S
   Steps step(go_on);
   const std::size_t distinct = delaunay.distinct;
   Growth growth =
-      growth_of(points, delaunay, radii, void_tree(points, delaunay, radii, VoidWalls::solid, 1, go_on), step);
+      growth_of(points, delaunay, radii, void_tree(points, delaunay, radii, ComplexKind::solid, 1, go_on), step);
   const StillRanges ranges(growth.alpha, std::move(growth.change), reach_of(points));
   std::vector<SolidPlateau> found;
   for (const StepRange& range :

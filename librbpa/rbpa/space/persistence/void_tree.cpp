@@ -24,8 +24,6 @@
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = VoidTree::none;
-
 /// Returns, for each triangle, the radius of the first tetrahedron at it.
 std::vector<double> first_radii(std::span<const double> radii, const space::NumberedTriangles& triangles) {
   std::vector<double> first(triangles.corners.size(), std::numeric_limits<double>::infinity());
@@ -49,12 +47,12 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
     for (; left > 0 && radii[order[left - 1]] > alpha; --left) {
       step();
       const std::uint32_t t = order[left - 1];
-      if (tree.node_of[t] != none) sum[sets.find(tree.node_of[t])] += volumes[t];
+      if (tree.node_of[t] != VoidTree::none) sum[sets.find(tree.node_of[t])] += volumes[t];
     }
     for (first = last; first > 0 && tree.nodes[first - 1].closes == alpha; --first)
       tree.nodes[first - 1].volume = sum[sets.find(static_cast<std::uint32_t>(first - 1))];
     for (std::size_t i = first; i < last; ++i) {
-      if (tree.nodes[i].parent == none) continue;
+      if (tree.nodes[i].parent == VoidTree::none) continue;
       const std::uint32_t set = sets.find(static_cast<std::uint32_t>(i)), other = sets.find(tree.nodes[i].parent);
       const double both = sum[set] + sum[other];
       sum[sets.link(set, other)] = both;
@@ -65,12 +63,12 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
 }  // namespace
 
 VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                   VoidWalls walls, unsigned wanted, const std::function<bool()>& go_on) {
+                   ComplexKind walls, unsigned wanted, const std::function<bool()>& go_on) {
   space::check_triangulation("void_tree", points, delaunay, radii);
   Steps step(go_on);
   Threads threads = threads_for(points.size(), wanted);
   const space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
-  const std::vector<double> wall = walls == VoidWalls::solid
+  const std::vector<double> wall = walls == ComplexKind::solid
                                        ? first_radii(radii, triangles)
                                        : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
@@ -79,7 +77,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   std::iota(part_of.begin(), part_of.end(), std::uint32_t{0});
   for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before those split off from it
     if (wall[at->triangle] == radii[at->tetrahedron])
-      part_of[at->tetrahedron] = at->parted_from == none ? none : part_of[at->parted_from];
+      part_of[at->tetrahedron] = at->parted_from == VoidTree::none ? VoidTree::none : part_of[at->parted_from];
   std::erase_if(found.all, [&](const space::PersistentVoid& v) { return part_of[v.tetrahedron] != v.tetrahedron; });
   const auto is_before = [&](const space::PersistentVoid& a, const space::PersistentVoid& b) {
     const auto key = [&](const space::PersistentVoid& v) { return std::tuple(wall[v.triangle], v.triangle); };
@@ -88,10 +86,10 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   sort(found.all, step, is_before);
 
   VoidTree tree;
-  std::vector<std::uint32_t> node(radii.size(), none);  // for each tetrahedron that is the last of a void
+  std::vector<std::uint32_t> node(radii.size(), VoidTree::none);  // for each tetrahedron that is the last of a void
   for (std::uint32_t i = 0; i < found.all.size(); ++i) node[found.all[i].tetrahedron] = i;
   const auto node_of = [&](std::uint32_t last) {
-    return last == none || part_of[last] == none ? none : node[part_of[last]];
+    return last == VoidTree::none || part_of[last] == VoidTree::none ? VoidTree::none : node[part_of[last]];
   };
   for (const space::PersistentVoid& v : found.all)
     tree.nodes.push_back({.closes = wall[v.triangle],
@@ -105,7 +103,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
     // The basin may belong to a void that closes only above this radius; below, it is part of the void that this one
     // splits off from.
-    while (of != none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
+    while (of != VoidTree::none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);
   return tree;
@@ -125,7 +123,7 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
     void_at.emplace(face, i);
     is_least[face[0]] = true;
   }
-  std::vector<std::uint32_t> nodes(voids.size(), none);
+  std::vector<std::uint32_t> nodes(voids.size(), VoidTree::none);
   for (std::uint32_t t = 0; t < radii.size(); ++t) {
     if (radii[t] <= alpha) continue;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -135,7 +133,7 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
     }
   }
   for (const std::uint32_t node : nodes)
-    meshops::require(node != none, "nodes_of: expected voids at this alpha, with the walls of the tree");
+    meshops::require(node != VoidTree::none, "nodes_of: expected voids at this alpha, with the walls of the tree");
   return nodes;
 }
 

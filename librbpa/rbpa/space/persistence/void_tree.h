@@ -25,7 +25,7 @@ namespace rbpa {
 struct VoidNode {
   double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
   double volume = 0;              ///< volume when it closes
-  /// The corners of the triangle that closes it, ascending; with VoidWalls::solid, the last triangle of the tetrahedron
+  /// The corners of the triangle that closes it, ascending; with ComplexKind::solid, the last triangle of the tetrahedron
   /// that closes it.
   Triangle mouth = {};
   std::uint32_t last = 0;    ///< the last tetrahedron that fills it
@@ -54,7 +54,7 @@ struct VoidTree {
 /// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                            VoidWalls walls = VoidWalls::full, unsigned threads = 0,
+                            ComplexKind walls = ComplexKind::full, unsigned threads = 0,
                             const std::function<bool()>& go_on = {});
 
 /// Returns for each void at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of

@@ -100,12 +100,12 @@ class Ball {
     const Vector3<Real> to_u = cross(v, n), to_v = cross(n, u);
     const Real edges = u_size * v_size * (u_size + v_size);
     const Real k_error = edges * (n_error + 20 * e * n_size);
-    const Real centre_error = k_error + root * (n_error + 4 * e * n_size) + (n_size + n_error) * root_error;
+    const Real center_error = k_error + root * (n_error + 4 * e * n_size) + (n_size + n_error) * root_error;
     square_ = nn;
-    centre_ = {uu * to_u.x + vv * to_v.x + root * n.x, uu * to_u.y + vv * to_v.y + root * n.y,
+    center_ = {uu * to_u.x + vv * to_v.x + root * n.x, uu * to_u.y + vv * to_v.y + root * n.y,
                uu * to_u.z + vv * to_v.z + root * n.z};
     square_bound_ = nn_error + 8 * e * nn;
-    centre_bound_ = centre_error + 6 * e * (std::abs(centre_.x) + std::abs(centre_.y) + std::abs(centre_.z));
+    center_bound_ = center_error + 6 * e * (std::abs(center_.x) + std::abs(center_.y) + std::abs(center_.z));
     return true;
   }
 
@@ -113,8 +113,8 @@ class Ball {
   Estimate power_of(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real dd = dot(d, d);
-    return {square_ * dd - dot(centre_, d),
-            square_bound_ * dd + centre_bound_ * (std::abs(d.x) + std::abs(d.y) + std::abs(d.z))};
+    return {square_ * dd - dot(center_, d),
+            square_bound_ * dd + center_bound_ * (std::abs(d.x) + std::abs(d.y) + std::abs(d.z))};
   }
 
   bool decide(const Point3& q) const {
@@ -134,9 +134,9 @@ class Ball {
   bool rests_ = false;
   Vector3<Real> normal_{};  // n = (b − a) × (c − a)
   Real normal_error_ = 0;
-  Vector3<Real> centre_{};  // 2 n² (center − a)
+  Vector3<Real> center_{};  // 2 n² (center − a)
   Real square_ = 0;         // n²
-  Real square_bound_ = 0, centre_bound_ = 0;
+  Real square_bound_ = 0, center_bound_ = 0;
 };
 
 }  // namespace rbpa::space

@@ -58,14 +58,14 @@ class Circumradii {
 
     const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
     const Number uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), volume = dot(u, vw);
-    const Vector centre = {uu * vw.x + vv * wu.x + ww * uv.x, uu * vw.y + vv * wu.y + ww * uv.y,
+    const Vector center = {uu * vw.x + vv * wu.x + ww * uv.x, uu * vw.y + vv * wu.y + ww * uv.y,
                            uu * vw.z + vv * wu.z + ww * uv.z};  // times 2 volume
-    const Number squares = dot(centre, centre), diameter = volume + volume, denominator = diameter * diameter;
+    const Number squares = dot(center, center), diameter = volume + volume, denominator = diameter * diameter;
 
     // docs/explanation/exact_decisions.md, section 7.
-    constexpr double volume_error = 0x1p-93, centre_error = 0x1p-91, relative = 0x1p-98;
+    constexpr double volume_error = 0x1p-93, center_error = 0x1p-91, relative = 0x1p-98;
     const V length = hn::Sqrt(squares.high), half = hn::Abs(diameter.high);
-    const V squares_error = hn::MulAdd(hn::Set(d, 4 * centre_error), length,
+    const V squares_error = hn::MulAdd(hn::Set(d, 4 * center_error), length,
                                        hn::MulAdd(hn::Set(d, 2 * relative), squares.high, hn::Set(d, 0x1p-180)));
     const V denominator_error = hn::MulAdd(hn::Set(d, 8 * volume_error), half,
                                            hn::MulAdd(hn::Set(d, relative), denominator.high, hn::Set(d, 0x1p-180)));
@@ -150,9 +150,9 @@ double circumradius_rounded_up(const Point3& a, const Point3& b, const Point3& c
   const Vector u = from<long double>(a, b), v = from<long double>(a, c), w = from<long double>(a, d);
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const long double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
-  const Vector centre = {uu * vw.x + vv * wu.x + ww * uv.x, uu * vw.y + vv * wu.y + ww * uv.y,
+  const Vector center = {uu * vw.x + vv * wu.x + ww * uv.x, uu * vw.y + vv * wu.y + ww * uv.y,
                          uu * vw.z + vv * wu.z + ww * uv.z};
-  const auto estimate = static_cast<double>(std::sqrt(dot(centre, centre)) / (2 * std::abs(dot(u, vw))));
+  const auto estimate = static_cast<double>(std::sqrt(dot(center, center)) / (2 * std::abs(dot(u, vw))));
   return least_reaching(estimate, [&](double r) { return exact::compare_circumradius(a, b, c, d, r) <= 0; });
 }
 

@@ -72,9 +72,9 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
   const Vector w = scale(d) - t.origin, vw = cross(t.v, w), wu = cross(w, t.u);
   const Integer uu = dot(t.u, t.u), vv = dot(t.v, t.v), ww = dot(w, w);
   // Relative to a, the center is (uu v × w + vv w × u + ww u × v) / 2 volume.
-  const Vector centre = {uu * vw.x + vv * wu.x + ww * t.n.x, uu * vw.y + vv * wu.y + ww * t.n.y,
+  const Vector center = {uu * vw.x + vv * wu.x + ww * t.n.x, uu * vw.y + vv * wu.y + ww * t.n.y,
                          uu * vw.z + vv * wu.z + ww * t.n.z};
-  const Integer diameter = 2 * scale(radius) * dot(t.n, w), squares = dot(centre, centre) - diameter * diameter;
+  const Integer diameter = 2 * scale(radius) * dot(t.n, w), squares = dot(center, center) - diameter * diameter;
   return dot(t.n, w) == 0 ? 1 : squares.sign();
 }
 

@@ -140,7 +140,7 @@ class LargerBall {
     const auto t = static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), corners) - all.begin());
     for (std::size_t k = 0; k < 3; ++k)
       if (corners[(k + 2) % 3] == from && corners[(k + 1) % 3] == to) return {t, k};
-    throw meshops::ContractViolation("hole_remedies: expected holes of this surface");
+    throw meshops::ContractViolation("suggested_repairs: expected holes of this surface");
   }
 
   static double least_radius_of(const std::vector<Triangle>& triangles, const std::vector<Point3>& points,
@@ -157,10 +157,10 @@ class LargerBall {
   std::uint32_t level_;
 };
 
-class Remedies {
+class Repairs {
  public:
-  Remedies(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
-           const Surface& surface, std::span<const Hole> holes, const SurfaceOptions& options)
+  Repairs(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
+          const Surface& surface, std::span<const Hole> holes, const SurfaceOptions& options)
       : points_(points),
         normals_(normals),
         radii_(radii),
@@ -171,29 +171,29 @@ class Remedies {
         go_on_(going_on(options.progress, points.size(), surface.triangles.size())),
         ask_(go_on_),
         surfaces_(points, normals, surface),
-        remedies_(holes.size()) {}
+        repairs_(holes.size()) {}
 
-  std::vector<HoleRemedy> run() {
+  std::vector<SuggestedRepair> run() {
     turn_normals();
     double radius = radii_.back();
     for (int step = 0; step < steps; ++step) roll(radius *= ladder);
     fill();
-    return std::move(remedies_);
+    return std::move(repairs_);
   }
 
  private:
-  /// Calls attempt(hole, remedy, near) for the wanted holes without a suggested repair; `near` finds the neighborhoods
+  /// Calls attempt(hole, repair, near) for the wanted holes without a suggested repair; `near` finds the neighborhoods
   /// within the radius.
   template <typename IsWanted, typename Attempt>
   void for_each_left(double radius, const IsWanted& is_wanted, const Attempt& attempt) {
     Indices left;
     for (std::uint32_t i = 0; i < holes_.size(); ++i)
-      if (remedies_[i].kind == RemedyKind::none && is_wanted(holes_[i])) left.push_back(i);
+      if (repairs_[i].kind == SuggestedRepairKind::none && is_wanted(holes_[i])) left.push_back(i);
     if (left.empty()) return;
     const space::NeighborhoodFinder near(points_, radius);
     for_each_index(threads_, left.size(), [&](std::size_t k) {
       ask_();
-      attempt(holes_[left[k]], remedies_[left[k]], near);
+      attempt(holes_[left[k]], repairs_[left[k]], near);
     });
   }
 
@@ -202,13 +202,14 @@ class Remedies {
       return std::any_of(hole.edges.begin(), hole.edges.end(),
                          [](const RimEdge& edge) { return edge.cause == RimCause::normals_disagree; });
     };
-    const auto attempt = [&](const Hole& hole, HoleRemedy& remedy, const space::NeighborhoodFinder& near) {
+    const auto attempt = [&](const Hole& hole, SuggestedRepair& repair, const space::NeighborhoodFinder& near) {
       Indices turned;
       for (const RimEdge& edge : hole.edges)
         for (std::size_t k = 0; k < 3; ++k)
           if (edge.cause == RimCause::normals_disagree && edge.corners[k]) turned.push_back(edge.next[k]);
       sort_unique(turned);
-      if (is_closed_with(turned, hole, near)) remedy = {.kind = RemedyKind::turn_normals, .points = std::move(turned)};
+      if (is_closed_with(turned, hole, near))
+        repair = {.kind = SuggestedRepairKind::turn_normals, .points = std::move(turned)};
     };
     for_each_left(radii_.back(), is_wanted, attempt);
   }
@@ -274,12 +275,13 @@ class Remedies {
     const auto is_wanted = [&](const Hole& hole) {
       return radius <= std::max(ladder * radii_.back(), diagonal_of(hole, points_));
     };
-    const auto attempt = [&](const Hole& hole, HoleRemedy& remedy, const space::NeighborhoodFinder& near) {
+    const auto attempt = [&](const Hole& hole, SuggestedRepair& repair, const space::NeighborhoodFinder& near) {
       const LargerBall ball(surfaces_, near, static_cast<std::uint32_t>(radii_.size()));
       const std::optional<double> least = ball.closes(hole, radius);
       if (!least) return;
       const double too_small = std::max(radii_.back(), radius / ladder);
-      remedy = {.kind = RemedyKind::larger_ball, .radius = least_closing(ball, hole, too_small, radius, *least)};
+      repair = {.kind = SuggestedRepairKind::larger_ball,
+                .radius = least_closing(ball, hole, too_small, radius, *least)};
     };
     for_each_left(radius, is_wanted, attempt);
   }
@@ -302,7 +304,7 @@ class Remedies {
   void fill() {
     std::vector<std::uint32_t> left;
     for (std::uint32_t i = 0; i < holes_.size(); ++i)
-      if (remedies_[i].kind == RemedyKind::none) left.push_back(i);
+      if (repairs_[i].kind == SuggestedRepairKind::none) left.push_back(i);
     if (left.empty()) return;
     const Surface surface = indexable_surface(surface_, go_on_);
     const std::vector<Hole> curves = surface_curves(points_, surface, go_on_);
@@ -321,9 +323,9 @@ class Remedies {
     });
     const FilledSurface filled = fill_holes(points_, surface, wanted, options_);
     for (std::size_t k = 0; k < left.size(); ++k) {
-      HoleRemedy& remedy = remedies_[left[k]];
-      remedy.filled = filled.holes[k].outcome;
-      if (*remedy.filled == HoleOutcome::filled) remedy.kind = RemedyKind::filling;
+      SuggestedRepair& repair = repairs_[left[k]];
+      repair.filled = filled.holes[k].outcome;
+      if (*repair.filled == HoleOutcome::filled) repair.kind = SuggestedRepairKind::filling;
     }
   }
 
@@ -343,25 +345,25 @@ class Remedies {
   std::function<bool()> go_on_;
   AskFromAnyThread ask_;
   space::LocalSurfaces surfaces_;
-  std::vector<HoleRemedy> remedies_;
+  std::vector<SuggestedRepair> repairs_;
 };
 
 }  // namespace
 
-std::vector<HoleRemedy> hole_remedies(std::span<const Point3> points, std::span<const Point3> normals,
-                                      std::span<const double> radii, const Surface& surface,
-                                      std::span<const Hole> holes, const SurfaceOptions& options) {
+std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,
+                                               std::span<const double> radii, const Surface& surface,
+                                               std::span<const Hole> holes, const SurfaceOptions& options) {
   space::check_radii(radii);
   space::check_points(points);
   space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
   for (const Hole& hole : holes) {
-    meshops::require(!hole.edges.empty(), "hole_remedies: expected holes of this surface");
+    meshops::require(!hole.edges.empty(), "suggested_repairs: expected holes of this surface");
     for (const RimEdge& edge : hole.edges)
       meshops::require(edge.triangle < surface.triangles.size() && edge.from < points.size() && edge.to < points.size(),
-                       "hole_remedies: expected holes of this surface");
+                       "suggested_repairs: expected holes of this surface");
   }
-  return Remedies(points, normals, radii, surface, holes, options).run();
+  return Repairs(points, normals, radii, surface, holes, options).run();
 }
 
 }  // namespace rbpa

@@ -20,7 +20,7 @@
 
 namespace rbpa {
 
-enum class RemedyKind : std::uint8_t {
+enum class SuggestedRepairKind : std::uint8_t {
   none,  ///< nothing that was tried closes the hole
   /// Turns the normals at `points`, and no others: surface() of the same radii is then closed there, and has no
   /// boundary where it had none before. It may have other triangles at these points.
@@ -31,14 +31,14 @@ enum class RemedyKind : std::uint8_t {
   filling,  ///< fill_holes() closes the hole
 };
 
-struct HoleRemedy {
-  RemedyKind kind = RemedyKind::none;
+struct SuggestedRepair {
+  SuggestedRepairKind kind = SuggestedRepairKind::none;
   double radius = 0;                       ///< of the larger ball
   std::vector<std::uint32_t> points = {};  ///< points whose normals are to be turned; ascending
   /// The outcome of fill_holes(), if nothing else closes the hole; absent if no indexed file can hold the curve as it
   /// is.
   std::optional<HoleOutcome> filled = std::nullopt;
-  friend bool operator==(const HoleRemedy&, const HoleRemedy&) = default;
+  friend bool operator==(const SuggestedRepair&, const SuggestedRepair&) = default;
 };
 
 /// Returns a suggested repair for each of the given holes. Balls are at most fourteen times as large as the last
@@ -47,8 +47,9 @@ struct HoleRemedy {
 /// the hole may be missed at radii between one that fails and 1.25 times that radius.
 /// Requires: the surface() of these points, normals and radii, and some of its holes().
 /// Throws:   InvalidInput as surface(); ContractViolation; Cancelled.
-RBPA_API std::vector<HoleRemedy> hole_remedies(std::span<const Point3> points, std::span<const Point3> normals,
-                                               std::span<const double> radii, const Surface& surface,
-                                               std::span<const Hole> holes, const SurfaceOptions& options = {});
+RBPA_API std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,
+                                                        std::span<const double> radii, const Surface& surface,
+                                                        std::span<const Hole> holes,
+                                                        const SurfaceOptions& options = {});
 
 }  // namespace rbpa

@@ -20,7 +20,6 @@ namespace rbpa {
 namespace {
 
 using Row = std::array<std::uint32_t, 4>;
-constexpr std::uint32_t none = Solid::none;
 
 /// The points of the box, and their images at most `margin` outside of it, in the order of vertices.
 struct Images {
@@ -53,12 +52,12 @@ Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, dou
 
 /// Keeps the vertices that are corners of tetrahedra. They keep their order, and so rows do.
 void keep_corners(PeriodicSolid& solid) {
-  std::vector<std::uint32_t> number(solid.vertices.size(), none);
+  std::vector<std::uint32_t> number(solid.vertices.size(), Solid::none);
   for (const Row& row : solid.simplices)
     for (const std::uint32_t corner : row) number[corner] = 0;
   std::uint32_t count = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == none) continue;
+    if (number[v] == Solid::none) continue;
     number[v] = count;
     solid.vertices[count] = solid.vertices[v];
     solid.positions[count++] = solid.positions[v];
@@ -89,7 +88,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
 
   PeriodicSolid found;
   found.box = torus.box();
-  std::vector<std::uint32_t> number(around.simplices.size(), none), kept;
+  std::vector<std::uint32_t> number(around.simplices.size(), Solid::none), kept;
   for (std::uint32_t t = 0; t < number.size(); ++t) {
     if (!is_in_box(around.simplices[t][0])) continue;  // the least corner is an image of the least point
     number[t] = static_cast<std::uint32_t>(kept.size());
@@ -102,8 +101,8 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
     found.simplices.push_back(around.simplices[t]);
     Row neighbors = around.neighbors[t];
     for (std::uint32_t k = 0; k < 4; ++k) {
-      if (neighbors[k] != none) neighbors[k] = number[neighbors[k]];
-      if (neighbors[k] == none) at_sides.push_back(4 * number[t] + k);
+      if (neighbors[k] != Solid::none) neighbors[k] = number[neighbors[k]];
+      if (neighbors[k] == Solid::none) at_sides.push_back(4 * number[t] + k);
     }
     found.neighbors.push_back(neighbors);
   }
@@ -122,7 +121,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
 
 /// Returns whether there is a tetrahedron at both sides of each triangle: then the tetrahedra fill the periodic space.
 bool is_complete(const PeriodicSolid& solid) {
-  const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), none) == row.end(); };
+  const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), Solid::none) == row.end(); };
   return !solid.neighbors.empty() && std::all_of(solid.neighbors.begin(), solid.neighbors.end(), has_all);
 }
 
@@ -177,7 +176,7 @@ std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid) {
   std::vector<Triangle> boundary;
   for (std::size_t t = 0; t < solid.simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k) {
-      if (solid.neighbors[t][k] != none) continue;
+      if (solid.neighbors[t][k] != Solid::none) continue;
       boundary.push_back(space::outer_face(solid.simplices[t], k));
     }
   return boundary;
@@ -194,16 +193,16 @@ PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, 
                      .duplicates = solid.duplicates,
                      .isolated = {},
                      .distinct = solid.distinct};
-  std::vector<std::uint32_t> number(radii.size(), none);
+  std::vector<std::uint32_t> number(radii.size(), Solid::none);
   std::uint32_t count = 0;
   for (std::size_t t = 0; t < radii.size(); ++t)
     if (radii[t] <= alpha) number[t] = count++;
   for (std::size_t t = 0; t < radii.size(); ++t) {
-    if (number[t] == none) continue;
+    if (number[t] == Solid::none) continue;
     part.simplices.push_back(solid.simplices[t]);
     if (solid.neighbors.empty()) continue;
     Row neighbors = solid.neighbors[t];
-    for (std::uint32_t& n : neighbors) n = n == none ? none : number[n];
+    for (std::uint32_t& n : neighbors) n = n == Solid::none ? Solid::none : number[n];
     part.neighbors.push_back(neighbors);
   }
   keep_corners(part);

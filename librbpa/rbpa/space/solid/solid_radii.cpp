@@ -43,10 +43,10 @@ std::size_t share_of(std::size_t all, double share) {
 }
 
 /// Tests whether one solid component of the complex of alpha has a given share of all corners.
-class Connection {
+class GrowingPieces {
  public:
   /// Keeps references to all arguments.
-  Connection(const Solid& delaunay, std::span<const double> radii, double share, Steps& step)
+  GrowingPieces(const Solid& delaunay, std::span<const double> radii, double share, Steps& step)
       : delaunay_(delaunay), radii_(radii), step_(step), seen_(corner_bound<4>(delaunay.simplices), none) {
     std::size_t corners = 0;
     for (const Row& row : delaunay.simplices) {
@@ -147,7 +147,7 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   Steps asked(go_on);
   sort(sorted, asked, std::less<>());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  Connection connection(delaunay, radii, share, asked);
+  GrowingPieces connection(delaunay, radii, share, asked);
   const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share, go_on));
   auto first = static_cast<std::size_t>(at_min - sorted.begin());  // the least candidate
   std::size_t last = first;

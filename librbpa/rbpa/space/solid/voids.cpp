@@ -19,8 +19,6 @@
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = Voids::none;
-
 /// Finds the void that each surface of the boundary bounds:
 ///   1. for each component of the complex, find the surface around it; its other surfaces are around voids;
 ///   2. find the components within each surface around a void;
@@ -34,7 +32,7 @@ class Nesting {
         surfaces_(boundary.tetrahedra.size(), boundary.tetrahedra.size(),
                   [&](std::uint32_t t) { return outside.surfaces.find(t); }),
         component_(surfaces_.size()),
-        around_(surfaces_.size(), none) {
+        around_(surfaces_.size(), Voids::none) {
     const space::Grouped components(surfaces_.size(), solid.simplices.size(), [&](std::uint32_t s) {
       return outside.components.find(boundary.tetrahedra[surfaces_.items(s).front()]);
     });
@@ -155,7 +153,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
   space::Outside outside = space::outside_of(points, solid, boundary);
   Voids result;
   result.counts = space::count_solid(solid, boundary, outside);
-  result.number.assign(boundary.tetrahedra.size(), none);
+  result.number.assign(boundary.tetrahedra.size(), Voids::none);
   if (result.counts.voids == 0) return result;
 
   Nesting nesting(points, solid, boundary, outside);
@@ -164,7 +162,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
   const auto& surfaces = nesting.surfaces();
   std::vector<std::size_t> islands(surfaces.size(), 0);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-    if (nesting.is_outer(s) && nesting.around(s) != none) ++islands[nesting.around(s)];
+    if (nesting.is_outer(s) && nesting.around(s) != Voids::none) ++islands[nesting.around(s)];
   const space::Grouped of_voids(boundary.tetrahedra.size(), surfaces.size(), [&](std::uint32_t t) {
     const std::uint32_t s = surfaces.number()[t];
     return nesting.is_outer(s) ? nesting.around(s) : s;
@@ -193,7 +191,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
                           of.high});
   }
   for (std::size_t t = 0; t < result.number.size(); ++t)
-    if (of_voids.number()[t] != none) result.number[t] = place[of_voids.number()[t]];
+    if (of_voids.number()[t] != Voids::none) result.number[t] = place[of_voids.number()[t]];
   return result;
 }
 

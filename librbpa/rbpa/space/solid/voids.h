@@ -13,19 +13,13 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/complex_kind.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_topology.h"
 
 namespace rbpa {
-
-/// The kind of complex whose faces close a void.
-enum class VoidWalls {
-  solid,  ///< tetrahedra: voids() of solid()
-  /// Also triangles in no tetrahedron, so that a ball of radius alpha cannot leave: voids of the full alpha complex.
-  full
-};
 
 struct SolidVoid {
   std::vector<std::uint32_t> triangles;  ///< numbers of the boundary triangles that bound it; ascending

@@ -16,7 +16,7 @@
 #include "rbpa/space/surface/normals/fit_plane.h"
 #include "rbpa/space/surface/normals/orient_normals.h"
 #include "rbpa/space/surface/normals/outer_sides.h"
-#include "rbpa/space/surface/normals/side_certainty.h"
+#include "rbpa/space/surface/normals/side_confidence.h"
 
 namespace rbpa {
 namespace {
@@ -34,7 +34,7 @@ Wide height(const Point3& p, const Point3& from, const Point3& n) {
 
 /// Returns the confidence that a normal turned toward a viewpoint is on the right side: a plane that is seen at a
 /// grazing angle may be seen from either side.
-double view_certainty(const Point3& p, const Point3& from, const Point3& n) {
+double view_confidence(const Point3& p, const Point3& from, const Point3& n) {
   constexpr double beyond_doubt = 0.25;  // cosine of the angle between normal and view: 76 degrees
   const Wide x = Wide(from.x) - p.x, y = Wide(from.y) - p.y, z = Wide(from.z) - p.z;
   const Wide distance = std::sqrt(x * x + y * y + z * z);
@@ -54,11 +54,11 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
 /// Returns the normals of distinct points, in their order, and their confidence where wanted; viewpoints are not
 /// considered.
 template <typename Real>
-EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_certainty) {
+EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_confidence) {
   const std::size_t count = points.size();
   const std::function<void()> go_on = asking(options.progress, count);
   Threads threads(count < 1000 ? 1 : options.threads);  // for few points another thread starts too late
-  auto [near, normals, certainty] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
+  auto [near, normals, confidence] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
     space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
     space::OuterSides sides;
@@ -69,18 +69,18 @@ EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& opt
       sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = watch});
       if (!sides.empty()) tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
     }
-    if (with_certainty) {
-      const std::vector<double> of_side = space::side_certainty<Real>(near, normals, tree, sides, go_on);
-      for (std::size_t i = 0; i < count; ++i) certainty[i] = std::min(certainty[i], of_side[i]);
+    if (with_confidence) {
+      const std::vector<double> of_side = space::side_confidence<Real>(near, normals, tree, sides, go_on);
+      for (std::size_t i = 0; i < count; ++i) confidence[i] = std::min(confidence[i], of_side[i]);
     }
   }
-  EstimatedNormals by_number{.normals = std::vector<Point3>(count), .certainty = {}};
+  EstimatedNormals by_number{.normals = std::vector<Point3>(count), .confidence = {}};
   for (std::size_t i = 0; i < count; ++i) by_number.normals[i] = normals[near.place[i]];
-  for (std::size_t i = 0; i < count && with_certainty; ++i) by_number.certainty.push_back(certainty[near.place[i]]);
+  for (std::size_t i = 0; i < count && with_confidence; ++i) by_number.confidence.push_back(confidence[near.place[i]]);
   return by_number;
 }
 
-EstimatedNormals estimate(std::span<const Point3> points, const NormalOptions& options, bool with_certainty) {
+EstimatedNormals estimate(std::span<const Point3> points, const NormalOptions& options, bool with_confidence) {
   space::check_points(points);
   if (options.neighbors < 2)
     throw InvalidInput("normals from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
@@ -88,18 +88,18 @@ EstimatedNormals estimate(std::span<const Point3> points, const NormalOptions& o
   if (points.empty()) return {};
   space::DistinctPoints sites = space::distinct_points(points);
   const bool fits = space::fit_double(sites.points).has_value();
-  const EstimatedNormals of_sites = fits ? normals_of<double>(std::move(sites.points), options, with_certainty)
-                                         : normals_of<long double>(std::move(sites.points), options, with_certainty);
+  const EstimatedNormals of_sites = fits ? normals_of<double>(std::move(sites.points), options, with_confidence)
+                                         : normals_of<long double>(std::move(sites.points), options, with_confidence);
   EstimatedNormals result;
   result.normals.reserve(points.size());
   for (const std::uint32_t number : sites.number) result.normals.push_back(of_sites.normals[number]);
-  for (std::size_t i = 0; i < points.size() && with_certainty; ++i)
-    result.certainty.push_back(of_sites.certainty[sites.number[i]]);
+  for (std::size_t i = 0; i < points.size() && with_confidence; ++i)
+    result.confidence.push_back(of_sites.confidence[sites.number[i]]);
   if (!options.viewpoints.empty()) {
     turn_toward(points, options.viewpoints, result.normals);
-    for (std::size_t i = 0; i < result.certainty.size(); ++i)
-      result.certainty[i] = std::min(result.certainty[i],
-                                     view_certainty(points[i], viewpoint_of(i, options.viewpoints), result.normals[i]));
+    for (std::size_t i = 0; i < result.confidence.size(); ++i)
+      result.confidence[i] = std::min(
+          result.confidence[i], view_confidence(points[i], viewpoint_of(i, options.viewpoints), result.normals[i]));
   }
   return result;
 }
@@ -123,7 +123,7 @@ std::vector<Point3> estimate_normals(std::span<const Point3> points, const Norma
   return estimate(points, options, false).normals;
 }
 
-EstimatedNormals estimate_normals_and_certainty(std::span<const Point3> points, const NormalOptions& options) {
+EstimatedNormals estimate_normals_and_confidence(std::span<const Point3> points, const NormalOptions& options) {
   return estimate(points, options, true);
 }
 

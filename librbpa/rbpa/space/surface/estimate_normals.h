@@ -59,11 +59,11 @@ RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, co
 
 struct EstimatedNormals {
   std::vector<Point3> normals;
-  std::vector<double> certainty;  ///< for each normal, in [0, 1]
+  std::vector<double> confidence;  ///< for each normal, in [0, 1]
 };
 
 /// The bound below which a normal is in doubt.
-inline constexpr double least_certainty = 0.5;
+inline constexpr double least_confidence = 0.5;
 
 /// Estimates normals, with the confidence of each, which is the lesser of two numbers:
 /// - the confidence in the plane that its neighbors determine: 1 minus the ratio of the two least variances of their
@@ -74,8 +74,8 @@ inline constexpr double least_certainty = 0.5;
 ///   number is how much more of the point they see from outside than from inside, and paths start there. With
 ///   viewpoints, the number is four times the cosine between normal and view, at most 1.
 /// Cost: O(n log n) more, in one thread; measured, 0 to 16 % of the estimate by one thread.
-RBPA_API EstimatedNormals estimate_normals_and_certainty(std::span<const Point3> points,
-                                                         const NormalOptions& options = {});
+RBPA_API EstimatedNormals estimate_normals_and_confidence(std::span<const Point3> points,
+                                                          const NormalOptions& options = {});
 
 /// Turns each normal to the side of its plane on which the viewpoint is. If the viewpoint is in the plane, the first
 /// nonzero coordinate of the normal among z, y, x becomes positive.

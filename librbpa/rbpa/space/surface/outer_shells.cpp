@@ -20,7 +20,7 @@ namespace rbpa {
 namespace {
 
 using Real = long double;  // products of coordinates in double do not overflow it
-using Vector = space::Vector3<Real>;
+using LongVector = space::Vector3<Real>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// A triangle, and the ball of the radius that rests on it.
@@ -28,20 +28,20 @@ class RestingBall {
  public:
   RestingBall(std::span<const Point3> points, const Triangle& triangle, Real radius) : a_(points[triangle[0]]) {
     const Point3 &b = points[triangle[1]], &c = points[triangle[2]];
-    const Vector u = space::from<Real>(a_, b), v = space::from<Real>(a_, c), w = space::from<Real>(b, c);
+    const LongVector u = space::from<Real>(a_, b), v = space::from<Real>(a_, c), w = space::from<Real>(b, c);
     const Real uu = space::dot(u, u), vv = space::dot(v, v);
     normal_ = space::cross(u, v);
     const Real nn = space::dot(normal_, normal_);
-    const Vector to_u = space::cross(v, normal_), to_v = space::cross(normal_, u);
-    circumcentre_ = {(uu * to_u.x + vv * to_v.x) / (2 * nn), (uu * to_u.y + vv * to_v.y) / (2 * nn),
+    const LongVector to_u = space::cross(v, normal_), to_v = space::cross(normal_, u);
+    circumcenter_ = {(uu * to_u.x + vv * to_v.x) / (2 * nn), (uu * to_u.y + vv * to_v.y) / (2 * nn),
                      (uu * to_u.z + vv * to_v.z) / (2 * nn)};
     // The height of the center above the triangle, in units of the length of the normal.
     height_ = std::sqrt(std::max(radius * radius - uu * vv * space::dot(w, w) / (4 * nn), Real(0)) / nn);
     clearance_ = height_ * std::sqrt(nn);
-    const Vector to_centre = {circumcentre_.x + height_ * normal_.x, circumcentre_.y + height_ * normal_.y,
-                              circumcentre_.z + height_ * normal_.z};
-    for (const Vector& side : {Vector{0, 0, 0}, u, v}) {
-      const Vector d = {to_centre.x - side.x, to_centre.y - side.y, to_centre.z - side.z};
+    const LongVector to_center = {circumcenter_.x + height_ * normal_.x, circumcenter_.y + height_ * normal_.y,
+                                  circumcenter_.z + height_ * normal_.z};
+    for (const LongVector& side : {LongVector{0, 0, 0}, u, v}) {
+      const LongVector d = {to_center.x - side.x, to_center.y - side.y, to_center.z - side.z};
       error_ = std::max(error_, std::abs(std::sqrt(space::dot(d, d)) - radius));
     }
   }
@@ -49,15 +49,15 @@ class RestingBall {
   /// Returns the distance from the triangle to the center, less the possible rounding error: the center of a nearly
   /// degenerate triangle may be anywhere.
   Real clearance() const { return clearance_ - 1000 * error_; }
-  Point3 centre() const {
+  Point3 center() const {
     const auto sum = [&](double from, Real at, Real along) { return static_cast<double>(from + at + height_ * along); };
-    return {sum(a_.x, circumcentre_.x, normal_.x), sum(a_.y, circumcentre_.y, normal_.y),
-            sum(a_.z, circumcentre_.z, normal_.z)};
+    return {sum(a_.x, circumcenter_.x, normal_.x), sum(a_.y, circumcenter_.y, normal_.y),
+            sum(a_.z, circumcenter_.z, normal_.z)};
   }
 
  private:
   Point3 a_;
-  Vector normal_{}, circumcentre_{};
+  LongVector normal_{}, circumcenter_{};
   Real height_ = 0, clearance_ = 0, error_ = 0;
 };
 
@@ -121,17 +121,17 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
   // For each shell, the ball with the center highest above its triangle, where rounding of the center matters least.
   Steps step(go_on);
   std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
-  std::vector<Point3> centre(count);
+  std::vector<Point3> center(count);
   for (std::size_t t = 0; t < shells.triangles.size(); ++t) {
     step(4);
     const std::uint32_t c = components.number[t];
     const RestingBall ball(points, shells.triangles[t], radius);
     if (!(ball.clearance() > clearance[c])) continue;
     clearance[c] = ball.clearance();
-    centre[c] = ball.centre();
+    center[c] = ball.center();
   }
   std::vector<bool> outer(count, true);
-  for_each_enclosed(points, shells, components, centre, step,
+  for_each_enclosed(points, shells, components, center, step,
                     [&](std::uint32_t, std::uint32_t c) { outer[c] = false; });
   return outer;
 }

@@ -12,7 +12,7 @@
 
 #include "fill/refusal.h"
 #include "rbpa/fill.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "support/generate_polygons.h"
 #include "support/random.h"
 
@@ -68,7 +68,7 @@ TEST_CASE(
   std::vector<rbpa::OutlinePart> parts;
   std::vector<rbpa::Polygon> polygons;
   std::vector<std::size_t> groups;
-  for (const auto& corners : rbpa::triangulate(points, std::numeric_limits<double>::infinity()).triangles) {
+  for (const auto& corners : rbpa::alpha_complex(points, std::numeric_limits<double>::infinity()).triangles) {
     rbpa::OutlinePart& part = parts.emplace_back();
     part.outline.rings.push_back({.sites = {0, 1, 2}});
     for (std::size_t k = 0; k < 3; ++k) {

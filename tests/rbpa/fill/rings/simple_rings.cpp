@@ -114,11 +114,11 @@ TEST_CASE("rings meet exactly where two of their edges do") {
 TEST_CASE("rings of even depth are shells and rings of odd depth holes, each in the smallest ring around it") {
   std::vector<Point> points;
   std::vector<Ring> rings;
-  const auto add = [&](double centre, double half, bool turned) {
+  const auto add = [&](double center, double half, bool turned) {
     Ring ring;
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
       ring.points.push_back(static_cast<std::uint32_t>(points.size()));
-      points.push_back({centre + half * x, half * y});
+      points.push_back({center + half * x, half * y});
     }
     if (turned) std::reverse(ring.points.begin(), ring.points.end());
     rings.push_back(ring);

@@ -11,7 +11,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
@@ -21,9 +21,9 @@
 #include "support/spacing.h"
 
 using namespace rbpa_test;
-using rbpa::Complex;
+using rbpa::AlphaComplex;
 using rbpa::ComplexCounts;
-using rbpa::Triangulation;
+using rbpa::ComplexKind;
 
 TEST_SUITE_BEGIN("arrays");
 
@@ -46,7 +46,7 @@ class Paint {
 };
 
 /// Counts by the definitions: connected parts get one color, and the number of holes follows from Euler's formula.
-ComplexCounts by_definition(const Triangulation& complex, Complex kind) {
+ComplexCounts by_definition(const AlphaComplex& complex, ComplexKind kind) {
   std::set<std::uint32_t> vertices;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> triangles_at;
   for (std::size_t t = 0; t < complex.triangles.size(); ++t)
@@ -62,14 +62,14 @@ ComplexCounts by_definition(const Triangulation& complex, Complex kind) {
     triangles_at[{a, b}];
     vertices.insert({a, b});
   }
-  if (kind == Complex::full) vertices.insert(complex.points.begin(), complex.points.end());
+  if (kind == ComplexKind::full) vertices.insert(complex.points.begin(), complex.points.end());
   const std::vector<std::uint32_t> sorted(vertices.begin(), vertices.end());
   const auto number = [&](std::uint32_t v) {
     return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
   };
   Paint space(sorted.size());
   for (const auto& [edge, at] : triangles_at) space.join(number(edge.first), number(edge.second));
-  ComplexCounts counts{.points_covered = sorted.size() - (kind == Complex::full ? complex.points.size() : 0),
+  ComplexCounts counts{.points_covered = sorted.size() - (kind == ComplexKind::full ? complex.points.size() : 0),
                        .edges = triangles_at.size(),
                        .triangles = complex.triangles.size(),
                        .solid_components = solid.colors(),
@@ -82,10 +82,10 @@ void check_all_ways(const Points& points, double alpha) {
   CAPTURE(alpha);
   const rbpa::SolidAlphaComplex mesh = rbpa::rbpa(points, alpha);
   for (const unsigned threads : {1u, 2u}) {
-    const Triangulation by_neighbors = rbpa::triangulate(points, alpha, {.neighbors = true, .threads = threads}),
-                        by_boundary = rbpa::triangulate(points, alpha, {.boundary = true, .threads = threads}),
-                        by_both =
-                            rbpa::triangulate(points, alpha, {.neighbors = true, .boundary = true, .threads = threads});
+    const AlphaComplex by_neighbors = rbpa::alpha_complex(points, alpha, {.neighbors = true, .threads = threads}),
+                       by_boundary = rbpa::alpha_complex(points, alpha, {.boundary = true, .threads = threads}),
+                       by_both = rbpa::alpha_complex(points, alpha,
+                                                     {.neighbors = true, .boundary = true, .threads = threads});
     CHECK(by_boundary.neighbors.empty());
     CHECK(by_boundary.triangles == by_both.triangles);
     CHECK(by_boundary.boundary == by_both.boundary);
@@ -119,8 +119,8 @@ TEST_CASE("counts of full and solid complexes on small sets follow the definitio
                                              static_cast<double>(random.integer(0, side))}
                                : rbpa::Point{random.between(0, side), random.between(0, side)});
     const double alpha = random.between(0.4, 1.3);
-    for (const Complex kind : {Complex::solid, Complex::full}) {
-      const Triangulation complex = rbpa::triangulate(points, alpha, {.complex = kind, .boundary = true});
+    for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full}) {
+      const AlphaComplex complex = rbpa::alpha_complex(points, alpha, {.complex = kind, .boundary = true});
       const ComplexCounts found = rbpa::count(points, complex, kind);
       ComplexCounts expected = by_definition(complex, kind);
       expected.boundary_curves = rbpa::count(rbpa::rbpa(points, alpha)).boundary_curves;
@@ -137,22 +137,22 @@ TEST_CASE("counts of full and solid complexes on small sets follow the definitio
 
 TEST_CASE("the full complex of points on a line is a path of edges") {
   const Points points = {{0, 0}, {1, 1}, {2, 2}, {7, 7}, {8, 8}, {20, 20}};
-  const Triangulation path = rbpa::triangulate(points, 1, {.complex = Complex::full, .boundary = true});
-  CHECK(rbpa::count(points, path, Complex::full) ==
+  const AlphaComplex path = rbpa::alpha_complex(points, 1, {.complex = ComplexKind::full, .boundary = true});
+  CHECK(rbpa::count(points, path, ComplexKind::full) ==
         ComplexCounts{.points_covered = 5, .edges = 3, .triangles = 0, .components = 3});
-  CHECK(rbpa::count(points, rbpa::triangulate(points, infinity, {.boundary = true})) == ComplexCounts{});
+  CHECK(rbpa::count(points, rbpa::alpha_complex(points, infinity, {.boundary = true})) == ComplexCounts{});
   CHECK(rbpa::count({}, {}) == ComplexCounts{});
 }
 
 TEST_CASE("arrays without a boundary, or with an open one, are refused; false from go_on cancels") {
   const Points points = uniform(3000, 72);
-  Triangulation complex = rbpa::triangulate(points, mean_spacing(points), {.boundary = true});
+  AlphaComplex complex = rbpa::alpha_complex(points, mean_spacing(points), {.boundary = true});
   REQUIRE(!complex.boundary.empty());
   std::size_t calls = 0;
-  CHECK_THROWS_AS(rbpa::count(points, rbpa::triangulate(points, infinity)), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::count(points, rbpa::alpha_complex(points, infinity)), meshops::ContractViolation);
   const Points many = random_grid(300, 60000, false, 73);
-  const Triangulation torn = rbpa::triangulate(many, 0.8, {.boundary = true});
-  CHECK_THROWS_AS(rbpa::count(many, torn, Complex::solid, [&] { return ++calls < 2; }), rbpa::Cancelled);
+  const AlphaComplex torn = rbpa::alpha_complex(many, 0.8, {.boundary = true});
+  CHECK_THROWS_AS(rbpa::count(many, torn, ComplexKind::solid, [&] { return ++calls < 2; }), rbpa::Cancelled);
   complex.boundary.pop_back();
   CHECK_THROWS_AS(rbpa::count(points, complex), meshops::ContractViolation);
 }

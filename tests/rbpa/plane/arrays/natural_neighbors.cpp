@@ -11,17 +11,17 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/magnitude.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/locate.h"
-#include "rbpa/plane/solid_alpha_complex.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
 #include "support/random.h"
 #include "support/sets.h"
 
 using namespace rbpa_test;
+using rbpa::AlphaComplex;
 using rbpa::Interpolation;
 using rbpa::Point;
-using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("locate");
 
@@ -83,7 +83,7 @@ struct Natural {
   }
 
   Points points;
-  Triangulation triangulation;
+  AlphaComplex triangulation;
   rbpa::Locator locator;
 };
 
@@ -102,12 +102,12 @@ TEST_CASE("shares are the areas that are cut out of the neighbors' cells") {
     for (const Point& p : points) queries.push_back({p.x + 0.5, p.y + 0.5});  // on grids, the middles of squares
     const auto found = natural.locator.find(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (found[i] == Triangulation::none) continue;
+      if (found[i] == AlphaComplex::none) continue;
       const Point& q = queries[i];
       // Near the hull the new cell extends beyond the box in which cells are cut.
       const Points box = {{q.x + 1e-3, q.y}, {q.x - 1e-3, q.y}, {q.x, q.y + 1e-3}, {q.x, q.y - 1e-3}};
       const auto around = natural.locator.find(box);
-      if (std::count(around.begin(), around.end(), Triangulation::none) > 0) continue;
+      if (std::count(around.begin(), around.end(), AlphaComplex::none) > 0) continue;
       if (std::find(points.begin(), points.end(), q) != points.end()) continue;
       rbpa::NaturalNeighbors neighbors(points, natural.triangulation);
       const auto shares = neighbors.find(q, found[i]);
@@ -162,7 +162,7 @@ TEST_CASE(
     const std::vector<double> result = natural(values, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const Point& q = queries[i];
-      if (found[i] == Triangulation::none) {
+      if (found[i] == AlphaComplex::none) {
         CHECK(std::isnan(result[3 * i]));
         continue;
       }

@@ -13,8 +13,8 @@
 #include "support/random.h"
 
 using namespace rbpa_test;
+using rbpa::AlphaComplex;
 using rbpa::Point;
-using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("divide");
 
@@ -41,7 +41,7 @@ TEST_CASE("small sets full of ties and duplicates have the triangles of tiles") 
     const Points points = on_grid(static_cast<std::size_t>(random.integer(0, 60)), width, exponent, random);
     const double alpha = random.chance(0.3) ? infinity : std::ldexp(0.4 + 2 * random.unit(), exponent);
     CAPTURE(trial);
-    Triangulation found;
+    AlphaComplex found;
     REQUIRE(rbpa::triangulate_small_set(points, alpha, {.neighbors = true}, found));
     const rbpa::SolidAlphaComplex tiles = rbpa::rbpa(points, alpha);
     CHECK(found.triangles == rbpa::triangles(tiles));
@@ -58,14 +58,14 @@ TEST_CASE("small sets full of ties and duplicates have the triangles of tiles") 
 }
 
 TEST_CASE("zeros of both signs are one point") {
-  Triangulation found;
+  AlphaComplex found;
   REQUIRE(rbpa::triangulate_small_set(Points{{0.0, 1}, {-0.0, 1}, {1, -0.0}, {1, 0.0}, {3, 3}}, infinity, {}, found));
   CHECK(found.duplicates == std::vector<rbpa::Duplicate>{{1, 0}, {3, 2}});
   CHECK(found.triangles == std::vector<rbpa::Triangle>{{0, 2, 4}});
 }
 
 TEST_CASE("coordinates that do not fit double are left to other methods") {
-  Triangulation found;
+  AlphaComplex found;
   CHECK_FALSE(rbpa::triangulate_small_set(Points{{0, 0}, {1e200, 0}, {0, 1e-200}}, infinity, {}, found));
   CHECK(found.distinct == 0);
 }
@@ -73,12 +73,12 @@ TEST_CASE("coordinates that do not fit double are left to other methods") {
 TEST_CASE("the result does not change at the limit of small sets") {
   for (const std::size_t count : {rbpa::small_set_limit - 1, rbpa::small_set_limit}) {
     const Points points = uniform(count, 5);
-    CHECK(rbpa::triangulate(points, 0.9).triangles == rbpa::triangles(rbpa::rbpa(points, 0.9)));
+    CHECK(rbpa::alpha_complex(points, 0.9).triangles == rbpa::triangles(rbpa::rbpa(points, 0.9)));
   }
 }
 
 TEST_CASE("progress is called, and can cancel") {
-  Triangulation found;
+  AlphaComplex found;
   const Points points = uniform(50, 3);
   rbpa::Progress last{};
   REQUIRE(rbpa::triangulate_small_set(points, infinity,
@@ -90,7 +90,7 @@ TEST_CASE("progress is called, and can cancel") {
                                       found));
   CHECK(last.triangles == found.triangles.size());
   CHECK(last.points == 50);
-  Triangulation other;
+  AlphaComplex other;
   CHECK_THROWS_AS(
       rbpa::triangulate_small_set(points, infinity, {.progress = [](const rbpa::Progress&) { return false; }}, other),
       rbpa::Cancelled);

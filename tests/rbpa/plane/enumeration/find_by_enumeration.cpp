@@ -99,11 +99,11 @@ Points thinned_lattice(int columns, double unit, double kept, std::uint64_t seed
   return points;
 }
 
-Points circle(int count, double radius, Point centre) {
+Points circle(int count, double radius, Point center) {
   Points points;
   for (int i = 0; i < count; ++i) {
     const double t = 6.283185307179586 * i / count;
-    points.push_back({centre.x + radius * std::cos(t), centre.y + radius * std::sin(t)});
+    points.push_back({center.x + radius * std::cos(t), center.y + radius * std::sin(t)});
   }
   return points;
 }

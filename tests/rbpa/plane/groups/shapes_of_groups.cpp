@@ -20,12 +20,12 @@
 #include "support/spacing.h"
 
 using namespace rbpa_test;
+using rbpa::AlphaComplex;
 using rbpa::GroupProblem;
 using rbpa::Groups;
 using rbpa::GroupShapes;
 using rbpa::Polygon;
 using rbpa::Triangle;
-using rbpa::Triangulation;
 
 namespace {
 
@@ -70,7 +70,7 @@ Alone alone(const Points& points, std::span<const std::uint32_t> members, const 
   Alone found;
   found.alpha = given;
   if (std::isnan(given)) {
-    const Triangulation all = rbpa::triangulate(of, infinity, {.neighbors = true});
+    const AlphaComplex all = rbpa::alpha_complex(of, infinity, {.neighbors = true});
     const rbpa::Filtration steps = rbpa::filtration(all, of);
     if (alpha.plateau == 0)
       found.alpha = rbpa::smallest_covering(all, steps, alpha.covering).value_or(none);
@@ -78,8 +78,8 @@ Alone alone(const Points& points, std::span<const std::uint32_t> members, const 
       found.alpha = plateaus[std::min(alpha.plateau, plateaus.size()) - 1].alpha;
   }
   if (std::isnan(found.alpha)) return found;
-  const Triangulation complex = rbpa::triangulate(of, found.alpha, {.neighbors = true});
-  found.polygons = rbpa::polygons(of, complex);
+  const AlphaComplex complex = rbpa::alpha_complex(of, found.alpha, {.neighbors = true});
+  found.polygons = rbpa::outline_polygons(of, complex);
   found.triangles = complex.triangles;
   for (Triangle& t : found.triangles)
     for (std::uint32_t& corner : t) corner = members[corner];

@@ -87,7 +87,7 @@ Points flat_parabola(int count, double curvature) {
 }
 
 /// Returns points whose density falls with the square of the distance from the center, over three decades.
-Points heavy_centre(std::size_t count, std::uint64_t seed) {
+Points heavy_center(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   Points points;
   while (points.size() < count) {
@@ -295,7 +295,7 @@ TEST_CASE("over all levels at most four times as many points take part as there 
     Points points;
   } sets[] = {{"uniform", uniform(20000, 5)},           {"jittered", jittered_grid(140, 0.9, 6)},
               {"grid", perfect_grid(140, 1)},           {"three decades", three_decades(20000, 7)},
-              {"heavy center", heavy_centre(20000, 8)}, {"lidar", lidar_lines(100, 200, 9)}};
+              {"heavy center", heavy_center(20000, 8)}, {"lidar", lidar_lines(100, 200, 9)}};
   for (const auto& set : sets)
     for (const std::size_t k : {1u, 4u, 16u, 64u, 1024u}) {
       CAPTURE(std::string(set.name));

@@ -143,7 +143,7 @@ rbpa::WholeComplex whole(const Points& points, double alpha) {
                                        .components = counts.components,
                                        .boundary_curves = counts.boundary_curves},
                             .polygons = {}};
-  const std::vector<rbpa::Polygon> polygons = rbpa::polygons(complex);
+  const std::vector<rbpa::Polygon> polygons = rbpa::outline_polygons(complex);
   const auto corners = [&](const rbpa::Ring& ring) {
     rbpa::CornerRing made;
     for (const std::uint32_t i : ring.points) made.push_back({i, points[i]});

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
 #include "support/triangle.h"
@@ -67,7 +67,7 @@ TEST_CASE("a cloud beside a curve has the same mesh by any number of threads, wi
       for (const auto face : one.mesh.faces())
         REQUIRE(some.mesh.halfedge_handle(face) == one.mesh.halfedge_handle(face));
     }
-    CHECK(rbpa::triangles(one) == rbpa::triangulate(points, 0.3).triangles);
+    CHECK(rbpa::triangles(one) == rbpa::alpha_complex(points, 0.3).triangles);
   }
 }
 

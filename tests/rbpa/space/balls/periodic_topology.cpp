@@ -19,12 +19,12 @@
 #include "support/periodic_sets.h"
 
 using namespace rbpa_test;
+using rbpa::ComplexKind;
 using rbpa::PeriodicPart;
 using rbpa::PeriodicSolid;
 using rbpa::PeriodicTopology;
 using rbpa::PeriodicVertex;
 using rbpa::Point3;
-using rbpa::VoidWalls;
 
 TEST_SUITE_BEGIN("space");
 
@@ -183,7 +183,7 @@ TEST_CASE("counts and Betti numbers of periodic complexes are those of their bou
     for (const double share : {0.0, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 0.98, 1.0}) {
       const double alpha = sorted[static_cast<std::size_t>(share * double(sorted.size() - 1))] * (share == 0 ? 0.9 : 1);
       CAPTURE(alpha);
-      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha, VoidWalls::solid);
+      const PeriodicTopology topology = rbpa::periodic_topology(made.delaunay, made.radii, alpha, ComplexKind::solid);
       const PeriodicSolid within = rbpa::within(made.delaunay, made.radii, alpha);
       const Model model = model_of(within);
       CHECK(std::array{topology.points, topology.edges, topology.triangles, topology.tetrahedra} == model.counts);
@@ -200,7 +200,7 @@ TEST_CASE("counts and Betti numbers of periodic complexes are those of their bou
           if (i > 0) CHECK((*parts)[i].volume <= (*parts)[i - 1].volume);
           ++dimensions[(*parts)[i].dimension];
         }
-      const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, alpha, VoidWalls::full, 2);
+      const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, alpha, ComplexKind::full, 2);
       const Model full_model =
           model_of(within, dangling_by_images(wrapped(set, made.delaunay.box), made.delaunay.box, alpha));
       CHECK(std::array{full.points, full.edges, full.triangles, full.tetrahedra} == full_model.counts);
@@ -233,7 +233,7 @@ TEST_CASE("a ball, a channel, a layer and a network that are left out percolate 
   const auto topology_without = [&](const std::function<double(const Point3&)>& depth) {
     const Case made = triangulated(without(depth), {10, 10, 10});
     const PeriodicTopology full = rbpa::periodic_topology(made.delaunay, made.radii, 1.2);
-    const PeriodicTopology solid = rbpa::periodic_topology(made.delaunay, made.radii, 1.2, VoidWalls::solid);
+    const PeriodicTopology solid = rbpa::periodic_topology(made.delaunay, made.radii, 1.2, ComplexKind::solid);
     REQUIRE(full.voids.size() >= solid.voids.size());  // points are so dense that triangles separate hardly anything
     CHECK(full.voids[0].dimension == solid.voids[0].dimension);
     CHECK(full.voids[0].volume == doctest::Approx(solid.voids[0].volume).epsilon(0.01));
@@ -283,8 +283,8 @@ TEST_CASE("measures of a periodic solid have the same bytes in any order of the 
     for (int time = 0; time < 3; ++time) {
       try {
         const Case made = triangulated(set.points, set.box);
-        for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full})
-          (walls == VoidWalls::solid ? all : all_full)
+        for (const ComplexKind walls : {ComplexKind::solid, ComplexKind::full})
+          (walls == ComplexKind::solid ? all : all_full)
               .push_back(rbpa::periodic_topology(made.delaunay, made.radii, 1.5, walls));
       } catch (const rbpa::InvalidInput&) {
       }
@@ -323,7 +323,7 @@ TEST_CASE("bricks of points open their windows of three sizes at exact radii, ea
     for (int y = 0; y < along_y; ++y)
       for (int z = 0; z < along_z; ++z) points.push_back({x * brick.x, y * brick.y, z * brick.z});
   const Case made = triangulated(points, box);
-  const auto at = [&](double alpha, VoidWalls walls = VoidWalls::full) {
+  const auto at = [&](double alpha, ComplexKind walls = ComplexKind::full) {
     return rbpa::periodic_topology(made.delaunay, made.radii, alpha, walls);
   };
   const auto below = [](double x) { return std::nextafter(x, 0.0); };
@@ -346,7 +346,7 @@ TEST_CASE("bricks of points open their windows of three sizes at exact radii, ea
     CHECK(topology.betti[2] == step.voids + 2 - step.dimension);
     CHECK(topology.betti[3] == 0);
     // The solid leaks through every window.
-    CHECK(at(step.alpha, VoidWalls::solid).voids.size() == 1);
+    CHECK(at(step.alpha, ComplexKind::solid).voids.size() == 1);
   }
   CHECK(at(135.5).voids.empty());
   CHECK(at(135.5).betti == std::array<std::size_t, 4>{1, 3, 3, 1});

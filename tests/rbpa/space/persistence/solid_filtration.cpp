@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
@@ -162,7 +162,7 @@ TEST_CASE("points in a plane have their Delaunay triangulation there, with its t
       return rows;
     };
     if (is_level)
-      CHECK(sorted_triangles(filtration.triangles) == sorted_triangles(rbpa::triangulate(plane, infinity).triangles));
+      CHECK(sorted_triangles(filtration.triangles) == sorted_triangles(rbpa::alpha_complex(plane, infinity).triangles));
     CHECK(filtration.delaunay.distinct + filtration.triangles.size() - filtration.edges.size() ==
           1);  // Euler: one disc
     CHECK(std::set(filtration.edges.begin(), filtration.edges.end()).size() == filtration.edges.size());

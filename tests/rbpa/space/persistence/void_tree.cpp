@@ -24,12 +24,12 @@
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
+using rbpa::ComplexKind;
 using rbpa::Point3;
 using rbpa::Solid;
 using rbpa::SolidFiltration;
 using rbpa::SolidPair;
 using rbpa::VoidTree;
-using rbpa::VoidWalls;
 
 TEST_SUITE_BEGIN("space");
 
@@ -37,20 +37,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, VoidWalls walls = VoidWalls::full) {
+VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, ComplexKind walls = ComplexKind::full) {
   return rbpa::void_tree(points, filtration.delaunay, filtration.tetrahedron_alpha, walls);
 }
 
 /// Returns the sets of tetrahedra left out at a radius, joined through triangles that are not walls; the outside is one
 /// more element, the last.
-meshops::DisjointSets open_parts(const SolidFiltration& filtration, VoidWalls walls, double alpha) {
+meshops::DisjointSets open_parts(const SolidFiltration& filtration, ComplexKind walls, double alpha) {
   const auto outside = static_cast<std::uint32_t>(filtration.triangles_of.size());
   meshops::DisjointSets sets(outside + 1);
   for (std::uint32_t t = 0; t < outside; ++t) {
     if (filtration.tetrahedron_alpha[t] <= alpha) continue;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t beyond = filtration.delaunay.neighbors[t][k];
-      if (walls == VoidWalls::full && filtration.triangle_alpha[filtration.triangles_of[t][k]] <= alpha) continue;
+      if (walls == ComplexKind::full && filtration.triangle_alpha[filtration.triangles_of[t][k]] <= alpha) continue;
       if (beyond == Solid::none)
         sets.join(t, outside);
       else if (filtration.tetrahedron_alpha[beyond] > alpha)
@@ -70,7 +70,7 @@ TEST_CASE("the open nodes at every radius are the voids, and each tetrahedron is
     const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full}) {
+    for (const ComplexKind walls : {ComplexKind::solid, ComplexKind::full}) {
       const VoidTree tree = tree_of(set.points, filtration, walls);
       for (std::size_t t = 0; t < tree.node_of.size(); ++t)
         if (const std::uint32_t node = tree.node_of[t]; node != VoidTree::none) {
@@ -153,7 +153,7 @@ TEST_CASE("voids of the solid at the radius at which one closes have its volume"
     const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
     if (tetrahedra == 0 || tetrahedra > 2500) continue;
     const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    const VoidTree tree = tree_of(set.points, filtration, VoidWalls::solid);
+    const VoidTree tree = tree_of(set.points, filtration, ComplexKind::solid);
     for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 60) {
       const rbpa::VoidNode& node = tree.nodes[n];
       if (std::isinf(node.closes) || !(node.volume > 1e-250 && node.volume < 1e250)) continue;
@@ -176,7 +176,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
     const Solid delaunay = rbpa::solid(set.points, infinity, {.neighbors = true});
     if (delaunay.simplices.empty() || delaunay.simplices.size() > 2500) continue;
     const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
-    for (const VoidWalls walls : {VoidWalls::solid, VoidWalls::full}) {
+    for (const ComplexKind walls : {ComplexKind::solid, ComplexKind::full}) {
       const VoidTree tree = rbpa::void_tree(set.points, delaunay, radii, walls);
       for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 8) {
         const double alpha = tree.nodes[n].closes;
@@ -185,7 +185,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
         const Solid solid = rbpa::within(delaunay, radii, alpha);
         const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
         rbpa::FullVoids voids{.boundary = boundary.surface, .all = {}};
-        if (walls == VoidWalls::full)
+        if (walls == ComplexKind::full)
           voids = rbpa::full_voids(set.points, rbpa::void_space(set.points, delaunay, radii, alpha), alpha);
         else
           voids.all = rbpa::voids(set.points, solid, boundary).all;
@@ -209,7 +209,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
   const Points3 points = uniform_cube(300, 5301);
   const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
-  const VoidTree tree = rbpa::void_tree(points, delaunay, radii, VoidWalls::solid);
+  const VoidTree tree = rbpa::void_tree(points, delaunay, radii, ComplexKind::solid);
   const double alpha = tree.nodes.front().closes;
   const Solid solid = rbpa::within(delaunay, radii, alpha);
   const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
@@ -260,7 +260,7 @@ TEST_CASE("points of another filtration are refused, and a run can be cancelled"
   CHECK_THROWS_AS(tree_of(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);
   const auto& [delaunay, radii, triangles, triangle_alpha, edges, edge_alpha, triangles_of, edges_of] = filtration;
   const auto stop = [] { return false; };
-  CHECK_THROWS_AS(rbpa::void_tree(points, delaunay, radii, VoidWalls::full, 1, stop), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::void_tree(points, delaunay, radii, ComplexKind::full, 1, stop), rbpa::Cancelled);
   Solid broken = delaunay;
   for (auto& row : broken.neighbors)
     for (std::uint32_t& n : row) n = n == 7 ? 8 : n;

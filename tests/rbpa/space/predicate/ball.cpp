@@ -44,22 +44,22 @@ struct RationalBall {
     if (all == 0) return;
     // Cramer's rule: the right sides replace a column.
     const Rational p = dot(u, u), q = dot(v, v);
-    centre.x = det({p, u.y, u.z}, {q, v.y, v.z}, {0, n.y, n.z}) / all;
-    centre.y = det({u.x, p, u.z}, {v.x, q, v.z}, {n.x, 0, n.z}) / all;
-    centre.z = det({u.x, u.y, p}, {v.x, v.y, q}, {n.x, n.y, 0}) / all;
-    height = (rational(radius) * rational(radius) - dot(centre, centre)) / dot(n, n);
+    center.x = det({p, u.y, u.z}, {q, v.y, v.z}, {0, n.y, n.z}) / all;
+    center.y = det({u.x, p, u.z}, {v.x, q, v.z}, {n.x, 0, n.z}) / all;
+    center.z = det({u.x, u.y, p}, {v.x, v.y, q}, {n.x, n.y, 0}) / all;
+    height = (rational(radius) * rational(radius) - dot(center, center)) / dot(n, n);
     rests = height >= 0;
   }
   /// Returns 1 inside, −1 outside, 0 where the ball touches d, which is relative to a.
   int side(const Vector& d) const {
     // |d|² − 2 center · d − 2 √height (n · d)
-    const Rational plain = dot(d, d) - 2 * dot(centre, d), factor = 2 * dot(n, d);
+    const Rational plain = dot(d, d) - 2 * dot(center, d), factor = 2 * dot(n, d);
     const Rational squares = plain * plain - factor * factor * height;
     if (sign(plain) != sign(factor)) return sign(plain) != 0 ? -sign(plain) : height == 0 ? 0 : sign(factor);
     return -sign(plain) * sign(squares);
   }
 
-  Vector u, v, n, centre{};
+  Vector u, v, n, center{};
   Rational height;  // in normals, squared
   bool rests = false;
 };

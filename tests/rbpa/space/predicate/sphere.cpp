@@ -33,7 +33,7 @@ Vector cross(const Vector& u, const Vector& v) {
 }
 
 /// Returns the circumcenter relative to a, by Cramer's rule. Requires: a positive volume.
-Vector centre(const Vector& u, const Vector& v, const Vector& w) {
+Vector center(const Vector& u, const Vector& v, const Vector& w) {
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const Rational uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), twice = 2 * dot(uv, w);
   return {(uu * vw.x + vv * wu.x + ww * uv.x) / twice, (uu * vw.y + vv * wu.y + ww * uv.y) / twice,
@@ -60,7 +60,7 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
       if (volume < 0) {
         std::swap(p[2], p[3]);
       }
-      const Vector c = centre(u, v, w), to = {q.x - c.x, q.y - c.y, q.z - c.z};
+      const Vector c = center(u, v, w), to = {q.x - c.x, q.y - c.y, q.z - c.z};
       const int expected = Rational(dot(c, c) - dot(to, to)).sign();
       ties += expected == 0;
       inside += expected > 0;

@@ -21,10 +21,10 @@
 
 using namespace rbpa_test;
 using rbpa::Hole;
-using rbpa::HoleRemedy;
 using rbpa::Point3;
-using rbpa::RemedyKind;
 using rbpa::RimEdge;
+using rbpa::SuggestedRepair;
+using rbpa::SuggestedRepairKind;
 using rbpa::Surface;
 
 TEST_SUITE_BEGIN("space");
@@ -100,11 +100,11 @@ Points3 with_turned(Points3 normals, const std::vector<std::uint32_t>& at) {
   return normals;
 }
 
-std::vector<HoleRemedy> remedies_of(const Sample& sample, const Radii& radii, std::vector<Hole>* holes = nullptr) {
+std::vector<SuggestedRepair> repairs_of(const Sample& sample, const Radii& radii, std::vector<Hole>* holes = nullptr) {
   const Surface surface = rbpa::surface(sample.points, sample.normals, radii);
   const std::vector<Hole> found = rbpa::holes(sample.points, sample.normals, radii, surface);
   if (holes != nullptr) *holes = found;
-  return rbpa::hole_remedies(sample.points, sample.normals, radii, surface, found);
+  return rbpa::suggested_repairs(sample.points, sample.normals, radii, surface, found);
 }
 
 }  // namespace
@@ -114,16 +114,16 @@ TEST_CASE("a ball closes a missing cap of a sphere, and no smaller ball closes i
     const Sample sample = sphere_without_cap(600, highest);
     std::vector<Hole> holes;
     const Radii radii = {0.12};
-    const auto remedies = remedies_of(sample, radii, &holes);
-    REQUIRE(remedies.size() == 1);
-    REQUIRE(remedies.front().kind == RemedyKind::larger_ball);
-    const double radius = remedies.front().radius;
+    const auto repairs = repairs_of(sample, radii, &holes);
+    REQUIRE(repairs.size() == 1);
+    REQUIRE(repairs.front().kind == SuggestedRepairKind::larger_ball);
+    const double radius = repairs.front().radius;
     CHECK(radius > 0.12);
     CHECK(radius < 1);
     CHECK(boundary_of(rbpa::surface(sample.points, sample.normals, with(radii, radius))).empty());
     CHECK(!boundary_of(rbpa::surface(sample.points, sample.normals, with(radii, std::nextafter(radius, 0)))).empty());
-    CHECK(remedies.front().points.empty());
-    CHECK(!remedies.front().filled);
+    CHECK(repairs.front().points.empty());
+    CHECK(!repairs.front().filled);
   }
 }
 
@@ -131,12 +131,12 @@ TEST_CASE("exactly the normals that point the wrong way are suggested for turnin
   Sample sample = sphere_without_cap(600, 1);
   const std::vector<std::uint32_t> wrong = {50, 300, 301, 420};
   sample.normals = with_turned(sample.normals, wrong);
-  const auto remedies = remedies_of(sample, {0.15});
-  CHECK(remedies.size() == 4);
+  const auto repairs = repairs_of(sample, {0.15});
+  CHECK(repairs.size() == 4);
   std::set<std::uint32_t> named;
-  for (const HoleRemedy& remedy : remedies) {
-    CHECK(remedy.kind == RemedyKind::turn_normals);
-    named.insert(remedy.points.begin(), remedy.points.end());
+  for (const SuggestedRepair& repair : repairs) {
+    CHECK(repair.kind == SuggestedRepairKind::turn_normals);
+    named.insert(repair.points.begin(), repair.points.end());
   }
   CHECK(named == std::set<std::uint32_t>(wrong.begin(), wrong.end()));
 }
@@ -153,9 +153,9 @@ TEST_CASE("filling is suggested for the open side of a box, as a ball does not a
         const auto out = [&](bool is_there, int at) { return is_there ? (at == 0 ? -1.0 : 1.0) : 0.0; };
         box.normals.push_back({out(has_x, x), out(has_y, y), out(has_z, z)});
       }
-  const auto remedies = remedies_of(box, {0.9});
-  REQUIRE(remedies.size() == 1);
-  CHECK(remedies.front() == HoleRemedy{.kind = RemedyKind::filling, .filled = rbpa::HoleOutcome::filled});
+  const auto repairs = repairs_of(box, {0.9});
+  REQUIRE(repairs.size() == 1);
+  CHECK(repairs.front() == SuggestedRepair{.kind = SuggestedRepairKind::filling, .filled = rbpa::HoleOutcome::filled});
 }
 
 TEST_CASE("a suggested repair holds for the whole surface, and balls that fail around a hole fail on the whole") {
@@ -176,23 +176,23 @@ TEST_CASE("a suggested repair holds for the whole surface, and balls that fail a
     if (random.chance(0.3)) radii.push_back(radii.back() * (1 + random.unit()));
     const Surface surface = rbpa::surface(sample.points, sample.normals, radii);
     const std::vector<Hole> holes = rbpa::holes(sample.points, sample.normals, radii, surface);
-    const auto remedies = rbpa::hole_remedies(sample.points, sample.normals, radii, surface, holes,
-                                              {.threads = static_cast<unsigned>(1 + random.below(2))});
-    REQUIRE(remedies.size() == holes.size());
+    const auto repairs = rbpa::suggested_repairs(sample.points, sample.normals, radii, surface, holes,
+                                                 {.threads = static_cast<unsigned>(1 + random.below(2))});
+    REQUIRE(repairs.size() == holes.size());
     const auto level = static_cast<std::uint32_t>(radii.size());
     const std::set<Side> before = boundary_of(surface);
     CAPTURE(trial);
     for (std::size_t i = 0; i < holes.size(); ++i) {
       CAPTURE(i);
-      const HoleRemedy& remedy = remedies[i];
-      ++found[static_cast<std::size_t>(remedy.kind)];
-      if (remedy.kind == RemedyKind::larger_ball) {
-        CHECK(remedy.radius > radii.back());
-        const Surface after = rbpa::surface(sample.points, sample.normals, with(radii, remedy.radius));
+      const SuggestedRepair& repair = repairs[i];
+      ++found[static_cast<std::size_t>(repair.kind)];
+      if (repair.kind == SuggestedRepairKind::larger_ball) {
+        CHECK(repair.radius > radii.back());
+        const Surface after = rbpa::surface(sample.points, sample.normals, with(radii, repair.radius));
         CHECK(is_closed_by(holes[i], surface, after, level));
-      } else if (remedy.kind == RemedyKind::turn_normals) {
-        REQUIRE(!remedy.points.empty());
-        const Surface after = rbpa::surface(sample.points, with_turned(sample.normals, remedy.points), radii);
+      } else if (repair.kind == SuggestedRepairKind::turn_normals) {
+        REQUIRE(!repair.points.empty());
+        const Surface after = rbpa::surface(sample.points, with_turned(sample.normals, repair.points), radii);
         std::set<Side> left = boundary_of(after), edges;
         for (const auto& t : after.triangles)
           for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
@@ -231,40 +231,40 @@ TEST_CASE("neither the order of the points nor the threads change a suggested re
     shuffled.points.push_back(sample.points[order[i]]);
     shuffled.normals.push_back(sample.normals[order[i]]);
   }
-  const auto described = [](std::vector<HoleRemedy> remedies, const std::vector<std::uint32_t>& names) {
+  const auto described = [](std::vector<SuggestedRepair> repairs, const std::vector<std::uint32_t>& names) {
     std::set<std::pair<double, std::set<std::uint32_t>>> all;
-    for (const HoleRemedy& remedy : remedies) {
+    for (const SuggestedRepair& repair : repairs) {
       std::set<std::uint32_t> at;
-      for (const std::uint32_t i : remedy.points) at.insert(names.empty() ? i : names[i]);
-      all.insert({remedy.radius, at});
+      for (const std::uint32_t i : repair.points) at.insert(names.empty() ? i : names[i]);
+      all.insert({repair.radius, at});
     }
     return all;
   };
-  const auto expected = described(remedies_of(sample, {0.15}), {});
+  const auto expected = described(repairs_of(sample, {0.15}), {});
   CHECK(expected.size() >= 3);
-  CHECK(described(remedies_of(shuffled, {0.15}), order) == expected);
+  CHECK(described(repairs_of(shuffled, {0.15}), order) == expected);
 }
 
-TEST_CASE("wrong calls of hole_remedies are refused, and a run can be cancelled") {
+TEST_CASE("wrong calls of suggested_repairs are refused, and a run can be cancelled") {
   const Sample sample = sphere_without_cap(200, 0.8);
   const Radii radii = {0.25};
   const Surface surface = rbpa::surface(sample.points, sample.normals, radii);
   const std::vector<Hole> holes = rbpa::holes(sample.points, sample.normals, radii, surface);
   REQUIRE(!holes.empty());
-  const auto remedies = [&](const Sample& of, const Radii& by, const std::vector<Hole>& at) {
-    return rbpa::hole_remedies(of.points, of.normals, by, surface, at);
+  const auto repairs = [&](const Sample& of, const Radii& by, const std::vector<Hole>& at) {
+    return rbpa::suggested_repairs(of.points, of.normals, by, surface, at);
   };
-  CHECK(remedies(sample, radii, {}).empty());
-  CHECK_THROWS_AS(remedies(sample, {0.25, 0.2}, holes), rbpa::InvalidInput);
-  CHECK_THROWS_AS(remedies({sample.points, {}}, radii, holes), rbpa::InvalidInput);
-  CHECK_THROWS_AS(remedies(sample, radii, std::vector<Hole>(1)), meshops::ContractViolation);
+  CHECK(repairs(sample, radii, {}).empty());
+  CHECK_THROWS_AS(repairs(sample, {0.25, 0.2}, holes), rbpa::InvalidInput);
+  CHECK_THROWS_AS(repairs({sample.points, {}}, radii, holes), rbpa::InvalidInput);
+  CHECK_THROWS_AS(repairs(sample, radii, std::vector<Hole>(1)), meshops::ContractViolation);
   std::vector<Hole> other = holes;
   std::swap(other.front().edges.front().from, other.front().edges.front().to);
-  CHECK_THROWS_AS(remedies(sample, radii, other), meshops::ContractViolation);
+  CHECK_THROWS_AS(repairs(sample, radii, other), meshops::ContractViolation);
   other.front().edges.front().triangle = 1000000;
-  CHECK_THROWS_AS(remedies(sample, radii, other), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::hole_remedies(sample.points, sample.normals, radii, surface, holes,
-                                      {.threads = 1, .progress = [](const rbpa::Progress&) { return false; }}),
+  CHECK_THROWS_AS(repairs(sample, radii, other), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::suggested_repairs(sample.points, sample.normals, radii, surface, holes,
+                                          {.threads = 1, .progress = [](const rbpa::Progress&) { return false; }}),
                   rbpa::Cancelled);
 }
 

@@ -164,10 +164,10 @@ TEST_CASE("tetrahedra around one point, in any pattern, are one piece without tu
       CAPTURE(trial);
       Points3 points = space_set(kind, 20 + random.below(60), random);
       // A second one of the same shape, so that a part of one may be within the other.
-      const Point3 centre = kind == SpaceKind::near_sphere ? Point3{0, 0, 0} : points.front();
-      points.push_back(centre);
+      const Point3 center = kind == SpaceKind::near_sphere ? Point3{0, 0, 0} : points.front();
+      points.push_back(center);
       const Solid all = solid(points, infinity);
-      const auto at = static_cast<std::uint32_t>(std::find(points.begin(), points.end(), centre) - points.begin());
+      const auto at = static_cast<std::uint32_t>(std::find(points.begin(), points.end(), center) - points.begin());
       std::vector<bool> kept;
       const double probability = 0.2 + 0.1 * double(random.below(7));
       for (const Tetrahedron& t : all.simplices)

@@ -129,10 +129,10 @@ Uneven clusters_on_a_sphere(Random& random) {
     return rbpa::Point3{p.x / length, p.y / length, p.z / length};
   };
   for (int cluster = 0; cluster < 5; ++cluster) {
-    const Points3 centre = random_normals(1, random);
+    const Points3 center = random_normals(1, random);
     const double width = std::pow(2, -random.between(0, 4));
     for (const rbpa::Point3& d : random_normals(14, random)) {
-      const rbpa::Point3 c = on_sphere(centre[0]), e = on_sphere(d);
+      const rbpa::Point3 c = on_sphere(center[0]), e = on_sphere(d);
       set.points.push_back(on_sphere({c.x + width * e.x, c.y + width * e.y, c.z + width * e.z}));
     }
   }

@@ -22,11 +22,11 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-void add_sphere(Points3& points, const Point3& centre, double radius, int count) {
+void add_sphere(Points3& points, const Point3& center, double radius, int count) {
   for (int i = 0; i < count; ++i) {
     const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
     points.push_back(
-        {centre.x + radius * r * std::cos(around), centre.y + radius * r * std::sin(around), centre.z + radius * z});
+        {center.x + radius * r * std::cos(around), center.y + radius * r * std::sin(around), center.z + radius * z});
   }
 }
 
@@ -71,7 +71,7 @@ long double winding(const Points3& points, const Shells& shells, std::uint32_t s
 }
 
 /// Returns the center of the ball on a triangle: on the normal through the point that is equally far from all corners.
-Vector centre_of(const Points3& points, const Triangle& triangle, double radius, long double* height) {
+Vector center_of(const Points3& points, const Triangle& triangle, double radius, long double* height) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   const Vector u = {(long double)b.x - a.x, (long double)b.y - a.y, (long double)b.z - a.z};
   const Vector v = {(long double)c.x - a.x, (long double)c.y - a.y, (long double)c.z - a.z};
@@ -80,13 +80,13 @@ Vector centre_of(const Points3& points, const Triangle& triangle, double radius,
   // s u + t v has the same product with u as u²/2, and with v as v²/2.
   const long double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), det = uu * vv - uv * uv;
   const long double s = vv * (uu - uv) / (2 * det), t = uu * (vv - uv) / (2 * det);
-  Vector centre;
-  for (std::size_t k = 0; k < 3; ++k) centre[k] = s * u[k] + t * v[k];
-  *height = std::sqrt(std::max((long double)radius * radius - dot(centre, centre), 0.0L));
+  Vector center;
+  for (std::size_t k = 0; k < 3; ++k) center[k] = s * u[k] + t * v[k];
+  *height = std::sqrt(std::max((long double)radius * radius - dot(center, center), 0.0L));
   const long double length = std::sqrt(dot(n, n));
   const Vector from = {a.x, a.y, a.z};
-  for (std::size_t k = 0; k < 3; ++k) centre[k] += from[k] + *height * n[k] / length;
-  return centre;
+  for (std::size_t k = 0; k < 3; ++k) center[k] += from[k] + *height * n[k] / length;
+  return center;
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ TEST_CASE("shells are outer if and only if no shell winds around any ball that r
     if (!shells.outer.empty()) CHECK(shells.count() > 0);
     for (std::size_t t = 0; t < shells.surface.triangles.size(); ++t) {
       long double height = 0;
-      const Vector at = centre_of(points, shells.surface.triangles[t], radius, &height);
+      const Vector at = center_of(points, shells.surface.triangles[t], radius, &height);
       if (!(height >= 1e-6L * radius)) continue;  // the center may be on the surface, or anywhere
       const auto is_off = [&](std::uint32_t corner) {
         const Point3& p = points[corner];

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 #include "rbpa/space/predicate/ball.h"
 #include "support/generate.h"
 #include "support/space_sets.h"
@@ -158,7 +158,7 @@ TEST_CASE("points of a plane with one normal have the triangles of rbpa() at tha
     Points3 points;
     for (const rbpa::Point& p : flat) points.push_back({p.x, p.y, 2});
     for (const double radius : {0.5, 0.75, 1.0, 2.5, 3.5, 65.0}) {
-      const rbpa::Triangulation plane = rbpa::triangulate(flat, radius, {.neighbors = true});
+      const rbpa::AlphaComplex plane = rbpa::alpha_complex(flat, radius, {.neighbors = true});
       const Surface space = rbpa::surface(points, normals_up(points.size()), radius);
       CHECK(space.triangles == plane.triangles);
       CHECK(space.neighbors == plane.neighbors);

@@ -86,8 +86,10 @@ Calls calls_on_surfaces() {
        [](const Surface& s) { rbpa::refine_filling(places, s, std::vector<bool>(s.triangles.size())); }},
       {"surface_of", [](const Surface& s) { rbpa::surface_of(places, s.triangles, s.neighbors); }},
       {"holes", [](const Surface& s) { rbpa::holes(places, normals, 1, s); }},
-      {"hole_remedies",
-       [](const Surface& s) { rbpa::hole_remedies(places, normals, std::vector<double>{1}, s, std::vector<Hole>()); }},
+      {"suggested_repairs",
+       [](const Surface& s) {
+         rbpa::suggested_repairs(places, normals, std::vector<double>{1}, s, std::vector<Hole>());
+       }},
       {"outer_shells", [=](const Surface& s) { rbpa::outer_shells(places, 1, s, components(s)); }},
       {"unused_points", [](const Surface& s) { rbpa::unused_points(places, normals, 1, s); }},
   };

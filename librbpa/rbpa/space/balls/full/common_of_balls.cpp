@@ -38,9 +38,9 @@ Measure three_balls(const Vector& u, const Vector& v) {
   const Vector eu = unit(u), ev = unit(v), n = cross(eu, ev), ew = unit(v - u);
   const double nn = dot(n, n);
   if (!(nn > 0)) return two_balls(std::max(lu, lv));  // two of the three are at one point
-  const Vector centre = 1 / (2 * nn) * (lu * cross(ev, n) + lv * cross(n, eu));
-  const double height = std::sqrt(std::max(1 - dot(centre, centre), 0.0));
-  const Vector apex = centre + height / std::sqrt(nn) * n;
+  const Vector center = 1 / (2 * nn) * (lu * cross(ev, n) + lv * cross(n, eu));
+  const double height = std::sqrt(std::max(1 - dot(center, center), 0.0));
+  const Vector apex = center + height / std::sqrt(nn) * n;
   const Vector from_o = unit(apex), from_u = unit(apex - u), from_v = unit(apex - v);
   const double balls =
       solid_angle(eu, ev, from_o) + solid_angle(-1 * eu, ew, from_u) + solid_angle(-1 * ev, -1 * ew, from_v);

@@ -14,8 +14,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
-
 /// Returns the edges that occur an odd number of times, ascending.
 std::vector<std::uint32_t> sum(std::vector<std::uint32_t> edges) {
   std::sort(edges.begin(), edges.end());
@@ -40,7 +38,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
       step_(step),
       begin_(points.size() + 2, 0),
       arcs_(2 * filtration.edges.size()),
-      parent_edge_(points.size(), none),
+      parent_edge_(points.size(), Solid::none),
       depth_(points.size(), 0) {
   // begin_[p + 1] is the beginning of p's arcs at first; each arc stored moves it on, in the end to their end.
   for (const auto& [a, b] : filtration.edges) {
@@ -199,7 +197,7 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
     bool is_done = false;
   };
   using Open = std::tuple<double, double, std::uint32_t>;  // lower bound of the total length, length so far, point
-  std::unordered_map<std::uint32_t, Reached> reached = {{from, {0, none}}};
+  std::unordered_map<std::uint32_t, Reached> reached = {{from, {0, Solid::none}}};
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   open.emplace(distance(points_[from], points_[to]), 0, from);
   while (!open.empty()) {

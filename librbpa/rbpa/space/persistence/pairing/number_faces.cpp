@@ -8,8 +8,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
-
 class EdgeTable {
  public:
   /// Makes an empty table for the edges of these triangles.
@@ -25,7 +23,7 @@ class EdgeTable {
       begin = sum;
       sum += slots;
     }
-    slots_.assign(sum, none);
+    slots_.assign(sum, Solid::none);
   }
 
   /// Returns the number of the edge from a up to b. A new edge is appended to `edges`.
@@ -34,7 +32,7 @@ class EdgeTable {
     const std::size_t mask = begin_[a + std::size_t{1}] - begin_[a] - 1;
     for (std::size_t at = b * 0x9e3779b1U >> 7U;; ++at) {
       std::uint32_t& slot = slots[at & mask];
-      if (slot == none) {
+      if (slot == Solid::none) {
         slot = static_cast<std::uint32_t>(edges.size());
         edges.push_back({a, b});
       } else if (edges[slot][1] != b) {
@@ -68,7 +66,7 @@ NumberedTriangles number_triangles(const Solid& delaunay, Steps& step) {
         triangles.of[t][k] = triangles.of[beyond][back];
         continue;
       }
-      meshops::require(beyond == none || beyond < simplices.size(), not_shared);
+      meshops::require(beyond == Solid::none || beyond < simplices.size(), not_shared);
       triangles.of[t][k] = static_cast<std::uint32_t>(triangles.corners.size());
       Triangle corners = {simplices[t][(k + 1) % 4], simplices[t][(k + 2) % 4], simplices[t][(k + 3) % 4]};
       std::sort(corners.begin(), corners.end());

@@ -9,8 +9,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
-
 /// Sets of tetrahedra and of the outside, which has the greatest number; each with its last element in the filtration.
 class Basins {
  public:
@@ -21,7 +19,7 @@ class Basins {
   std::uint32_t outside() const { return static_cast<std::uint32_t>(alpha_.size()); }
   std::uint32_t find(std::uint32_t t) { return sets_.find(t); }
   /// Returns the last tetrahedron of a set, or none: the outside.
-  std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? none : last_[set]; }
+  std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? Solid::none : last_[set]; }
   struct Joined {
     std::uint32_t ended, stays;  ///< the last tetrahedra of both sets
   };
@@ -52,14 +50,14 @@ void flow(const Solid& delaunay, std::span<const double> radii,
   const auto& neighbors = delaunay.neighbors;
   for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
     step();
-    std::uint32_t last = none, across = none;
+    std::uint32_t last = Solid::none, across = Solid::none;
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t triangle = triangles_of[t][k];
-      if (triangle_radii[triangle] != radii[t] || (last != none && triangle < last)) continue;
+      if (triangle_radii[triangle] != radii[t] || (last != Solid::none && triangle < last)) continue;
       last = triangle;
-      across = neighbors[t][k] == none ? basins.outside() : neighbors[t][k];
+      across = neighbors[t][k] == Solid::none ? basins.outside() : neighbors[t][k];
     }
-    if (last == none) continue;
+    if (last == Solid::none) continue;
     const std::uint32_t a = basins.find(t), b = basins.find(across);
     if (a == b) continue;  // joined already by the same triangle, from its other side
     basins.join(a, b);
@@ -91,7 +89,7 @@ PersistentVoids find_voids(const Solid& delaunay, std::span<const double> radii,
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t beyond = neighbors[t][k];
       if (beyond < t) continue;
-      const std::uint32_t a = basins.find(t), b = basins.find(beyond == none ? basins.outside() : beyond);
+      const std::uint32_t a = basins.find(t), b = basins.find(beyond == Solid::none ? basins.outside() : beyond);
       if (a == b) continue;
       passages.push_back({triangles_of[t][k], a, b});  // ascending
       alpha.push_back(triangle_radii[passages.back().triangle]);

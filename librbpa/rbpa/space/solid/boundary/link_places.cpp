@@ -4,10 +4,10 @@
 
 namespace rbpa::space {
 
-bool arcs_cross(std::span<const Point3> points, std::uint32_t centre, const LinkTriangle& from, const LinkTriangle& to,
+bool arcs_cross(std::span<const Point3> points, std::uint32_t center, const LinkTriangle& from, const LinkTriangle& to,
                 std::uint32_t p, std::uint32_t q) {
   const auto sign = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    return orientation(points[centre], points[i], points[j], points[k]);
+    return orientation(points[center], points[i], points[j], points[k]);
   };
   // A direction within (a, b, c) is a + ε b + ε² c. The side of the arc's plane is given by the first term that is not
   // 0. The terms of the other end, whose infinitesimal is smaller, come last.

@@ -22,7 +22,7 @@ using LinkTriangle = std::array<std::uint32_t, 3>;
 /// Returns whether the arc from within one triangle of the link to within another crosses the arc from p to q. All are
 /// directions from the center.
 /// Requires: neither triangle is in a plane with the center, and p and q are on no line with it.
-bool arcs_cross(std::span<const Point3> points, std::uint32_t centre, const LinkTriangle& from, const LinkTriangle& to,
+bool arcs_cross(std::span<const Point3> points, std::uint32_t center, const LinkTriangle& from, const LinkTriangle& to,
                 std::uint32_t p, std::uint32_t q);
 
 }  // namespace rbpa::space

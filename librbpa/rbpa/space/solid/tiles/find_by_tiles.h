@@ -29,7 +29,7 @@ struct TiledSolid {
 /// Limits beyond which find_by_tiles() gives up; tests set others.
 struct TileLimits {
   std::size_t points_in_leaf = 8192;
-  double most_crowded = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
+  double most_triangles_at_an_edge = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
   // Fractions of the points. More are allowed at first, when most of the tiles so far may be at the hull.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
   double most_exact = 8;  ///< exact decisions for each point

@@ -86,11 +86,11 @@ class Seeds {
     return m != n ? m > n : points_.points[i] > points_.points[j];
   }
   Number turn_one(const Extremes& extremes) {
-    const auto certainty = [&](std::size_t d) { return std::abs(along(normals_[extremes[d]], d)); };
+    const auto confidence = [&](std::size_t d) { return std::abs(along(normals_[extremes[d]], d)); };
     std::size_t best = 0;
     for (std::size_t d = 0; d < extremes.size(); ++d) {
-      if (certainty(d) > certainty(best)) best = d;
-      if (certainty(d) >= 0.5) {
+      if (confidence(d) > confidence(best)) best = d;
+      if (confidence(d) >= 0.5) {
         best = d;
         break;
       }

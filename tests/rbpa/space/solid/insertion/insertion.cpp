@@ -83,8 +83,8 @@ TEST_CASE("a cavity with more vertices than the table has room for is filled cor
     std::reverse(order.begin(), order.end());
     CHECK(inserted(points, order, wrong) == last);
     CHECK(wrong == 0);
-    const auto centre = static_cast<std::uint32_t>(points.size() - 1);
-    CHECK(std::count_if(last.begin(), last.end(), [&](const auto& t) { return t[3] == centre; }) > 900);
+    const auto center = static_cast<std::uint32_t>(points.size() - 1);
+    CHECK(std::count_if(last.begin(), last.end(), [&](const auto& t) { return t[3] == center; }) > 900);
   }
 }
 

@@ -21,15 +21,15 @@ namespace rbpa::space {
 /// Returns the confidence at each point: 1 where all votes agree, 0 where as many contradict or there is no vote. At
 /// points where the tree begins it is their vote if their sides are known, else 1. Calls go_on(), if any, repeatedly.
 template <typename Real>
-std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Point3> normals,
-                                   const OrientationTree& tree, const OuterSides& sides,
-                                   const std::function<void()>& go_on);
+std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
+                                    const OrientationTree& tree, const OuterSides& sides,
+                                    const std::function<void()>& go_on);
 
-extern template std::vector<double> side_certainty<double>(const Neighborhoods&, std::span<const Point3>,
-                                                           const OrientationTree&, const OuterSides&,
-                                                           const std::function<void()>&);
-extern template std::vector<double> side_certainty<long double>(const Neighborhoods&, std::span<const Point3>,
-                                                                const OrientationTree&, const OuterSides&,
-                                                                const std::function<void()>&);
+extern template std::vector<double> side_confidence<double>(const Neighborhoods&, std::span<const Point3>,
+                                                            const OrientationTree&, const OuterSides&,
+                                                            const std::function<void()>&);
+extern template std::vector<double> side_confidence<long double>(const Neighborhoods&, std::span<const Point3>,
+                                                                 const OrientationTree&, const OuterSides&,
+                                                                 const std::function<void()>&);
 
 }  // namespace rbpa::space

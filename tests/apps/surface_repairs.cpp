@@ -1,4 +1,4 @@
-// --remedies of `rbpa surface`: the suggested repair of a hole closes it.
+// --suggest-repairs of `rbpa surface`: the suggested repair of a hole closes it.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -41,10 +41,10 @@ std::string text_of(const std::vector<Line>& lines) {
   return text.str();
 }
 
-std::vector<json> remedies_of(const json& report) {
-  std::vector<json> remedies;
-  for (const json& hole : report["holes"]) remedies.push_back(hole["remedy"]);
-  return remedies;
+std::vector<json> repairs_of(const json& report) {
+  std::vector<json> repairs;
+  for (const json& hole : report["holes"]) repairs.push_back(hole["suggested_repair"]);
+  return repairs;
 }
 
 /// The numbers of repairs by a ball, and by turned normals.
@@ -55,9 +55,9 @@ struct Named {
 
 Named named(const json& report) {
   Named result;
-  for (const json& remedy : remedies_of(report)) {
-    if (remedy["kind"] == "larger_ball") result.radius = remedy["radius"].get<double>();
-    if (remedy["kind"] == "turn_normals") result.point = remedy["points"].at(0).get<int>();
+  for (const json& repair : repairs_of(report)) {
+    if (repair["kind"] == "larger_ball") result.radius = repair["radius"].get<double>();
+    if (repair["kind"] == "turn_normals") result.point = repair["points"].at(0).get<int>();
   }
   return result;
 }
@@ -69,10 +69,11 @@ TEST_SUITE("surface") {
     const Folder folder;
     std::vector<Line> lines = sphere_lines(0.93, 300);
     folder.file("s.xyz", text_of(lines));
-    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.13 --remedies --json -o m.off");
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.13 --suggest-repairs --json -o m.off");
     REQUIRE(outcome.code == 0);
     const json report = json::parse(outcome.out);
-    CHECK(report["remedies"] == json::parse(R"({"turn_normals": 1, "larger_ball": 1, "filling": 0, "none": 0})"));
+    CHECK(report["suggested_repairs"] ==
+          json::parse(R"({"turn_normals": 1, "larger_ball": 1, "filling": 0, "none": 0})"));
     const Named found = named(report);
     REQUIRE(found.point >= 0);
     REQUIRE(found.radius > 0.13);
@@ -84,12 +85,14 @@ TEST_SUITE("surface") {
 
     lines[static_cast<std::size_t>(found.point)].is_turned = false;
     folder.file("s.xyz", text_of(lines));
-    const json closed = json::parse(folder.rbpa("surface s.xyz --radius " + radii + " --remedies --json -o m.off").out);
+    const json closed =
+        json::parse(folder.rbpa("surface s.xyz --radius " + radii + " --suggest-repairs --json -o m.off").out);
     CHECK(closed["boundary_curves"] == 0);
-    CHECK(closed["remedies"] == json::parse(R"({"turn_normals": 0, "larger_ball": 0, "filling": 0, "none": 0})"));
+    CHECK(closed["suggested_repairs"] ==
+          json::parse(R"({"turn_normals": 0, "larger_ball": 0, "filling": 0, "none": 0})"));
     const json without = json::parse(folder.rbpa("surface s.xyz --radius 0.13 --json -o m.off").out);
-    CHECK(without["remedies"].is_null());
-    CHECK(!without["holes"][0].contains("remedy"));
+    CHECK(without["suggested_repairs"].is_null());
+    CHECK(!without["holes"][0].contains("suggested_repair"));
   }
 
   TEST_CASE("repairs name points of the file also without outliers, and stay if components are dropped") {
@@ -97,11 +100,12 @@ TEST_SUITE("surface") {
     const std::vector<Line> lines = sphere_lines(1, 300);
     folder.file("s.xyz", "9 9 9 0 0 1\n" + text_of(lines));
     const json report = json::parse(
-        folder.rbpa("surface s.xyz --radius 0.15 --drop-outliers auto --keep-largest 1 --remedies --json -o m.off")
+        folder
+            .rbpa("surface s.xyz --radius 0.15 --drop-outliers auto --keep-largest 1 --suggest-repairs --json -o m.off")
             .out);
     REQUIRE(report["outliers"]["points"] == 1);
-    REQUIRE(remedies_of(report).size() == 1);
-    CHECK(remedies_of(report)[0] == json::parse(R"({"kind": "turn_normals", "points": [301]})"));
+    REQUIRE(repairs_of(report).size() == 1);
+    CHECK(repairs_of(report)[0] == json::parse(R"({"kind": "turn_normals", "points": [301]})"));
   }
 
   TEST_CASE("rims have no suggested repair, a hole in a sheet is closed by a ball, and wrong usage is refused") {
@@ -111,18 +115,19 @@ TEST_SUITE("surface") {
       for (int y = 0; y < 8; ++y)
         if (x < 3 || x > 4 || y < 3 || y > 4) sheet += std::to_string(x) + " " + std::to_string(y) + " 0 0 0 1\n";
     folder.file("p.xyz", sheet);
-    const json report = json::parse(folder.rbpa("surface p.xyz --radius 0.8 --remedies --json -o m.off").out);
+    const json report = json::parse(folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --json -o m.off").out);
     REQUIRE(report["holes"].size() == 2);
     for (const json& hole : report["holes"]) {
-      CHECK(hole["remedy"].is_null() == (hole["kind"] == "rim"));
-      if (hole["kind"] == "hole") CHECK(hole["remedy"]["kind"] == "larger_ball");
+      CHECK(hole["suggested_repair"].is_null() == (hole["kind"] == "rim"));
+      if (hole["kind"] == "hole") CHECK(hole["suggested_repair"]["kind"] == "larger_ball");
     }
-    const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --remedies --fill-holes all -o m.off");
+    const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --fill-holes all -o m.off");
     CHECK(many.code == 2);
-    CHECK(many.err ==
-          "rbpa: --remedies cannot be combined with --fill-holes or --watertight, which close holes themselves\n");
-    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --watertight -o m.off").code == 2);
-    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --remedies --normals none -o m.off").err ==
-          "rbpa: --remedies cannot be combined with --normals none, whose triangles have no boundary\n");
+    CHECK(
+        many.err ==
+        "rbpa: --suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves\n");
+    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --watertight -o m.off").code == 2);
+    CHECK(folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --normals none -o m.off").err ==
+          "rbpa: --suggest-repairs cannot be combined with --normals none, whose triangles have no boundary\n");
   }
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/complex_kind.h"
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
@@ -20,16 +21,10 @@
 
 namespace rbpa {
 
-/// The simplices that belong to the complex of a radius.
-enum class Complex {
-  solid,  ///< the Delaunay triangles of circumradius ≤ alpha, with their edges and corners
-  full    ///< also the edges and points of the alpha complex that are in no triangle: Triangulation::edges and points
-};
-
-struct TriangulationOptions {
-  Complex complex = Complex::solid;
-  bool neighbors = false;  ///< fills in Triangulation::neighbors
-  bool boundary = false;   ///< fills in Triangulation::boundary
+struct AlphaComplexOptions {
+  ComplexKind complex = ComplexKind::solid;
+  bool neighbors = false;  ///< fills in AlphaComplex::neighbors
+  bool boundary = false;   ///< fills in AlphaComplex::boundary
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
@@ -38,7 +33,7 @@ struct TriangulationOptions {
 };
 
 /// A complex as arrays. Indices are those of the input points; of equal points the lowest.
-struct Triangulation {
+struct AlphaComplex {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
@@ -69,7 +64,7 @@ struct Triangulation {
 ///           or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
 ///           triangulation with
 ///           neighbors.
-RBPA_API Triangulation triangulate(std::span<const Point> points, double alpha,
-                                   const TriangulationOptions& options = {});
+RBPA_API AlphaComplex alpha_complex(std::span<const Point> points, double alpha,
+                                    const AlphaComplexOptions& options = {});
 
 }  // namespace rbpa

@@ -17,29 +17,29 @@
 namespace rbpa::app {
 
 /// The suggested repairs by curve; a curve is identified by its first edge and its number of edges.
-class SurfaceRemedies {
+class SurfaceRepairs {
  public:
-  SurfaceRemedies() = default;
-  SurfaceRemedies(std::span<const Hole> holes, std::span<const HoleRemedy> remedies);
+  SurfaceRepairs() = default;
+  SurfaceRepairs(std::span<const Hole> holes, std::span<const SuggestedRepair> repairs);
 
   /// Returns the repair of each curve of kind `hole`, a default one if the curve has changed; nothing for other kinds.
-  std::vector<std::optional<HoleRemedy>> of(std::span<const Hole> curves, std::span<const CurveKind> kinds) const;
+  std::vector<std::optional<SuggestedRepair>> of(std::span<const Hole> curves, std::span<const CurveKind> kinds) const;
 
  private:
   using Key = std::array<std::size_t, 3>;
   static Key key_of(const Hole& curve);
 
-  std::map<Key, HoleRemedy> remedies_;
+  std::map<Key, SuggestedRepair> repairs_;
 };
 
 /// Returns "closed by --radius 0.1,0.25".
-std::string remedy_text(const HoleRemedy& remedy, const std::vector<double>& radii);
+std::string repair_text(const SuggestedRepair& repair, const std::vector<double>& radii);
 /// Returns "closed: 3 by --fill-holes, 1 by nothing".
-std::string remedies_text(std::span<const HoleRemedy> remedies);
+std::string repairs_text(std::span<const SuggestedRepair> repairs);
 
 /// Returns {"kind", and the values of that kind}.
-nlohmann::ordered_json as_json(const HoleRemedy& remedy);
+nlohmann::ordered_json as_json(const SuggestedRepair& repair);
 /// Returns the number of repairs of each kind: {"turn_normals", "larger_ball", "filling", "none"}.
-nlohmann::ordered_json counts_as_json(const std::vector<std::optional<HoleRemedy>>& remedies);
+nlohmann::ordered_json counts_as_json(const std::vector<std::optional<SuggestedRepair>>& repairs);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 #include <doctest/doctest.h>
 
@@ -18,9 +18,9 @@
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Complex;
+using rbpa::AlphaComplex;
+using rbpa::ComplexKind;
 using rbpa::Point;
-using rbpa::Triangulation;
 
 TEST_SUITE_BEGIN("arrays");
 
@@ -29,8 +29,8 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 using Edge = std::array<std::uint32_t, 2>;
 
-rbpa::TriangulationOptions all_of(unsigned threads = 1, Complex complex = Complex::solid) {
-  rbpa::TriangulationOptions options;
+rbpa::AlphaComplexOptions all_of(unsigned threads = 1, ComplexKind complex = ComplexKind::solid) {
+  rbpa::AlphaComplexOptions options;
   options.complex = complex;
   options.neighbors = options.boundary = true;
   options.threads = threads;
@@ -38,7 +38,7 @@ rbpa::TriangulationOptions all_of(unsigned threads = 1, Complex complex = Comple
 }
 
 /// Checks that neighbors and boundary belong to the triangles.
-void check_connected(const Triangulation& of) {
+void check_connected(const AlphaComplex& of) {
   REQUIRE(of.neighbors.size() == of.triangles.size());
   std::map<Edge, std::uint32_t> at_side;
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t)
@@ -49,7 +49,7 @@ void check_connected(const Triangulation& of) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Edge side = {of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]};
       const auto beyond = at_side.find({side[1], side[0]});
-      wrong += of.neighbors[t][k] != (beyond == at_side.end() ? Triangulation::none : beyond->second);
+      wrong += of.neighbors[t][k] != (beyond == at_side.end() ? AlphaComplex::none : beyond->second);
       if (beyond == at_side.end()) boundary.push_back(side);
     }
   CHECK(wrong == 0);
@@ -60,7 +60,7 @@ void check_connected(const Triangulation& of) {
 /// Checks that triangles, isolated points and duplicates equal those of the mesh.
 void check_same(const Points& points, double alpha, unsigned threads) {
   const rbpa::SolidAlphaComplex complex = rbpa::rbpa(points, alpha);
-  const Triangulation arrays = rbpa::triangulate(points, alpha, all_of(threads));
+  const AlphaComplex arrays = rbpa::alpha_complex(points, alpha, all_of(threads));
   CHECK(arrays.triangles == rbpa::triangles(complex));
   CHECK(arrays.isolated == complex.isolated);
   CHECK(arrays.duplicates == complex.duplicates);
@@ -68,7 +68,7 @@ void check_same(const Points& points, double alpha, unsigned threads) {
   CHECK(arrays.edges.empty());
   CHECK(arrays.points.empty());
   check_connected(arrays);
-  const Triangulation plain = rbpa::triangulate(points, alpha, {.threads = threads});
+  const AlphaComplex plain = rbpa::alpha_complex(points, alpha, {.threads = threads});
   CHECK(plain.triangles == arrays.triangles);
   CHECK(plain.neighbors.empty());
   CHECK(plain.boundary.empty());
@@ -93,8 +93,8 @@ TEST_CASE("the arrays have the triangles of the mesh, on sets of every kind and 
 
 TEST_CASE("many points give the same arrays, in any order and with any number of threads") {
   Points points = uniform(30000, 1);
-  const Triangulation expected = rbpa::triangulate(points, 1.1, all_of(1));
-  const Triangulation other = rbpa::triangulate(points, 1.1, all_of(2));
+  const AlphaComplex expected = rbpa::alpha_complex(points, 1.1, all_of(1));
+  const AlphaComplex other = rbpa::alpha_complex(points, 1.1, all_of(2));
   CHECK(other.triangles == expected.triangles);
   CHECK(other.neighbors == expected.neighbors);
   CHECK(other.boundary == expected.boundary);
@@ -109,24 +109,24 @@ TEST_CASE("many points give the same arrays, in any order and with any number of
 }
 
 TEST_CASE("no points, one point, points on a line and duplicates have no triangles") {
-  CHECK(rbpa::triangulate({}, 1).triangles.empty());
-  const Triangulation one = rbpa::triangulate(Points{{1, 2}, {1, 2}}, 1, all_of());
+  CHECK(rbpa::alpha_complex({}, 1).triangles.empty());
+  const AlphaComplex one = rbpa::alpha_complex(Points{{1, 2}, {1, 2}}, 1, all_of());
   CHECK(one.isolated == std::vector<std::uint32_t>{0});
   CHECK(one.distinct == 1);
   CHECK(one.duplicates == std::vector<rbpa::Duplicate>{{1, 0}});
-  const Triangulation line = rbpa::triangulate(collinear_run(30, 3, 7, 1), infinity, all_of());
+  const AlphaComplex line = rbpa::alpha_complex(collinear_run(30, 3, 7, 1), infinity, all_of());
   CHECK(line.triangles.empty());
   CHECK(line.neighbors.empty());
   CHECK(line.isolated.size() == 30);
 }
 
 TEST_CASE("bad input is refused before the run, and a run can be cancelled") {
-  CHECK_THROWS_AS(rbpa::triangulate(Points{{0, 0}}, 0), rbpa::InvalidInput);
-  CHECK_THROWS_AS(rbpa::triangulate(Points{{0, infinity}}, 1), rbpa::InvalidInput);
-  rbpa::TriangulationOptions options;
+  CHECK_THROWS_AS(rbpa::alpha_complex(Points{{0, 0}}, 0), rbpa::InvalidInput);
+  CHECK_THROWS_AS(rbpa::alpha_complex(Points{{0, infinity}}, 1), rbpa::InvalidInput);
+  rbpa::AlphaComplexOptions options;
   int asked = 0;
   options.progress = [&](const rbpa::Progress&) { return ++asked < 3; };
-  CHECK_THROWS_AS(rbpa::triangulate(uniform(30000, 3), infinity, options), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::alpha_complex(uniform(30000, 3), infinity, options), rbpa::Cancelled);
   CHECK(asked == 3);
   // It can be cancelled also while the triangles are sorted.
   std::size_t most = 0, since = 0;
@@ -136,10 +136,10 @@ TEST_CASE("bad input is refused before the run, and a run can be cancelled") {
     most = std::max(most, now.triangles);
     return true;
   };
-  CHECK(rbpa::triangulate(uniform(30000, 3), infinity, options).triangles.size() == most);
+  CHECK(rbpa::alpha_complex(uniform(30000, 3), infinity, options).triangles.size() == most);
   CHECK(since > 10);
   options.progress = [&](const rbpa::Progress& now) { return now.triangles < most || since-- > 4; };
-  CHECK_THROWS_AS(rbpa::triangulate(uniform(30000, 3), infinity, options), rbpa::Cancelled);
+  CHECK_THROWS_AS(rbpa::alpha_complex(uniform(30000, 3), infinity, options), rbpa::Cancelled);
 }
 
 namespace {
@@ -147,8 +147,8 @@ namespace {
 /// Checks the edges and points of the alpha complex that are in no triangle, by the definition, on Delaunay edges.
 void check_full(const Points& points, double alpha) {
   CAPTURE(alpha);
-  const Triangulation full = rbpa::triangulate(points, alpha, all_of(1, Complex::full));
-  const Triangulation solid = rbpa::triangulate(points, alpha, all_of());
+  const AlphaComplex full = rbpa::alpha_complex(points, alpha, all_of(1, ComplexKind::full));
+  const AlphaComplex solid = rbpa::alpha_complex(points, alpha, all_of());
   CHECK(full.triangles == solid.triangles);
   CHECK(full.neighbors == solid.neighbors);
   CHECK(full.boundary == solid.boundary);
@@ -157,7 +157,7 @@ void check_full(const Points& points, double alpha) {
   const auto add = [](std::set<Edge>& edges, const auto& t) {
     for (std::size_t i = 0; i < 3; ++i) edges.insert({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
   };
-  for (const auto& t : rbpa::triangulate(points, infinity).triangles) add(delaunay, t);
+  for (const auto& t : rbpa::alpha_complex(points, infinity).triangles) add(delaunay, t);
   for (const auto& t : solid.triangles) add(in_triangles, t);
   const bool on_line = delaunay.empty();
   std::set<std::uint32_t> repeated;

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/side_certainty.h"
+#include "rbpa/space/surface/normals/side_confidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +67,9 @@ struct Votes {
 }  // namespace
 
 template <typename Real>
-std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Point3> normals,
-                                   const OrientationTree& tree, const OuterSides& sides,
-                                   const std::function<void()>& go_on) {
+std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
+                                    const OrientationTree& tree, const OuterSides& sides,
+                                    const std::function<void()>& go_on) {
   constexpr double one = 1 << 20;
   constexpr Number points_at_a_time = 4096;
   const auto size = static_cast<Number>(near.points.size());
@@ -98,7 +98,7 @@ std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Po
   }
   // The confidence of each vertex, starting from the middle of its part of the tree: the vertex at which no cut
   // separates more than half of the part.
-  std::vector<double> by_rank(size + std::size_t{1}, -1), certainty(size);
+  std::vector<double> by_rank(size + std::size_t{1}, -1), confidence(size);
   for (Number r = 1; r <= size; ++r)
     if (paths.parent(r) == 0) {
       Number middle = r;
@@ -110,16 +110,16 @@ std::vector<double> side_certainty(const Neighborhoods& near, std::span<const Po
     }
   for (Number r = 1; r <= size; ++r) {
     if (by_rank[r] < 0) by_rank[r] = std::min(by_rank[paths.parent(r)], below[r].agreement());
-    certainty[tree.order[r]] = by_rank[r];
+    confidence[tree.order[r]] = by_rank[r];
   }
-  return certainty;
+  return confidence;
 }
 
-template std::vector<double> side_certainty<double>(const Neighborhoods&, std::span<const Point3>,
-                                                    const OrientationTree&, const OuterSides&,
-                                                    const std::function<void()>&);
-template std::vector<double> side_certainty<long double>(const Neighborhoods&, std::span<const Point3>,
-                                                         const OrientationTree&, const OuterSides&,
-                                                         const std::function<void()>&);
+template std::vector<double> side_confidence<double>(const Neighborhoods&, std::span<const Point3>,
+                                                     const OrientationTree&, const OuterSides&,
+                                                     const std::function<void()>&);
+template std::vector<double> side_confidence<long double>(const Neighborhoods&, std::span<const Point3>,
+                                                          const OrientationTree&, const OuterSides&,
+                                                          const std::function<void()>&);
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-#include "rbpa/plane/solid_alpha_complex.h"
+#include "rbpa/plane/alpha_complex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@
 namespace rbpa {
 namespace {
 
-std::vector<std::array<std::uint32_t, 2>> boundary_of(const Triangulation& of, const std::function<void()>& ask) {
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const AlphaComplex& of, const std::function<void()>& ask) {
   return boundary_sides(of, [&ask, t = 0u]() mutable {
     if (t++ % (1u << 18) == 0 && ask) ask();
   });
 }
 
-void triangulate_on_tiles(std::span<const Point> points, double alpha, const TriangulationOptions& options,
-                          Triangulation& result) {
+void triangulate_on_tiles(std::span<const Point> points, double alpha, const AlphaComplexOptions& options,
+                          AlphaComplex& result) {
   Threads threads = threads_for(points.size(), options.threads);
   std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
   result.distinct = sites->size();
@@ -64,8 +64,8 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Tri
 }
 
 /// Computes the triangles of a radius, and the isolated points.
-Triangulation solid(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
-  Triangulation result;
+AlphaComplex solid(std::span<const Point> points, double alpha, const AlphaComplexOptions& options) {
+  AlphaComplex result;
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
     triangulate_on_tiles(points, alpha, options, result);
   const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
@@ -76,13 +76,13 @@ Triangulation solid(std::span<const Point> points, double alpha, const Triangula
 
 }  // namespace
 
-Triangulation triangulate(std::span<const Point> points, double alpha, const TriangulationOptions& options) {
+AlphaComplex alpha_complex(std::span<const Point> points, double alpha, const AlphaComplexOptions& options) {
   check(points, alpha);
-  if (options.complex == Complex::solid) return solid(points, alpha, options);
-  TriangulationOptions of_delaunay = options;
+  if (options.complex == ComplexKind::solid) return solid(points, alpha, options);
+  AlphaComplexOptions of_delaunay = options;
   of_delaunay.neighbors = true;
   of_delaunay.boundary = false;
-  Triangulation result = solid(points, std::numeric_limits<double>::infinity(), of_delaunay);
+  AlphaComplex result = solid(points, std::numeric_limits<double>::infinity(), of_delaunay);
   result.edges = dangling_edges(points, alpha, result);
   keep_within(points, alpha, result);
   result.isolated = isolated_in(result, points.size());

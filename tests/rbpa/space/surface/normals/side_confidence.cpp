@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/side_certainty.h"
+#include "rbpa/space/surface/normals/side_confidence.h"
 
 #include <doctest/doctest.h>
 
@@ -52,7 +52,7 @@ std::vector<double> by_every_cut(const Neighborhoods& near, const Points3& norma
     }
     return all > 0 ? std::max(0.0, sum / all) : 0.0;
   };
-  std::vector<double> certainty(root, 1);
+  std::vector<double> confidence(root, 1);
   for (std::uint32_t seed = 0; seed < root; ++seed) {
     if (tree.parent[seed] != root) continue;
     const std::vector<bool> part = below(tree, seed);
@@ -72,13 +72,13 @@ std::vector<double> by_every_cut(const Neighborhoods& near, const Points3& norma
       }
     for (std::uint32_t v = 0; v < root; ++v) {
       if (!part[v]) continue;
-      if (!sides.empty() && sides.side[seed] != 0) certainty[v] = sides.vote[seed];
+      if (!sides.empty() && sides.side[seed] != 0) confidence[v] = sides.vote[seed];
       for (std::uint32_t w = 0; w < root; ++w)
         if (part[w] && w != seed && below(tree, w)[v] != below(tree, w)[middle])
-          certainty[v] = std::min(certainty[v], cut(w));
+          confidence[v] = std::min(confidence[v], cut(w));
     }
   }
-  return certainty;
+  return confidence;
 }
 
 Points3 ball(std::size_t count, double noise, std::uint64_t seed) {
@@ -114,7 +114,7 @@ TEST_CASE("the confidence at a point is the least of the cuts between it and the
         sides.vote.push_back(sides.side[i] == 0 ? 0 : random.between(0.35, 1));
       }
     const OrientationTree tree = orient_normals<double>(near, normals, {}, sides.side);
-    const std::vector<double> found = side_certainty<double>(near, normals, tree, sides, {});
+    const std::vector<double> found = side_confidence<double>(near, normals, tree, sides, {});
     const std::vector<double> expected = by_every_cut(near, normals, tree, sides);
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -149,14 +149,14 @@ TEST_CASE("every normal of a smooth ball is confident, and those on the wrong si
   for (const double spacings : {0.0, 0.5, 2.0, 3.0}) {
     CAPTURE(spacings);
     const Points3 points = ball(4000, spacings * std::sqrt(4 * 3.14159265358979 / 4000), 63);
-    const EstimatedNormals found = rbpa::estimate_normals_and_certainty(points);
+    const EstimatedNormals found = rbpa::estimate_normals_and_confidence(points);
     CHECK(found.normals == rbpa::estimate_normals(points));
     std::size_t wrong = 0, sure = 0, wrong_and_sure = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point3 &p = points[i], &n = found.normals[i];
       const bool is_wrong = p.x * n.x + p.y * n.y + p.z * n.z < 0,
-                 is_sure = found.certainty[i] >= rbpa::least_certainty;
-      CHECK((found.certainty[i] >= 0 && found.certainty[i] <= 1));
+                 is_sure = found.confidence[i] >= rbpa::least_confidence;
+      CHECK((found.confidence[i] >= 0 && found.confidence[i] <= 1));
       wrong += is_wrong;
       sure += is_sure;
       wrong_and_sure += is_wrong && is_sure;
@@ -176,10 +176,10 @@ TEST_CASE("outliers are in doubt themselves, and do not make other points doubtf
   Points3 points = ball(3000, 0, 64);
   Random random(65);
   for (int i = 0; i < 150; ++i) points.push_back({random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)});
-  const EstimatedNormals found = rbpa::estimate_normals_and_certainty(points);
+  const EstimatedNormals found = rbpa::estimate_normals_and_confidence(points);
   const auto sure = [&](std::size_t first, std::size_t last) {
     std::size_t count = 0;
-    for (std::size_t i = first; i < last; ++i) count += found.certainty[i] >= rbpa::least_certainty;
+    for (std::size_t i = first; i < last; ++i) count += found.confidence[i] >= rbpa::least_confidence;
     return static_cast<double>(count) / static_cast<double>(last - first);
   };
   CHECK(sure(0, 3000) > 0.98);
@@ -193,10 +193,10 @@ TEST_CASE("the ball's votes are the confidence where a ball decides") {
     Random random(66);
     for (int i = 0; i < 6000; ++i)
       plate.push_back({random.between(-1, 1), random.between(-1, 1), (random.chance(0.5) ? 1 : -1) * half});
-    const EstimatedNormals found = rbpa::estimate_normals_and_certainty(plate);
+    const EstimatedNormals found = rbpa::estimate_normals_and_confidence(plate);
     std::size_t wrong = 0, wrong_and_sure = 0, sure = 0;
     for (std::size_t i = 0; i < plate.size(); ++i) {
-      const bool is_sure = found.certainty[i] >= rbpa::least_certainty;
+      const bool is_sure = found.confidence[i] >= rbpa::least_confidence;
       sure += is_sure;
       if (found.normals[i].z * plate[i].z > 0) continue;
       ++wrong;
@@ -214,31 +214,31 @@ TEST_CASE("the confidence does not depend on the order of the points, the thread
   for (const SpaceKind kind :
        {SpaceKind::cube, SpaceKind::grid, SpaceKind::noisy_sphere, SpaceKind::plate, SpaceKind::extreme}) {
     const Points3 points = space_set(kind, 1500, random);
-    const auto expected = rbpa::estimate_normals_and_certainty(points, {.threads = 1}).certainty;
+    const auto expected = rbpa::estimate_normals_and_confidence(points, {.threads = 1}).confidence;
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
     random.shuffle(order);
     Points3 shuffled;
     for (const std::uint32_t i : order)
       shuffled.push_back({std::ldexp(points[i].x, 3), std::ldexp(points[i].y, 3), std::ldexp(points[i].z, 3)});
-    const auto found = rbpa::estimate_normals_and_certainty(shuffled, {.threads = 2}).certainty;
+    const auto found = rbpa::estimate_normals_and_confidence(shuffled, {.threads = 2}).confidence;
     REQUIRE(found.size() == order.size());
     for (std::size_t k = 0; k < order.size(); ++k) CHECK(found[k] == expected[order[k]]);
   }
 }
 
 TEST_CASE("points on a line, in all directions, or alone have no plane and no confidence") {
-  for (const double c : rbpa::estimate_normals_and_certainty({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}}).certainty)
+  for (const double c : rbpa::estimate_normals_and_confidence({{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}}).confidence)
     CHECK(c == 0);
-  CHECK(rbpa::estimate_normals_and_certainty({{{5, 5, 5}}}).certainty == std::vector<double>{0});
-  CHECK(rbpa::estimate_normals_and_certainty({}).certainty.empty());
+  CHECK(rbpa::estimate_normals_and_confidence({{{5, 5, 5}}}).confidence == std::vector<double>{0});
+  CHECK(rbpa::estimate_normals_and_confidence({}).confidence.empty());
   const Points3 star = {{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  for (const double c : rbpa::estimate_normals_and_certainty(star).certainty) CHECK(c < 1e-12);
+  for (const double c : rbpa::estimate_normals_and_confidence(star).confidence) CHECK(c < 1e-12);
   const Points3 square = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 1, 0}};
-  CHECK(rbpa::estimate_normals_and_certainty(square).certainty == std::vector<double>(5, 1));
+  CHECK(rbpa::estimate_normals_and_confidence(square).confidence == std::vector<double>(5, 1));
   // An ellipsoid of points: the ratio of the variances is 1/4.
   const Points3 box = {{2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 1}, {0, 0, -1}};
-  for (const double c : rbpa::estimate_normals_and_certainty(box, {.viewpoints = {{{0.5, 0.25, 9}}}}).certainty)
+  for (const double c : rbpa::estimate_normals_and_confidence(box, {.viewpoints = {{{0.5, 0.25, 9}}}}).confidence)
     CHECK(std::abs(c - 0.75) < 1e-12);
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("a plane seen at a grazing angle may be seen from either side") {
   const std::vector<Point3> above = {{4, 4, 100}}, grazing = {{1000, 0, 125}}, within = {{1000, 0, 0}},
                             at = {{0, 0, 0}};
   const auto seen_from = [&](const std::vector<Point3>& viewpoints) {
-    return rbpa::estimate_normals_and_certainty(level, {.viewpoints = viewpoints}).certainty;
+    return rbpa::estimate_normals_and_confidence(level, {.viewpoints = viewpoints}).confidence;
   };
   for (const double c : seen_from(above)) CHECK(c == 1);
   for (const double c : seen_from(grazing)) CHECK(std::abs(c - 0.5) < 0.01);  // four times 125 of about 1000
