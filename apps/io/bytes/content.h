@@ -17,8 +17,8 @@ class Content {
  public:
   /// Views bytes in memory, which must outlive this object; `name` stands for them in messages.
   Content(std::string_view bytes, std::string name);
-  /// Opens the file at `path`, which must be a regular file, as it is read twice. `decompresses`: decompress it if it begins
-  /// like a gzip file. Throws BadInput.
+  /// Opens the file at `path`, which must be a regular file, as it is read twice. `decompresses`: decompress it if it
+  /// begins like a gzip file. Throws BadInput.
   static Content of_file(const std::string& path, bool decompresses);
   Content(Content&&) noexcept;
   Content& operator=(Content&&) noexcept;

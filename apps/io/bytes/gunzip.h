@@ -21,9 +21,9 @@ class Gunzip {
   Gunzip(const Gunzip&) = delete;
   Gunzip& operator=(const Gunzip&) = delete;
 
-  /// Decompresses from the front of `compressed`, and removes the bytes that it used from it; an empty `compressed` means the
-  /// end of the file. Returns how many bytes it wrote to `to`: at most `size`, perhaps none. Throws BadInput naming the
-  /// fault.
+  /// Decompresses from the front of `compressed`, and removes the bytes that it used from it; an empty `compressed`
+  /// means the end of the file. Returns how many bytes it wrote to `to`: at most `size`, perhaps none. Throws BadInput
+  /// naming the fault.
   std::size_t inflate(std::string_view& compressed, char* to, std::size_t size);
   /// Whether the bytes so far end with a whole member, so that the file may end here.
   bool is_between_members() const { return between_members_; }

@@ -18,8 +18,8 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// A Ring (rbpa/plane/outline_polygons.h) with coordinates: begins with its lexicographically least point, which is not repeated; passes
-/// no point twice.
+/// A Ring (rbpa/plane/outline_polygons.h) with coordinates: begins with its lexicographically least point, which is not
+/// repeated; passes no point twice.
 using CornerRing = std::vector<Corner>;
 
 /// The name of an unfinished component: one of its triangles, which no other component ever has.

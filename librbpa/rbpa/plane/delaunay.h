@@ -21,8 +21,8 @@ class RBPA_API Delaunay {
   /// Cost:   that of alpha_complex().
   explicit Delaunay(std::span<const Point> points, const AlphaComplexOptions& options = {});
 
-  /// Takes the result of alpha_complex(points, infinity, {.neighbors = true}), which is checked. An lvalue is not copied:
-  /// it must outlive this object and stay unchanged.
+  /// Takes the result of alpha_complex(points, infinity, {.neighbors = true}), which is checked. An lvalue is not
+  /// copied: it must outlive this object and stay unchanged.
   /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
   ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled when `go_on`, which is
   ///         called every few milliseconds, returns false. Empty: never called.

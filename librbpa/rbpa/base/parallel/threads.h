@@ -15,7 +15,7 @@ namespace rbpa {
 /// A number of threads that may work on something, the calling one included.
 class Threads {
  public:
-  /// Allows at most `count` threads, and no more than there are processors; 0: as many as there are.
+  /// Allows at most `count` threads, capped by the number of processors; 0: one for each processor.
   explicit Threads(unsigned count = 1);
   Threads(Threads&&) noexcept;
   ~Threads();

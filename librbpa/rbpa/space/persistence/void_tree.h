@@ -25,8 +25,8 @@ namespace rbpa {
 struct VoidNode {
   double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
   double volume = 0;              ///< volume when it closes
-  /// The corners of the triangle that closes it, ascending; with ComplexKind::solid, the last triangle of the tetrahedron
-  /// that closes it.
+  /// The corners of the triangle that closes it, ascending; with ComplexKind::solid, the last triangle of the
+  /// tetrahedron that closes it.
   Triangle mouth = {};
   std::uint32_t last = 0;    ///< the last tetrahedron that fills it
   std::uint32_t parent = 0;  ///< the node from which it separates, or none: the outside
