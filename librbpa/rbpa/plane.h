@@ -3,6 +3,7 @@
 
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/boundary_curves.h"
+#include "rbpa/plane/choose_alpha.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/complex.h"
 #include "rbpa/plane/corner_polygon.h"

@@ -5,6 +5,7 @@
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/balls/union_of_balls.h"
+#include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/persistence/solid_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/persistence/solid_plateaus.h"

@@ -1,0 +1,47 @@
+// What: a radius alpha, or the rule by which the points choose one, and how a user spells a rule.
+// Law:  parse_alpha_rule(name_of(choice)) has the rule and the rank of the choice, unless the rule is `given`.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "rbpa/base/api.h"
+
+namespace rbpa {
+
+enum class AlphaRule {
+  given,      ///< a radius
+  automatic,  ///< "auto": the least radius at which few enough solid components cover the points, or a share of them
+  least,      ///< "min": the least radius at which the complex covers the points, or a share of them
+  plateau     ///< "plateau", "plateau:K": a radius around which the shape hardly changes
+};
+
+struct AlphaChoice {
+  AlphaRule rule = AlphaRule::given;
+  double radius = std::numeric_limits<double>::infinity();  ///< for `given`
+  std::size_t max_components = 1;                           ///< for `automatic`; in space always 1
+  double cover = 1;      ///< share of the distinct points, above 0 and at most 1, for `automatic` and `least`
+  std::size_t rank = 1;  ///< for `plateau`: 1 is the best
+  friend bool operator==(const AlphaChoice&, const AlphaChoice&) = default;
+};
+
+constexpr bool takes_components(AlphaRule rule) { return rule == AlphaRule::automatic; }
+constexpr bool takes_cover(AlphaRule rule) { return rule == AlphaRule::automatic || rule == AlphaRule::least; }
+
+/// All spellings of a choice, for error messages.
+inline constexpr std::string_view expected_alpha = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
+
+/// Parses "auto", "min", "plateau" or "plateau:K", where K is a whole number from 1. The result is empty for any other
+/// text.
+RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
+
+/// Returns "given", "auto", "min", "plateau" or "plateau:2".
+RBPA_API std::string name_of(const AlphaChoice& choice);
+
+/// Throws: InvalidInput "alpha plateau:4: there are only 3 plateaus" when the rank is above the number of plateaus.
+RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
+
+}  // namespace rbpa

@@ -1,0 +1,33 @@
+// What: chooses the radius of points in the plane by a rule.
+// Law:  a function of the set of points and the choice.
+// Cost: that of smallest_covering() or of filtration() and plateaus(); a given radius costs nothing.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rbpa/base/alpha_choice.h"
+#include "rbpa/base/api.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/plateaus.h"
+#include "rbpa/plane/smallest_covering_alpha.h"
+
+namespace rbpa {
+
+struct ChosenAlpha {
+  std::optional<double> alpha = std::nullopt;  ///< absent: the points have no triangle at any radius
+  std::vector<Plateau> plateaus = {};          ///< all of them, the best first, if the rule is `plateau`
+};
+
+/// Returns the condition of the rules `automatic` and `least`.
+RBPA_API Covering covering_of(const AlphaChoice& choice);
+
+/// Returns the given radius, or the radius that the rule chooses.
+/// Throws: InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the cover
+///         is out of its bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty:
+///         never called.
+RBPA_API ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay,
+                                  const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa

@@ -1,0 +1,34 @@
+// What: chooses the radius of points in space by a rule.
+// Law:  a function of the set of points and the choice.
+// Cost: that of min_alpha(), auto_alpha() or solid_plateaus(); a given radius costs nothing.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "rbpa/base/alpha_choice.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/persistence/solid_plateaus.h"
+#include "rbpa/space/solid/solid.h"
+
+namespace rbpa {
+
+struct ChosenSolidAlpha {
+  double alpha = std::numeric_limits<double>::infinity();  ///< infinity if a rule finds no tetrahedron
+  std::vector<SolidPlateau> plateaus = {};                 ///< all of them, the best first, if the rule is `plateau`
+};
+
+/// Returns the given radius, or the radius that the rule chooses.
+/// Requires: the result of solid() of these points at infinity, with neighbors, and its circumradii. The triangulation
+///           may also be that of a periodic box (without_offsets()), unless the rule is `plateau`.
+/// Throws:   InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the
+///           triangulation is visibly of other points, or the cover is out of its bounds; Cancelled when `go_on`, which
+///           is called every few milliseconds, returns false. Empty: never called.
+RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,
+                                             const Solid& delaunay, std::span<const double> radii,
+                                             const std::function<bool()>& go_on = {});
+
+}  // namespace rbpa
