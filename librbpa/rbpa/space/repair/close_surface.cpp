@@ -22,11 +22,7 @@ Surface part_of(std::span<const Point3> points, const Surface& whole, std::vecto
   for (;;) {
     Surface part = indexable_surface(keep_triangles(whole, kept), go_on);
     const SurfaceComponents components = surface_components(points, part, go_on);
-    const std::vector<Hole> curves = surface_curves(points, part, go_on);
-    const std::vector<CurveKind> kinds = curve_kinds(points, components, curves);
-    std::vector<bool> is_island(components.all.size(), false);
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      if (kinds[i] == CurveKind::island) is_island[components.number[curves[i].edges.front().triangle]] = true;
+    const std::vector<bool> is_island = islands(components);
     if (count_of(is_island) == 0) return part;
     std::size_t next = 0;  // triangle of the part
     for (std::size_t t = 0; t < kept.size(); ++t)

@@ -61,6 +61,13 @@ std::vector<bool> are_rims(std::span<const Point3> points, const SurfaceComponen
 
 }  // namespace
 
+std::vector<bool> islands(const SurfaceComponents& components) {
+  std::vector<bool> result;
+  for (const SurfaceComponent& component : components.all)
+    result.push_back(!component.is_closed() && component.area < island_share * components.all.front().area);
+  return result;
+}
+
 std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                    std::span<const Hole> curves) {
   for (const Hole& curve : curves) {
@@ -75,13 +82,14 @@ std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const Surface
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return component_of(i) < component_of(j); });
 
+  const std::vector<bool> is_island = islands(components);
   std::vector<CurveKind> kinds(curves.size(), CurveKind::island);
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
-    const SurfaceComponent& component = components.all.at(component_of(order[first]));
+    const std::uint32_t number = component_of(order[first]);
+    const SurfaceComponent& component = components.all.at(number);
     std::vector<const Hole*> around;
-    for (; last < order.size() && component_of(order[last]) == component_of(order[first]); ++last)
-      around.push_back(&curves[order[last]]);
-    if (component.area < island_share * components.all.front().area) continue;
+    for (; last < order.size() && component_of(order[last]) == number; ++last) around.push_back(&curves[order[last]]);
+    if (is_island[number]) continue;
     const std::vector<bool> rims = are_rims(points, component, around);
     for (std::size_t i = first; i < last; ++i) kinds[order[i]] = rims[i - first] ? CurveKind::rim : CurveKind::hole;
   }

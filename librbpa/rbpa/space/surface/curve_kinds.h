@@ -1,4 +1,5 @@
-// What: classifies the boundary curves of a surface as holes, outer rims, or boundaries of small islands.
+// What: classifies the boundary curves of a surface as holes, outer rims, or boundaries of small islands, and finds the
+//       islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The areas below are those of flat
 //       caps over the curves, given by the vector area of a curve.
 // Cost: linear in the curves.
@@ -20,8 +21,12 @@ enum class CurveKind : std::uint8_t {
   /// component's area. A square has one, and so has half a sphere; a cube without its bottom has none.
   rim,
   hole,    ///< any other curve of a component that is not an island
-  island,  ///< a curve of a component whose area is less than a hundredth of the largest component's
+  island,  ///< a curve of an island
 };
+
+/// Returns for each component whether it is an island: it is open, and its area is less than a hundredth of the largest
+/// component's.
+RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
 
 /// Returns the kind of each curve.
 /// Requires: the holes() of a surface of these points, and its components.
