@@ -19,10 +19,9 @@
 #include "python/module.h"
 #include "python/surface_input.h"
 #include "python/watched.h"
-#include "rbpa/space/repair/close_surface.h"
-#include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/refine_filling.h"
+#include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/outer_shells.h"
@@ -206,26 +205,21 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   return result;
 }
 
-/// Fills all holes and rims; returns also the number of pairs of intersecting triangles, at most a thousand.
-py::dict closed(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
+/// Makes the surface watertight; returns also which triangles are kept, and how many curves are open and pairs cross.
+py::dict watertight(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   std::vector<std::array<std::uint32_t, 2>> boundary;
-  std::size_t curves = 0, crossing = 0;
-  ClosedSurface made = watched(long_work, py::none(), [&](Watch& watch) {
-    const std::function<bool()> go_on = watch.until_stopped();
-    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    ClosedSurface result = close_surface(input, indexable_surface(of_links(links), go_on), options);
+  WatertightSurface made = watched(long_work, py::none(), [&](Watch& watch) {
+    WatertightSurface result =
+        make_watertight(input, of_links(links), {.threads = threads, .progress = watch.progress()});
     boundary = boundary_of(result.surface);
-    curves = surface_curves(input, result.surface, go_on).size();
-    constexpr std::size_t most = 1000;
-    crossing = crossing_triangles(input, result.surface.triangles, most, options).size();
     return result;
   });
   py::dict result = as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, made.given_up);
   result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));
-  result["curves"] = curves;
-  result["crossing"] = crossing;
+  result["curves"] = made.open.size();
+  result["crossing"] = made.crossing.size();
   return result;
 }
 
@@ -298,7 +292,7 @@ void bind_surface(py::module_& module) {
              arg("neighbors").noconvert());
   module.def("fill_holes", &filled, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert(), arg("most_edges"), arg("most_length"), arg("rims"), arg("threads"));
-  module.def("close_surface", &closed, arg("points").noconvert(), arg("triangles").noconvert(),
+  module.def("make_watertight", &watertight, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert(), arg("threads"));
   module.def("refine_filling", &refined, arg("points").noconvert(), arg("normals").noconvert(),
              arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("is_new").noconvert(), arg("threads"),

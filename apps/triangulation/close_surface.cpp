@@ -8,9 +8,7 @@
 #include <utility>
 
 #include "rbpa/base/progress.h"
-#include "rbpa/space/repair/close_surface.h"
 #include "rbpa/space/repair/fill_holes.h"
-#include "rbpa/space/repair/refine_filling.h"
 
 namespace rbpa::app {
 namespace {
@@ -61,31 +59,32 @@ std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> kn
   return curves;
 }
 
+void count_refined(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
+                   const AddedPoints& added, FillingCounts& counts) {
+  std::vector<double> areas;
+  for (std::size_t t = 0; t < is_new.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    if (is_new[t]) areas.push_back(area_of(points[a], points[b], points[c]));
+  }
+  std::sort(areas.begin(), areas.end());
+  counts.triangles = areas.size();
+  counts.area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  counts.points = added.points.size();
+  counts.smooth = added.smooth;
+}
+
 AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
                    const SurfaceOptions& options) {
   RefinedSurface refined = refine_filling(points, bounded.surface, bounded.filled, options);
   std::vector<Point3> all(points.begin(), points.end());
   all.insert(all.end(), refined.points.begin(), refined.points.end());
-  const std::vector<std::uint32_t> old = old_ones(bounded.filled);
+  count_refined(all, refined.surface, refined.is_new, refined, counts);
+  const std::vector<std::uint32_t> was = old_ones(bounded.filled), is = old_ones(refined.is_new);
   std::vector<std::uint32_t> number(bounded.filled.size(), Surface::none);  // number of each triangle that is not new
-  std::size_t next = 0;
-  std::vector<double> areas;
-  for (std::uint32_t t = 0; t < refined.is_new.size(); ++t) {
-    if (refined.is_new[t]) {
-      const auto& [a, b, c] = refined.surface.triangles[t];
-      areas.push_back(area_of(all[a], all[b], all[c]));
-      continue;
-    }
-    number[old[next++]] = t;
-  }
-  std::sort(areas.begin(), areas.end());
-  counts.triangles = areas.size();
-  counts.area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  counts.points = refined.points.size();
-  counts.smooth = refined.smooth;
+  for (std::size_t i = 0; i < was.size(); ++i) number[was[i]] = is[i];
   renumber(bounded.curves, number);
   replace(all, bounded, std::move(refined.surface), refined.is_new, options);
-  return {std::move(refined.points), std::move(refined.between)};
+  return refined;
 }
 
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
@@ -98,16 +97,6 @@ FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choi
   const FillingCounts counts = count(filled.holes);
   renumber(bounded.curves, old_ones(filled.is_new));
   replace(points, bounded, std::move(filled.surface), filled.is_new, options);
-  return counts;
-}
-
-FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options) {
-  ClosedSurface closed = close_surface(points, bounded.surface, options);
-  FillingCounts counts = count(closed.holes);
-  counts.given_up = closed.given_up;
-  if (closed.given_up > 0) bounded.curves.clear();  // the surface is closed
-  renumber(bounded.curves, old_ones(closed.is_new));
-  replace(points, bounded, std::move(closed.surface), closed.is_new, options);
   return counts;
 }
 

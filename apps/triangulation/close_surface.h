@@ -2,11 +2,10 @@
 // Law:  the result is a function of the surface and the choice.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/surface.h"
@@ -32,20 +31,15 @@ struct BoundedSurface {
 FillingCounts fill_chosen(std::span<const Point3> points, const HoleChoice& choice, BoundedSurface& bounded,
                           const SurfaceOptions& options);
 
-/// Fills the holes of every curve, as rbpa::close_surface() does.
-FillingCounts close_all(std::span<const Point3> points, BoundedSurface& bounded, const SurfaceOptions& options);
-
-/// Points inside fillings.
-struct AddedPoints {
-  std::vector<Point3> points;                         ///< numbered after the points of the surface
-  std::vector<std::array<std::uint32_t, 3>> between;  ///< for each, the three points between which it was put
-};
-
 /// Refines and smooths the fillings like the surface around them, as rbpa::refine_filling() does, and updates the
 /// counts.
 /// Throws: as refine_filling().
 AddedPoints refine(std::span<const Point3> points, BoundedSurface& bounded, FillingCounts& counts,
                    const SurfaceOptions& options);
+
+/// Counts refined fillings: the new triangles, their area, and the added points.
+void count_refined(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
+                   const AddedPoints& added, FillingCounts& counts);
 
 /// Returns the curves with the causes that `known` has for their edges.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known);

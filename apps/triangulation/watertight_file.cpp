@@ -5,6 +5,7 @@
 
 #include "io/failure.h"
 #include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/repair/watertight.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {
@@ -18,16 +19,15 @@ std::string why_file_is_open(Format format, const std::string& file, std::span<c
   if (const std::size_t edges = non_manifold_edges(triangles); format == Format::stl && edges > 0)
     return file + ": STL joins what is at equal positions, and " + counted(edges, "edge") +
            " would have more than two triangles (.ply, .obj and .off keep them apart)";
-  constexpr std::size_t most = 1000;  // pairs to count at most
   const auto crossing = [&](const std::optional<Shift>& by) {
     std::vector<Point3> places;
     for (const auto& [x, y, z] : single_positions(format, points, triangles, by, file).at) places.push_back({x, y, z});
-    return crossing_triangles(places, triangles, most, options).size();
+    return crossing_triangles(places, triangles, most_crossing_pairs, options).size();
   };
   const std::size_t pairs = crossing(shift);
   if (pairs == 0) return "";
-  return file + ": single precision makes " + (pairs < most ? "" : "at least ") + counted(pairs, "pair") +
-         " of triangles cross" + way_to_keep((!shift || shift->by) && crossing(Shift()) == 0);
+  return file + ": single precision makes " + (pairs < most_crossing_pairs ? "" : "at least ") +
+         counted(pairs, "pair") + " of triangles cross" + way_to_keep((!shift || shift->by) && crossing(Shift()) == 0);
 }
 
 }  // namespace rbpa::app

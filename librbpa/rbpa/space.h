@@ -17,6 +17,7 @@
 #include "rbpa/space/repair/mesh_holes.h"
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/suggested_repairs.h"
+#include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"

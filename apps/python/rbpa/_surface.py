@@ -422,10 +422,8 @@ class Surface(Result):
         NotWatertight
             Boundary curves remain, or triangles intersect; the message has their numbers.
         """
-        largest = max((component.area for component in self.components), default=0.0)
-        is_island = [component.boundary_curves > 0 and component.area < 0.01 * largest for component in self.components]
-        whole = self.keep([not island for island in is_island]) if any(is_island) else self
-        of = _core.close_surface(whole.points, whole.triangles, whole.neighbors, as_threads(threads))
+        self._require_unchanged()
+        of = _core.make_watertight(self.points, self.triangles, self.neighbors, as_threads(threads))
         if len(of["triangles"]) == 0:
             raise NotWatertight("watertight: found no triangle, expected a surface")
         if of["curves"] or of["crossing"]:
@@ -433,7 +431,7 @@ class Surface(Result):
                 f"watertight: found {of['curves']} boundary curves and {of['crossing']} pairs of triangles that cross, "
                 "expected none"
             )
-        return whole._with_filled(of, of["kept"] != 0)
+        return self._with_filled(of, of["kept"] != 0)
 
     def refined(self, *, threads: Optional[int] = None, progress: Progress = None) -> Surface:
         """Returns the surface with the fillings of `fill_holes` or `watertight` made as fine and smooth as the rest, by

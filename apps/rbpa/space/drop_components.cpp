@@ -8,9 +8,10 @@
 
 namespace rbpa::app {
 
-void drop_components(std::span<const Point3> points, const std::vector<bool>& kept, Surface& surface,
-                     SurfaceComponents& components, SurfaceFacts& facts) {
-  DroppedComponents& dropped = facts.dropped;
+DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
+                                     const Surface& surface, const SurfaceComponents& components) {
+  DroppedComponents dropped;
+  if (std::find(kept.begin(), kept.end(), false) == kept.end()) return dropped;
   const std::vector<std::size_t> genus = genus_of(surface, components, until_interrupted());
   for (std::size_t c = 0; c < kept.size(); ++c) {
     const SurfaceComponent& component = components.all[c];
@@ -24,16 +25,24 @@ void drop_components(std::span<const Point3> points, const std::vector<bool>& ke
     dropped.area += component.area;
     dropped.genus += genus[c];
   }
-  std::vector<std::uint32_t> number;  // new number of each kept triangle; for others that of the next kept one
-  std::uint32_t next = 0;
   std::vector<char> use(points.size(), 0);  // of each point, 1: only by dropped triangles, 2: by kept ones
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    number.push_back(next);
-    const bool is_kept = kept[components.number[t]];
-    next += is_kept;
-    for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max<char>(use[corner], is_kept ? 2 : 1);
+    const char by = kept[components.number[t]] ? 2 : 1;
+    for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max(use[corner], by);
   }
   dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  return dropped;
+}
+
+void drop_components(std::span<const Point3> points, const std::vector<bool>& kept, Surface& surface,
+                     SurfaceComponents& components, SurfaceFacts& facts) {
+  facts.dropped = dropped_components(points, kept, surface, components);
+  std::vector<std::uint32_t> number;  // new number of each kept triangle; for others that of the next kept one
+  std::uint32_t next = 0;
+  for (const std::uint32_t c : components.number) {
+    number.push_back(next);
+    next += kept[c];
+  }
   std::vector<Hole> holes;
   std::vector<CurveKind> kinds;
   for (std::size_t i = 0; i < facts.holes.size(); ++i) {

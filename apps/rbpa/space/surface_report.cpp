@@ -10,6 +10,7 @@
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "rbpa/space/repair/watertight.h"
 #include "shared/stats.h"
 #include "space/surface_repairs.h"
 #include "triangulation/list_of_causes.h"
@@ -221,7 +222,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
 }
 
 std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, const Surface& surface,
-                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, bool all_crossings) {
+                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing) {
   const auto place = [&](std::uint32_t i) {
     return rounded(points[i].x, 6) + ", " + rounded(points[i].y, 6) + ", " + rounded(points[i].z, 6);
   };
@@ -241,7 +242,7 @@ std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, 
       const auto& c = surface.triangles[triangle];
       return "(" + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]) + ")";
     };
-    text += (text.empty() ? "" : "; ") + std::string(all_crossings ? "" : "at least ") +
+    text += (text.empty() ? "" : "; ") + std::string(crossing.size() < most_crossing_pairs ? "" : "at least ") +
             counted(crossing.size(), "pair") + " of triangles cross, the first of points " + corners(t) + " and " +
             corners(u) + " at " + place(surface.triangles[t][0]);
   }

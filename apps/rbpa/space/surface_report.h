@@ -83,7 +83,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts);
 /// Returns why a surface is not watertight: "2 curves stay open, ..., and 3 pairs of triangles cross, ..."; "" if it
 /// is.
 std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, const Surface& surface,
-                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing, bool all_crossings);
+                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing);
 
 /// Write one JSON object each.
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts);

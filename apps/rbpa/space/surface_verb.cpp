@@ -12,8 +12,7 @@
 #include "io/values_at.h"
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
-#include "rbpa/space/repair/crossing_triangles.h"
-#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/auto_radii.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/estimate_normals.h"
@@ -60,7 +59,8 @@ class SurfaceRun : public Run {
   void choose_components();
   std::vector<bool> kept_by_choice() const;
   void fill();
-  void require_watertight() const;
+  void add_to_cloud(const AddedPoints& added);
+  void close(const std::vector<bool>& kept);
   std::vector<std::string> shifts() const;
   void write();
   SurfaceFiles files() const;
@@ -212,13 +212,13 @@ void SurfaceRun::choose_components() {
   }
   facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
   const std::vector<bool> kept = kept_by_choice();
-  if (std::count(kept.begin(), kept.end(), false) > 0)
-    drop_components(file_.points, kept, surface_, components_, facts_);
-  if (request_.filled) fill();
-  if (!as_they_came_.empty()) components_ = surface_components(points(), surface_, until_interrupted());
   if (arguments_.watertight) {
-    require_watertight();
-    facts_.inside = nesting_depths(points(), surface_, components_, until_interrupted());
+    close(kept);
+  } else {
+    if (std::count(kept.begin(), kept.end(), false) > 0)
+      drop_components(file_.points, kept, surface_, components_, facts_);
+    if (request_.filled) fill();
+    if (!as_they_came_.empty()) components_ = surface_components(points(), surface_, until_interrupted());
   }
   facts_.watertight = arguments_.watertight;
   fans_ = split_fans(surface_, until_interrupted());
@@ -230,18 +230,13 @@ void SurfaceRun::choose_components() {
   if (facts_.has_repairs) facts_.repairs = repairs_.of(facts_.holes, facts_.kinds);
 }
 
-/// Returns for each component whether it is kept.
+/// Returns for each component whether the options keep it.
 std::vector<bool> SurfaceRun::kept_by_choice() const {
-  std::vector<bool> kept(components_.all.size(), true);
-  if (!request_.components.keeps_all()) {
-    std::vector<bool> outer;
-    if (request_.components.shell != ShellChoice::all)
-      outer = outer_shells(file_.points, radii_.back(), surface_, components_, until_interrupted());
-    kept = kept_components(components_, outer, request_.components);
-  }
-  for (std::size_t i = 0; i < facts_.holes.size() && arguments_.watertight; ++i)
-    if (facts_.kinds[i] == CurveKind::island) kept[components_.number[facts_.holes[i].edges.front().triangle]] = false;
-  return kept;
+  if (request_.components.keeps_all()) return std::vector<bool>(components_.all.size(), true);
+  std::vector<bool> outer;
+  if (request_.components.shell != ShellChoice::all)
+    outer = outer_shells(file_.points, radii_.back(), surface_, components_, until_interrupted());
+  return kept_components(components_, outer, request_.components);
 }
 
 void SurfaceRun::fill() {
@@ -250,15 +245,11 @@ void SurfaceRun::fill() {
                          .curves = std::move(facts_.holes),
                          .kinds = std::move(facts_.kinds)};
   facts_.filling = step("filling holes", [&](const SurfaceOptions& how) {
-    return arguments_.watertight ? close_all(file_.points, bounded, how)
-                                 : fill_chosen(file_.points, *request_.filled, bounded, how);
+    return fill_chosen(file_.points, *request_.filled, bounded, how);
   });
-  if (arguments_.refine && facts_.filling.filled() > 0) {
-    const AddedPoints added = step(
-        "refining fillings", [&](const SurfaceOptions& how) { return refine(points(), bounded, facts_.filling, how); });
-    add_points(added, file_, estimated_, outliers_);
-    if (!as_they_came_.empty()) as_they_came_.insert(as_they_came_.end(), added.points.begin(), added.points.end());
-  }
+  if (arguments_.refine && facts_.filling.filled() > 0)
+    add_to_cloud(step("refining fillings",
+                      [&](const SurfaceOptions& how) { return refine(points(), bounded, facts_.filling, how); }));
   surface_ = std::move(bounded.surface);
   components_ = std::move(bounded.components);
   facts_.holes = std::move(bounded.curves);
@@ -266,12 +257,33 @@ void SurfaceRun::fill() {
   filled_ = std::move(bounded.filled);
 }
 
-void SurfaceRun::require_watertight() const {
-  constexpr std::size_t most = 1000;  // pairs to count at most
-  const auto crossing = step("looking for crossings", [&](const SurfaceOptions& how) {
-    return crossing_triangles(points(), surface_.triangles, most, how);
+void SurfaceRun::add_to_cloud(const AddedPoints& added) {
+  add_points(added, file_, estimated_, outliers_);
+  if (!as_they_came_.empty()) as_they_came_.insert(as_they_came_.end(), added.points.begin(), added.points.end());
+}
+
+/// Makes the kept components watertight. Throws Failure if that is not possible, or a file would not be.
+void SurfaceRun::close(const std::vector<bool>& kept) {
+  WatertightSurface closed = step("filling holes", [&](const SurfaceOptions& how) {
+    return make_watertight(file_.points, surface_,
+                           {.kept = kept,
+                            .places = points(),
+                            .refine = arguments_.refine,
+                            .threads = how.threads,
+                            .progress = how.progress});
   });
-  const std::string left = openings(facts_, points(), surface_, crossing, crossing.size() < most);
+  facts_.dropped = dropped_components(file_.points, closed.components, surface_, components_);
+  facts_.filling = count(closed.holes);
+  facts_.filling.given_up = closed.given_up;
+  add_to_cloud(closed.added);
+  if (arguments_.refine && facts_.filling.filled() > 0)
+    count_refined(points(), closed.surface, closed.is_new, closed.added, facts_.filling);
+  surface_ = std::move(closed.surface);
+  filled_ = std::move(closed.is_new);
+  components_ = surface_components(points(), surface_, until_interrupted());
+  facts_.holes = std::move(closed.open);
+  facts_.kinds.clear();
+  const std::string left = openings(facts_, points(), surface_, closed.crossing);
   if (!left.empty()) {
     if (surface_.triangles.empty()) say_empty();
     throw Failure("not watertight: " + left + "; nothing is written");
@@ -282,6 +294,7 @@ void SurfaceRun::require_watertight() const {
     });
     if (!why.empty()) throw Failure("not watertight: " + why + "; nothing is written");
   }
+  facts_.inside = nesting_depths(points(), surface_, components_, until_interrupted());
 }
 
 std::vector<std::string> SurfaceRun::shifts() const {

@@ -24,14 +24,18 @@
 
 namespace rbpa {
 
-struct RefinedSurface {
-  std::vector<Point3> points;  ///< the added points; they are numbered from the number of given points on
+/// Points inside fillings.
+struct AddedPoints {
+  std::vector<Point3> points = {};  ///< numbered from the number of given points on
   /// For each added point, the three points between which it was put, all of lower numbers; for interpolation of
   /// attributes besides coordinates.
-  std::vector<std::array<std::uint32_t, 3>> between;
+  std::vector<std::array<std::uint32_t, 3>> between = {};
+  std::size_t smooth = 0;  ///< number of fillings with added points that were moved
+};
+
+struct RefinedSurface : AddedPoints {
   Surface surface;           ///< without levels
   std::vector<bool> is_new;  ///< for each triangle, whether it fills a hole
-  std::size_t smooth = 0;    ///< number of fillings with new points that were moved
   std::size_t flat = 0;      ///< number of fillings with new points that were not moved
   std::size_t coarse = 0;    ///< number of fillings without new points
 };

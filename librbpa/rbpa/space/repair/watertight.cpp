@@ -1,0 +1,50 @@
+#include "rbpa/space/repair/watertight.h"
+
+#include <algorithm>
+
+#include "meshops/core/contract.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/surface/curve_kinds.h"
+#include "rbpa/space/surface/split_fans.h"
+#include "rbpa/space/surface/surface_components.h"
+
+namespace rbpa {
+
+WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
+                                  const WatertightOptions& options) {
+  const SurfaceOptions run = {.threads = options.threads, .progress = options.progress};
+  const std::function<bool()> go_on = going_on(run.progress, points.size(), surface.triangles.size());
+  const SurfaceComponents components = surface_components(points, surface, go_on);
+  std::vector<bool> stays = islands(components);
+  stays.flip();
+  meshops::require(options.kept.empty() || options.kept.size() == stays.size(),
+                   "make_watertight: expected for each component whether it may stay");
+  for (std::size_t c = 0; c < options.kept.size(); ++c) stays[c] = stays[c] && options.kept[c];
+  std::vector<bool> kept;
+  for (const std::uint32_t c : components.number) kept.push_back(stays[c]);
+
+  WatertightSurface result{close_surface(points, indexable_surface(keep_triangles(surface, kept), go_on), run)};
+  result.components = std::move(stays);
+  for (std::size_t t = 0, next = 0; t < kept.size(); ++t)
+    if (kept[t]) kept[t] = result.kept[next++];
+  result.kept = std::move(kept);
+
+  std::span<const Point3> places = options.places.empty() ? points : options.places;
+  meshops::require(places.size() == points.size(), "make_watertight: expected a place for each point");
+  std::vector<Point3> all;
+  const auto is_filled = [](const HoleFill& hole) { return hole.outcome == HoleOutcome::filled; };
+  if (options.refine && std::any_of(result.holes.begin(), result.holes.end(), is_filled)) {
+    RefinedSurface refined = refine_filling(places, result.surface, result.is_new, run);
+    result.surface = std::move(refined.surface);
+    result.is_new = std::move(refined.is_new);
+    result.added = std::move(refined);
+    all.assign(places.begin(), places.end());
+    all.insert(all.end(), result.added.points.begin(), result.added.points.end());
+    places = all;
+  }
+  result.open = surface_curves(places, result.surface, go_on);
+  result.crossing = crossing_triangles(places, result.surface.triangles, most_crossing_pairs, run);
+  return result;
+}
+
+}  // namespace rbpa

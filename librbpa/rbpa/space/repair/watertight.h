@@ -1,0 +1,59 @@
+// What: makes a surface of points in space watertight, and proves it: each side has a neighbor, and no triangles cross.
+// How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and looks
+//       for curves that stay open and for crossing_triangles().
+// Law:  the result depends on the points and the triangles only, not on any order or number of threads. The check is
+//       exact.
+// Cost: that of close_surface(), of refine_filling() on request, and of crossing_triangles().
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/space/repair/close_surface.h"
+#include "rbpa/space/repair/refine_filling.h"
+#include "rbpa/space/surface/holes.h"
+#include "rbpa/space/surface/surface.h"
+
+namespace rbpa {
+
+/// The most pairs of crossing triangles that a check for watertightness lists.
+inline constexpr std::size_t most_crossing_pairs = 1000;
+
+struct WatertightOptions {
+  /// For each component of the surface, whether it may stay; empty: all may.
+  std::vector<bool> kept = {};
+  /// The final position of each point, by which fillings are refined and checked; empty: the given points. The originals
+  /// of points that scale_space() moved differ from those by which holes are filled.
+  std::span<const Point3> places = {};
+  bool refine = false;                                 ///< refines the fillings
+  unsigned threads = 0;                                ///< as in SurfaceOptions
+  std::function<bool(const Progress&)> progress = {};  ///< as in SurfaceOptions
+};
+
+/// A surface closed as far as possible. Flags `kept` are those of the triangles of the given surface, islands included.
+struct WatertightSurface : ClosedSurface {
+  std::vector<bool> components = {};  ///< for each component of the given surface, whether it stays
+  AddedPoints added = {};             ///< points inside refined fillings; none without `refine`
+  std::vector<Hole> open = {};        ///< boundary curves that stay open; `holes` has the reasons
+  /// Pairs of triangles that cross, sorted: the first most_crossing_pairs.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
+
+  /// Returns whether there are triangles, none at a boundary, and none that cross.
+  bool is_watertight() const { return !surface.triangles.empty() && open.empty() && crossing.empty(); }
+};
+
+/// Drops components that may not stay and islands, and closes the surface as far as possible. The result tells what was
+/// dropped, what stays open and what crosses.
+/// Requires: a surface of these points; options of matching sizes.
+/// Throws:   as close_surface(), refine_filling() and crossing_triangles().
+RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
+                                           const WatertightOptions& options = {});
+
+}  // namespace rbpa
