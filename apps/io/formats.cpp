@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
 #include "io/failure.h"
 
@@ -14,51 +15,11 @@ bool same(std::string_view name, std::string_view known) {
   return std::equal(name.begin(), name.end(), known.begin(), known.end(), same_letter);
 }
 
-/// Names, separated by blanks.
-struct Named {
-  std::string_view names;
-  Format format;
-  unsigned uses;
-};
-constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
-constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
-constexpr unsigned only(Use use) { return static_cast<unsigned>(use); }
-constexpr Named formats[] = {
-    {"txt csv tsv xyz text", Format::text, Use::points | Use::space},
-    {"xy", Format::text, only(Use::points)},
-    {"pts", Format::pts, Use::points | Use::space},
-    {"xyzn", Format::xyzn, Use::points | Use::space},
-    {"xyzrgb", Format::xyzrgb, Use::points | Use::space},
-    {"npy", Format::npy, Use::points | Use::space | Use::triangles | Use::surface | Use::solid},
-    {"f64xy", Format::raw, only(Use::points)},
-    {"las", Format::las, Use::points | Use::space},
-    {"off", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface},
-    {"ply", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface},
-    {"obj", Format::obj,
-     Use::space | Use::mesh | Use::triangles | Use::surface | Use::polylines | Use::voids | Use::cycles},
-    {"stl", Format::stl, Use::mesh | Use::surface},
-    {"pcd", Format::pcd, only(Use::space)},
-    {"pdb ent", Format::pdb, only(Use::space)},
-    {"cif mmcif", Format::cif, only(Use::space)},
-    {"png", Format::png, Use::points | Use::triangles | Use::surface | Use::shape | Use::solid},
-    {"pgm", Format::pgm, only(Use::points)},
-    {"svg", Format::svg, Use::triangles | Use::shape},
-    {"vtu", Format::vtu, Use::triangles | Use::surface | Use::solid | Use::cycles},
-    {"glb", Format::glb, only(Use::surface)},
-    {"mesh", Format::medit, only(Use::solid)},
-    {"msh", Format::gmsh, only(Use::solid)},
-    {"wkt", Format::wkt, Use::points | Use::polygons | Use::shape},
-    {"ewkt", Format::wkt, Use::points | Use::polygons},
-    {"ewkt", Format::ewkt, only(Use::shape)},
-    {"geojson json", Format::geojson, Use::points | Use::polygons | Use::shape | Use::triangles},
-    {"geojsonl geojsons ndjson", Format::geojson, Use::points | Use::polygons},
-    {"poly", Format::poly, only(Use::polygons)},
-    {"csv", Format::csv, Use::shape | Use::levels | Use::voids},
-    {"json", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
-    {"ogr gpkg fgb shp kml gpx gml", Format::ogr, only(Use::points)},
-    {"gpkg", Format::gpkg, Use::shape | Use::triangles},
-    {"fgb", Format::fgb, Use::shape | Use::triangles},
-    {"shp", Format::shp, Use::shape | Use::triangles}};
+/// Whether the program has the row: rows of GDAL only if it was built with GDAL.
+bool is_there(const FormatRow& row) {
+  constexpr Format of_gdal[] = {Format::ogr, Format::gpkg, Format::fgb, Format::shp};
+  return has_gdal() || std::find(std::begin(of_gdal), std::end(of_gdal), row.format) == std::end(of_gdal);
+}
 
 bool is_among(std::string_view name, std::string_view names) {
   while (!names.empty()) {
@@ -85,9 +46,25 @@ std::string cloud_conversion(const std::string& path) {
 }
 
 std::optional<Format> find_format(Use use, std::string_view name) {
-  for (const Named& known : formats)
-    if ((known.uses & only(use)) != 0 && is_among(name, known.names)) return known.format;
+  for (const FormatRow& row : format_table)
+    if (row.is_for(use) && is_there(row) && (is_among(name, row.endings) || is_among(name, row.aliases)))
+      return row.format;
   return std::nullopt;
+}
+
+std::string endings(Use use) {
+  std::string list;
+  for (const FormatRow& row : format_table) {
+    if (!row.is_for(use) || !is_there(row) || row.endings.empty()) continue;
+    if (!list.empty()) list += ", ";
+    for (const char letter : row.endings) list += letter == ' ' ? std::string(", ") : std::string(1, letter);
+  }
+  return list;
+}
+
+bool is_for(Use use, Format format) {
+  return std::any_of(std::begin(format_table), std::end(format_table),
+                     [&](const FormatRow& row) { return row.format == format && row.is_for(use) && is_there(row); });
 }
 
 std::string_view ending(std::string_view path) {
@@ -112,13 +89,17 @@ void refuse_ending(const std::string& path, std::string_view known, const std::s
                    ", or " + option);
 }
 
-void refuse_input(const std::string& path, std::string_view known, const std::string& option) {
+void refuse_input(const std::string& path, Use use, const std::string& option) {
   try {
-    refuse_ending(path, known, option);
+    refuse_ending(path, endings(use), option);
   } catch (const WrongUsage& refusal) {
     const std::string command = conversion(input_ending(path), path);
     throw WrongUsage(refusal.what() + (command.empty() ? "" : " (" + command + ")"));
   }
+}
+
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
+  if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
 }
 
 }  // namespace rbpa::app

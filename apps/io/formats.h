@@ -1,4 +1,4 @@
-// What: the file formats with their names, endings and uses.
+// What: the table of file formats: their endings and their uses. Help, messages and tests list formats by it.
 #pragma once
 
 #include <optional>
@@ -50,18 +50,83 @@ enum class Use : unsigned {
   space = 1U << 1U,      ///< in: points in space
   mesh = 1U << 2U,       ///< in or out
   polygons = 1U << 3U,   ///< in
-  triangles = 1U << 4U,  ///< out: triangles of the plane, or all simplices of a full complex
+  triangles = 1U << 4U,  ///< out: triangles of the plane
   surface = 1U << 5U,    ///< out, in space
   shape = 1U << 6U,      ///< out
   levels = 1U << 7U,     ///< out
   polylines = 1U << 8U,  ///< out
   solid = 1U << 9U,      ///< out: tetrahedra
   voids = 1U << 10U,     ///< out
-  cycles = 1U << 11U     ///< out: representatives of pairs in space
+  cycles = 1U << 11U,    ///< out: representatives of pairs in space
+  full = 1U << 12U,      ///< out: triangles of the plane with edges and points in no triangle
+  isolated = 1U << 13U,  ///< out: points in no polygon
+  boundary = 1U << 14U   ///< out: a surface as a mesh, no picture
 };
+constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
+constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
+
+/// A row of the table of formats.
+struct FormatRow {
+  std::string_view endings;  ///< separated by blanks; help and messages list them
+  std::string_view aliases;  ///< further endings and names, which are not listed
+  Format format;
+  unsigned uses;  ///< of Use, joined by |
+
+  constexpr bool is_for(Use use) const { return (uses & static_cast<unsigned>(use)) != 0; }
+};
+
+/// All formats, in the order in which help and messages list them. A format may have several rows, but an ending only
+/// one for each use.
+inline constexpr FormatRow format_table[] = {
+    {"xy", "", Format::text, 0U | Use::points},
+    {"txt csv tsv xyz", "text", Format::text, Use::points | Use::space},
+    {"pts", "", Format::pts, Use::points | Use::space},
+    {"xyzn", "", Format::xyzn, Use::points | Use::space},
+    {"xyzrgb", "", Format::xyzrgb, Use::points | Use::space},
+    {"las", "", Format::las, Use::points | Use::space},
+    {"off", "", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary},
+    {"ply", "", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary},
+    {"obj", "", Format::obj,
+     Use::space | Use::mesh | Use::triangles | Use::full | Use::surface | Use::boundary | Use::polylines | Use::voids |
+         Use::cycles},
+    {"stl", "", Format::stl, Use::mesh | Use::surface | Use::boundary},
+    {"pcd", "", Format::pcd, 0U | Use::space},
+    {"pdb", "ent", Format::pdb, 0U | Use::space},
+    {"cif", "mmcif", Format::cif, 0U | Use::space},
+    {"npy", "", Format::npy,
+     Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid},
+    {"f64xy", "", Format::raw, 0U | Use::points},
+    {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
+    {"glb", "", Format::glb, Use::surface | Use::boundary},
+    {"vtu", "", Format::vtu, Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::cycles},
+    {"msh", "", Format::gmsh, 0U | Use::solid},
+    {"mesh", "", Format::medit, 0U | Use::solid},
+    {"geojson json", "", Format::geojson, Use::points | Use::polygons | Use::shape | Use::isolated | Use::triangles},
+    {"", "geojsonl geojsons ndjson", Format::geojson, Use::points | Use::polygons},
+    {"wkt", "", Format::wkt, Use::points | Use::polygons | Use::shape | Use::isolated},
+    {"ewkt", "", Format::wkt, Use::points | Use::polygons},
+    {"ewkt", "", Format::ewkt, Use::shape | Use::isolated},
+    {"poly", "", Format::poly, 0U | Use::polygons},
+    {"csv", "", Format::csv, Use::shape | Use::isolated | Use::levels | Use::voids},
+    {"svg", "", Format::svg, Use::triangles | Use::full | Use::shape},
+    {"png", "", Format::png, Use::points | Use::triangles | Use::full | Use::surface | Use::shape | Use::solid},
+    {"pgm", "", Format::pgm, 0U | Use::points},
+    {"gpkg", "", Format::gpkg, Use::shape | Use::triangles | Use::isolated},
+    {"fgb", "", Format::fgb, Use::shape | Use::triangles | Use::isolated},
+    {"shp", "", Format::shp, Use::shape | Use::triangles},
+    {"", "ogr gpkg fgb shp kml gpx gml", Format::ogr, 0U | Use::points}};
+
+/// Whether this program was built with GDAL. Without it the formats of GDAL have no use.
+bool has_gdal();
 
 /// Returns the format of a name, "npy", or of the ending of a path, "points.npy", in letters of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
+
+/// Returns the endings of a use for help and messages: "off, ply, obj, stl".
+std::string endings(Use use);
+
+/// Whether the format has a row for the use.
+bool is_for(Use use, Format format);
 
 /// Whether the format is, or may turn out to be, a table, to which --columns and --skip-invalid apply.
 constexpr bool is_table(Format format) {
@@ -84,23 +149,9 @@ std::string_view input_ending(std::string_view path);
 /// Returns a command that converts a point cloud in a format that is not read, by its ending; empty for other endings.
 std::string cloud_conversion(const std::string& path);
 /// Throws WrongUsage for an input file, as refuse_ending(), and names a command that converts the file if one is known.
-[[noreturn]] void refuse_input(const std::string& path, std::string_view known, const std::string& option);
+[[noreturn]] void refuse_input(const std::string& path, Use use, const std::string& option);
 
-/// Lists of endings for messages and help, without those that GDAL adds.
-constexpr std::string_view point_formats =
-    "xy, txt, csv, tsv, xyz, pts, xyzn, xyzrgb, las, geojson, wkt, ewkt, npy, off, ply, f64xy, png, pgm";
-constexpr std::string_view space_formats =
-    "xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, obj, pcd, npy, las, pdb, cif";
-constexpr std::string_view mesh_formats = "off, ply, obj, stl";
-constexpr std::string_view polyline_formats = "obj, json";
-constexpr std::string_view void_formats = "obj, json, csv";
-constexpr std::string_view cycle_formats = "obj, json, vtu";
-constexpr std::string_view output_formats = "off, ply, obj, npy, vtu, geojson, json, svg, png";
-constexpr std::string_view full_output_formats = "obj, npy, vtu, svg, png";  // of the full complex
-constexpr std::string_view surface_formats = "ply, off, obj, stl, glb, vtu, npy, png";
-constexpr std::string_view solid_formats = "vtu, msh, mesh, npy, png";
-constexpr std::string_view shape_formats = "geojson, json, wkt, ewkt, csv, svg, png";
-constexpr std::string_view polygon_formats = "geojson, json, wkt, ewkt, poly";
-constexpr std::string_view isolated_formats = "geojson, json, wkt, ewkt, csv";
+/// Throws WrongUsage "OPTION: found a format FOUND, expected EXPECTED" unless the option fits the format.
+void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);
 
 }  // namespace rbpa::app

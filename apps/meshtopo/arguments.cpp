@@ -17,26 +17,26 @@ MeshSource parse_source(const std::string& path, const std::optional<std::string
   if (path == "-" && !format) return {path, Format::by_content};
   const std::optional<Format> known = find_format(Use::mesh, format ? std::string_view(*format) : input_ending(path));
   if (known) return {path, *known};
-  if (format) refuse_name("--format", *format, mesh_formats);
-  refuse_ending(path, mesh_formats, "--format");
+  if (format) refuse_name("--format", *format, endings(Use::mesh));
+  refuse_ending(path, endings(Use::mesh), "--format");
 }
 
 /// Returns the target of a mesh; as in rbpa, --output-format decides if the ending does not.
 TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
   const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
-  if (format && !named) refuse_name("--output-format", *format, mesh_formats);
+  if (format && !named) refuse_name("--output-format", *format, endings(Use::mesh));
   if (path == "-" && !format)
-    throw WrongUsage(option + " -: found no --output-format, expected one of " + std::string(mesh_formats));
+    throw WrongUsage(option + " -: found no --output-format, expected one of " + endings(Use::mesh));
   if (const std::optional<Format> known = find_format(Use::mesh, ending(path))) return {path, *known};
-  if (!named) refuse_ending(path, mesh_formats, "--output-format");
+  if (!named) refuse_ending(path, endings(Use::mesh), "--output-format");
   return {path, *named};
 }
 
 TopologyTarget parse_generator_target(const std::string& path) {
   if (const std::optional<Format> known = find_format(Use::polylines, ending(path))) return {path, *known};
   throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                   std::string(polyline_formats));
+                   endings(Use::polylines));
 }
 
 /// Returns the target of a report, with its format by the ending or by --json.

@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   TopologyArguments arguments;
   app.add_option("MESH", arguments.meshes, "Mesh files, or - for standard input");
   app.add_option("--format", arguments.format,
-                 "Set the format of the meshes, if their ending does not tell: " + std::string(mesh_formats))
+                 "Set the format of the meshes, if their ending does not tell: " + endings(Use::mesh))
       ->type_name("NAME");
   app.add_flag("--json", arguments.json, "Write the report as JSON")->disable_flag_override();
   app.add_option(
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
       ->type_name("OUT");
   const CLI::Option* const repair =
       app.add_option("--repair", arguments.repaired,
-                     "Write an oriented surface made of MESH, and list the changes: " + std::string(mesh_formats))
+                     "Write an oriented surface made of MESH, and list the changes: " + endings(Use::mesh))
           ->type_name("OUT")
           ->expected(0, 1);
   app.add_option("--output-format", arguments.output_format,
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
                  "has single precision. Print the offset, and write it into the file's header")
       ->type_name("X,Y,Z|auto");
   app.add_option("--generators", arguments.generators,
-                 "Write loops that generate the first homology, as polylines: " + std::string(polyline_formats))
+                 "Write loops that generate the first homology, as polylines: " + endings(Use::polylines))
       ->type_name("OUT");
   app.add_flag("--shortest", arguments.shortest,
                "With --generators, write the basis of the least total length, which takes minutes for large meshes")

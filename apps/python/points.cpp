@@ -28,15 +28,9 @@ using MaybeText = std::optional<std::string>;
 
 Format format_of(const std::string& path, const MaybeText& name, bool space) {
   const app::Use use = space ? app::Use::space : app::Use::points;
-  const std::string_view known = space ? app::space_formats : app::point_formats;
-  const std::optional<Format> found = app::find_format(use, name ? *name : app::input_ending(path));
-  if (found && (*found != Format::ogr || app::has_gdal())) return *found;
-  if (name) app::refuse_name("format", *name, known);
-  app::refuse_input(path, known, "format");
-}
-
-void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
-  if (!fits) throw app::WrongUsage(option + ": found a format " + found + ", expected " + expected);
+  if (const std::optional<Format> found = app::find_format(use, name ? *name : app::input_ending(path))) return *found;
+  if (name) app::refuse_name("format", *name, app::endings(use));
+  app::refuse_input(path, use, "format");
 }
 
 /// Returns the requested columns, each of kind "number" or "text", or by its values if the kind is empty.
@@ -46,7 +40,7 @@ std::vector<app::WantedColumn> columns_of(const WantedFields& fields, bool texts
   std::vector<app::WantedColumn> columns;
   for (const auto& [name, kind] : fields) {
     using Kind = app::WantedColumn::Kind;
-    require_format(texts || kind != "text", "fields", "without fields of text", "cif, pdb or text");
+    app::require_format(texts || kind != "text", "fields", "without fields of text", "cif, pdb or text");
     columns.push_back({.name = name,
                        .kind = !texts || kind == "number" ? Kind::number
                                : kind == "text"           ? Kind::text
@@ -61,19 +55,20 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   source.format = format_of(path, format, space);
   const bool text = app::is_table(source.format);
   if (columns) {
-    require_format(text, "columns", "with fixed columns", "text");
+    app::require_format(text, "columns", "with fixed columns", "text");
     source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);
   }
   if (skip_invalid)
-    require_format(text || source.format == Format::las, "skip_invalid", "without lines of points", "las or text");
+    app::require_format(text || source.format == Format::las, "skip_invalid", "without lines of points", "las or text");
   if (vertices)
-    require_format(!space && (text || source.format == Format::wkt || source.format == Format::geojson ||
-                              source.format == Format::ogr),
-                   "vertices", "without lines and polygons", "geojson, wkt, or text with a column of it, in the plane");
+    app::require_format(
+        !space &&
+            (text || source.format == Format::wkt || source.format == Format::geojson || source.format == Format::ogr),
+        "vertices", "without lines and polygons", "geojson, wkt, or text with a column of it, in the plane");
   if (where || !fields.empty()) {
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
-    require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
-                   "cif, las, pcd, pdb, ply or text");
+    app::require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
+                        "cif, las, pcd, pdb, ply or text");
     source.where.emplace(where.value_or(""), *names, columns_of(fields, names->texts));
   }
   return source;

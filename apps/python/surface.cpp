@@ -240,11 +240,10 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
   const Links links(triangles, neighbors);
-  constexpr std::string_view formats = "ply, off, obj, stl, glb, vtu, npy";
-  const std::optional<app::Format> format = app::find_format(app::Use::surface, app::ending(path));
-  if (!format || *format == app::Format::png)
+  const std::optional<app::Format> format = app::find_format(app::Use::boundary, app::ending(path));
+  if (!format)
     throw InvalidInput("save: found the ending " + app::in_quotes(app::ending(path)) + ", expected one of " +
-                       std::string(formats));
+                       app::endings(app::Use::boundary));
   with_file_errors([&] {
     return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
       app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};

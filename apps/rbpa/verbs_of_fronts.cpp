@@ -14,7 +14,7 @@ void add_space_point_options(CLI::App& verb, SpacePointArguments& arguments) {
   verb.add_option("POINTS", arguments.points, "File of points in space, .gz or not, or - for standard input")
       ->required();
   verb.add_option("--format", arguments.format,
-                  "Set the format of POINTS, if its ending does not tell: " + std::string(space_formats))
+                  "Set the format of POINTS, if its ending does not tell: " + endings(Use::space))
       ->type_name("NAME");
   verb.add_option("--columns", arguments.columns,
                   "Read x, y, z, and the normal if given, from these columns of text: numbers from 1, or names of "
@@ -30,7 +30,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("fill", "Fill polygons with holes by triangles of a wanted size");
   verb.add_option("POLYGON", arguments.polygons, "File of polygons, .gz or not, or - for standard input")->required();
   verb.add_option("--format", arguments.format,
-                  "Set the format of POLYGON, if its ending does not tell: " + std::string(polygon_formats))
+                  "Set the format of POLYGON, if its ending does not tell: " + endings(Use::polygons))
       ->type_name("NAME");
   verb.add_option("--size", arguments.size,
                   "Make edges of about this length (required), in units of the polygons, and shorter ones where "
@@ -49,7 +49,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   add_switch(verb, "--keep-boundary", arguments.keep_boundary,
              "Keep the edges of the polygons whole (by default those longer than the size are cut)");
   add_switch(verb, "--skip-invalid", arguments.skip_invalid, "Skip features that are not valid, and print how many");
-  add_output_options(verb, arguments, target_formats(Use::triangles));
+  add_output_options(verb, arguments, endings(Use::triangles));
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
   add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor summary");
@@ -104,7 +104,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "still (auto); files have the original points")
       ->type_name("N|auto");
   add_switch(verb, "--moved", arguments.moved, "Write the points as moved by --scale-space");
-  add_output_options(verb, arguments, surface_formats);
+  add_output_options(verb, arguments, endings(Use::surface));
   add_switch(verb, "--compact", arguments.compact,
              "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_switch(verb, "--manifold", arguments.manifold,
@@ -182,7 +182,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "sides. Voids have a dimension: the number of directions in which they percolate, 0 if they are "
                   "closed. auto: the cell of a molecule's file")
       ->type_name("LX,LY,LZ|auto");
-  add_output_options(verb, arguments, solid_formats);
+  add_output_options(verb, arguments, endings(Use::solid));
   verb.add_option("--boundary", arguments.boundary,
                   "Write the boundary as a closed surface, with a vertex for each side where the solid touches "
                   "itself: ply (with the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "

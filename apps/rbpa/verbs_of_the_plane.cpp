@@ -14,7 +14,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "mesh", "Make the triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_group_options(verb, arguments, "Make triangles");
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, target_formats(Use::triangles));
+  add_output_options(verb, arguments, endings(Use::triangles));
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
   verb.add_option("--complex", arguments.complex,
                   "Make the solid complex, or the full one, with the edges and points of the alpha complex that "
@@ -77,7 +77,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   verb.add_option("--representatives", arguments.representatives,
                   "Write where the pairs are: as .geojson, holes as polygons at their birth and before their "
                   "death; in space as " +
-                      std::string(cycle_formats) + ", cycles around tunnels and surfaces around voids")
+                      endings(Use::cycles) + ", cycles around tunnels and surfaces around voids")
       ->type_name("FILE");
   verb.add_option("--top", arguments.top,
                   "Write only the K most persistent pairs of each dimension (default 100, unless --min-persistence "
@@ -118,7 +118,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_group_options(verb, arguments, "Make a shape");
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, target_formats(Use::shape));
+  add_output_options(verb, arguments, endings(Use::shape));
   add_method_options(verb, arguments.method);
   verb.add_option("--min-hole-area", arguments.min_hole_area,
                   "Fill holes that enclose less than this area, with everything in them; inf fills all")
@@ -128,8 +128,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       ->type_name("A")
       ->capture_default_str();
   verb.add_option("--isolated", arguments.isolated,
-                  "Write the points in no polygon to this file, in the format of its ending: " +
-                      std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""))
+                  "Write the points in no polygon to this file, in the format of its ending: " + endings(Use::isolated))
       ->type_name("FILE");
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Print neither progress nor summary");

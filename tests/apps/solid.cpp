@@ -218,9 +218,9 @@ TEST_SUITE("solid") {
     refuses(folder, "c.xyz --alpha plateau --box 9 -o t.npy", 2,
             "--alpha plateau cannot be combined with --box (give a radius, auto or min)");
     refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
-            "t.ply: found the ending 'ply', expected one of vtu, msh, mesh, npy, png, or --output-format");
+            "t.ply: found the ending 'ply', expected one of npy, vtu, msh, mesh, png, or --output-format");
     refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,
-            "--boundary: found the ending 'png', expected one of ply, off, obj, stl, glb, vtu, npy");
+            "--boundary: found the ending 'png', expected one of off, ply, obj, stl, npy, glb, vtu");
     refuses(folder, "c.xyz --alpha 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "bad.xyz --alpha 1 -o t.npy", 3, "bad.xyz:2: found 'zero', expected a number");
   }

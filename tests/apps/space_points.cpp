@@ -106,12 +106,10 @@ TEST_SUITE("points of space") {
     CHECK(find_format(Use::space, "csv") == Format::text);
     CHECK(find_format(Use::space, "pcd") == Format::pcd);
     CHECK_FALSE(find_format(Use::space, "stl").has_value());
-    std::string_view names = space_formats;  // every listed format is known
-    while (!names.empty()) {
-      const std::size_t comma = std::min(names.find(','), names.size());
-      CHECK(find_format(Use::space, names.substr(0, comma)).has_value());
-      names.remove_prefix(std::min(comma + 2, names.size()));
-    }
+    CHECK(endings(Use::mesh) == "off, ply, obj, stl");
+    CHECK(endings(Use::voids) == "obj, json, csv");
+    CHECK(is_for(Use::full, Format::npy));
+    CHECK_FALSE(is_for(Use::full, Format::off));
   }
 
   TEST_CASE("tables have 3 or 6 columns, with every separator, comments, quotes and a header") {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/formats.h"
 #include "support/las_file.h"
 #include "support/npy_file.h"
 #include "support/program.h"
@@ -291,11 +292,11 @@ TEST_SUITE("surface") {
             "--radius: found 2 numbers with --normals none, expected one radius");
     refuses(folder, "p.xyz --radius 1 --normals maybe -o m.off", 2,
             "--normals: found 'maybe', expected file, estimate or none");
-    const std::string formats = ", expected one of ply, off, obj, stl, glb, vtu, npy, png, or --output-format";
+    const std::string formats = ", expected one of off, ply, obj, stl, npy, glb, vtu, png, or --output-format";
     refuses(folder, "p.xyz --radius 1 -o m.wkt", 2, "m.wkt: found the ending 'wkt'" + formats);
     refuses(folder, "p.dat --radius 1 -o m.off", 2,
-            "p.dat: found the ending 'dat', expected one of xyz, txt, csv, tsv, pts, xyzn, xyzrgb, ply, off, "
-            "obj, pcd, npy, las, pdb, cif, or --format");
+            "p.dat: found the ending 'dat', expected one of " + rbpa::app::endings(rbpa::app::Use::space) +
+                ", or --format");
     refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,

@@ -93,7 +93,7 @@ def test_files_are_those_of_the_surface(ending, tmp_path):
 
 def test_a_file_that_cannot_be_written_says_why(tmp_path):
     closed = opened().watertight()
-    with pytest.raises(rbpa.InvalidInput, match="found the ending 'xyz', expected one of ply, off, obj, stl, glb, vtu, npy"):
+    with pytest.raises(rbpa.InvalidInput, match="found the ending 'xyz', expected one of off, ply, obj, stl, npy, glb, vtu"):
         closed.save(tmp_path / "closed.xyz")
     with pytest.raises(OSError):
         closed.save(tmp_path / "nowhere" / "closed.ply")

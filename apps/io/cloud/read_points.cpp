@@ -121,7 +121,7 @@ PointFile read_points(const PointSource& source) {
                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);
   PointSource known = source;
-  known.format = format_of_content(Use::points, input.bytes(), input.name(), point_formats, Format::text);
+  known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);
   if (known.format == Format::geojson) {
     if (known.where && !known.where->selects()) known.where.reset();  // it only names properties of groups
   } else {

@@ -78,7 +78,7 @@ void require_directions(const SpacePoints& file, const std::string& name) {
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
   const InputBytes input(path, "a file of points", claim_of(format, request.skip_invalid));
   if (format == Format::by_content) {
-    format = format_of_content(Use::space, input.bytes(), input.name(), space_formats, Format::text);
+    format = format_of_content(Use::space, input.bytes(), input.name(), Format::text);
     require_readable(format, request.columns.has_value(), request.skip_invalid, false, request.where);
   }
   return space_points_in(input.bytes(), input.name(), format, request);

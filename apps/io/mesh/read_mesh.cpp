@@ -31,9 +31,8 @@ MeshFile read_mesh(const MeshSource& source) {
   const InputBytes input(source.path, "a mesh file",
                          source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
   const bool is_known = source.format != Format::by_content || input.bytes().empty();
-  return mesh_in(
-      input.bytes(), input.name(),
-      is_known ? source.format : format_of_content(Use::mesh, input.bytes(), input.name(), mesh_formats, std::nullopt));
+  return mesh_in(input.bytes(), input.name(),
+                 is_known ? source.format : format_of_content(Use::mesh, input.bytes(), input.name(), std::nullopt));
 }
 
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format) {

@@ -20,7 +20,7 @@ struct SolidMesh {
 };
 
 /// Writes VTU with appended raw data; Medit's .mesh or Gmsh's .msh, version 2.2, both text with vertices numbered from
-/// 1; or the tetrahedra as an .npy array of uint32 with shape (n, 4). Requires: one of solid_formats, no picture.
+/// 1; or the tetrahedra as an .npy array of uint32 with shape (n, 4). Requires: a format of Use::solid, no picture.
 void write_solid(OutputFile& file, Format format, const SolidMesh& mesh);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
 // What: vector files by GDAL: reads any source of OGR; writes GeoPackage, FlatGeobuf and Shapefile. A build without
-//       GDAL (RBPA_WITH_GDAL, off by default) has only has_gdal(), and stubs that throw.
+//       GDAL (RBPA_WITH_GDAL, off by default) has stubs that throw WrongUsage.
 // Law:  coordinates stay the same doubles; files keep the system of coordinates.
 #pragma once
 
@@ -14,9 +14,6 @@
 #include "io/polygon/triangle_features.h"
 
 namespace rbpa::app {
-
-/// Whether this program was built with GDAL. Without it the functions below throw WrongUsage.
-bool has_gdal();
 
 /// Reads the points and multipoints of a layer, and with `vertices` the vertices of all geometries; the point at which
 /// a ring closes counts once. `layer` may be absent if there is only one. Throws BadInput with GDAL's message.

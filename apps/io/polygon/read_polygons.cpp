@@ -34,7 +34,7 @@ PolygonFile read_polygons(const std::string& path, Format format) {
   const InputBytes input(path, "a file of polygons");
   if (input.bytes().empty()) bad_input(input.name(), "an empty file", "polygons");
   if (format == Format::by_content)
-    format = format_of_content(Use::polygons, input.bytes(), input.name(), polygon_formats, std::nullopt);
+    format = format_of_content(Use::polygons, input.bytes(), input.name(), std::nullopt);
   std::string room;
   return parse(plain_text(input.bytes(), input.name(), format, room), input.name(), format);
 }

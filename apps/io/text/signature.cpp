@@ -87,13 +87,12 @@ std::string_view ending_of_content(std::string_view bytes) {
   return ending_of_text(with_line_feeds(without_mark(bytes.substr(0, most)), room));
 }
 
-Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::string_view known,
-                         std::optional<Format> otherwise) {
+Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::optional<Format> otherwise) {
   const std::string_view found = ending_of_content(bytes);
   const std::optional<Format> format = found.empty() ? otherwise : find_format(use, found);
   if (format && *format != Format::ogr) return *format;
   bad_input(name, found.empty() ? "no signature of a format" : "the content of a file ." + std::string(found),
-            "one of " + std::string(known) + (found.empty() ? ", which --format names" : ""));
+            "one of " + endings(use) + (found.empty() ? ", which --format names" : ""));
 }
 
 }  // namespace rbpa::app

@@ -13,8 +13,7 @@ namespace rbpa::app {
 std::string_view ending_of_content(std::string_view bytes);
 
 /// Returns the format of the content of standard input for a use; `otherwise` if it has no known signature. Throws
-/// BadInput if the format is not among `known`, or if it is unknown and `otherwise` is absent.
-Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::string_view known,
-                         std::optional<Format> otherwise);
+/// BadInput if the format has not this use, or if it is unknown and `otherwise` is absent.
+Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::optional<Format> otherwise);
 
 }  // namespace rbpa::app

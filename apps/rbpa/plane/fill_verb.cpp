@@ -46,16 +46,15 @@ struct FillRequest {
 };
 
 FillRequest parse(const FillArguments& arguments) {
-  FillRequest request{
-      .path = arguments.polygons,
-      .format = parse_format(Use::polygons, arguments.polygons, arguments.format, polygon_formats, "POLYGON"),
-      .size = arguments.size == "inf"
-                  ? std::numeric_limits<double>::infinity()
-                  : parse_positive("--size", arguments.size, "inf or a length in units of the polygons"),
-      .size_at = arguments.size_at,
-      .grade = {},
-      .targets = {},
-      .width = parse_width(arguments.width)};
+  FillRequest request{.path = arguments.polygons,
+                      .format = parse_format(Use::polygons, arguments.polygons, arguments.format, "POLYGON"),
+                      .size = arguments.size == "inf" ? std::numeric_limits<double>::infinity()
+                                                      : parse_positive("--size", arguments.size,
+                                                                       "inf or a length in units of the polygons"),
+                      .size_at = arguments.size_at,
+                      .grade = {},
+                      .targets = {},
+                      .width = parse_width(arguments.width)};
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))

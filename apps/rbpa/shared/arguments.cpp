@@ -14,24 +14,18 @@
 namespace rbpa::app {
 namespace {
 
-/// Finds the format of a name. Formats of GDAL are unknown without GDAL.
-std::optional<Format> find_known(Use use, std::string_view name) {
-  const std::optional<Format> format = find_format(use, name);
-  return format && (is_ogr(*format) || *format == Format::ogr) && !has_gdal() ? std::nullopt : format;
-}
-
 std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool any_report) {
-  const std::string known_formats = target_formats(use);
+  const std::string known_formats = endings(use);
   std::optional<Format> otherwise;
   if (arguments.output_format) {
-    otherwise = find_known(use, *arguments.output_format);
+    otherwise = find_format(use, *arguments.output_format);
     if (!otherwise) refuse_name("--output-format", *arguments.output_format, known_formats);
   }
   if (arguments.outputs.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
   std::vector<Target> targets;
   for (const std::string& path : arguments.outputs) {
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
-    std::optional<Format> known = path == "-" ? std::nullopt : find_known(use, ending(path));
+    std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-") throw WrongUsage("-o -: found no --output-format, expected one of " + known_formats);
     if (!known) refuse_ending(path, known_formats, "--output-format");
@@ -51,9 +45,8 @@ std::string beside(const std::string& path, const std::string& part) {
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
-    if (target.format == Format::off || target.format == Format::ply || target.format == Format::geojson ||
-        is_ogr(target.format))
-      throw WrongUsage(target.path + ": found --complex full, expected one of " + std::string(full_output_formats) +
+    if (!is_for(Use::full, target.format))
+      throw WrongUsage(target.path + ": found --complex full, expected one of " + endings(Use::full) +
                        ", which can contain edges and points in no triangle");
     all.push_back(target);
     if (target.format != Format::npy) continue;
@@ -111,12 +104,6 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
   return paths;
 }
 
-std::string target_formats(Use use) {
-  if (use == Use::surface) return std::string(surface_formats);
-  if (use == Use::solid) return std::string(solid_formats);
-  return std::string(use == Use::triangles ? output_formats : shape_formats) + (has_gdal() ? ", gpkg, fgb, shp" : "");
-}
-
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, ComplexKind complex) {
   std::vector<Target> targets = targets_of(use, arguments, !reports.empty());
@@ -163,21 +150,20 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
 }
 
 Target parse_isolated(const std::string& path) {
-  const std::optional<Format> format = find_known(Use::shape, ending(path));
-  constexpr Format others[] = {Format::svg, Format::png, Format::shp};
-  if (!format || std::find(std::begin(others), std::end(others), *format) != std::end(others))
+  const std::optional<Format> format = find_format(Use::isolated, ending(path));
+  if (!format)
     throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     std::string(isolated_formats) + (has_gdal() ? ", gpkg, fgb" : ""));
+                     endings(Use::isolated));
   return {path, *format};
 }
 
-Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
+Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format,
                     const std::string& argument) {
   if (path.empty()) throw WrongUsage(argument + ": found an empty name, expected a path or -");
   if (!format && path == "-") return Format::by_content;
-  const std::optional<Format> found = find_known(use, format ? std::string_view(*format) : input_ending(path));
-  if (!found && format) refuse_name("--format", *format, known);
-  if (!found) refuse_input(path, known, "--format");
+  const std::optional<Format> found = find_format(use, format ? std::string_view(*format) : input_ending(path));
+  if (!found && format) refuse_name("--format", *format, endings(use));
+  if (!found) refuse_input(path, use, "--format");
   return *found;
 }
 

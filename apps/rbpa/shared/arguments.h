@@ -49,9 +49,6 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
 
-/// Returns the names of the formats that can be written, for help; includes GDAL's if this program has GDAL.
-std::string target_formats(Use use);
-
 /// Returns whether any target has vertices with three coordinates, that is, is neither a picture nor an array of
 /// indices.
 bool any_has_vertices(const std::vector<Target>& targets);
@@ -65,9 +62,9 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
 /// Parses --isolated: a file for the points in no polygon, with its format by the ending.
 Target parse_isolated(const std::string& path);
 
-/// Returns the format of an input: as --format says, else by the ending, for standard input by its content. `known`
-/// lists the formats and `argument` names the input, both for messages.
-Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format, std::string_view known,
+/// Returns the format of an input: as --format says, else by the ending, for standard input by its content. `argument`
+/// names the input in messages.
+Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format,
                     const std::string& argument);
 
 /// Return the name of an input and of an output for messages: "-" is a standard stream.

@@ -28,10 +28,6 @@ PixelRule parse_pixel_rule(const PixelArguments& arguments) {
 
 }  // namespace
 
-void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected) {
-  if (!fits) throw WrongUsage(option + ": found a format " + found + ", expected " + expected);
-}
-
 bool GroupArguments::ask_for_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)
@@ -49,7 +45,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
-  source.format = parse_format(Use::points, arguments.points, arguments.format, point_formats, "POINTS");
+  source.format = parse_format(Use::points, arguments.points, arguments.format, "POINTS");
 
   const Format format = source.format;
   const bool text = is_table(format), ogr = format == Format::ogr;
@@ -85,9 +81,8 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
 
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns,
                                     const std::string& option) {
-  SpacePointSource source{
-      .path = arguments.points,
-      .format = parse_format(Use::space, arguments.points, arguments.format, space_formats, "POINTS")};
+  SpacePointSource source{.path = arguments.points,
+                          .format = parse_format(Use::space, arguments.points, arguments.format, "POINTS")};
   const bool text = is_table(source.format);
   if (arguments.columns) {
     require_format(text, "--columns", "with fixed columns", "text");

@@ -69,7 +69,4 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
 /// Returns the columns that name a point: those of atoms, which tables may have as well.
 std::vector<WantedColumn> columns_of_names();
 
-/// Throws WrongUsage "OPTION: found a format FOUND, expected EXPECTED" unless the option fits the format.
-void require_format(bool fits, const std::string& option, const std::string& found, const std::string& expected);
-
 }  // namespace rbpa::app

@@ -258,7 +258,7 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
   const std::optional<Format> format = find_format(in_space ? Use::cycles : Use::polygons, ending(path));
   if (!format || (!in_space && *format != Format::geojson))
     throw WrongUsage("--representatives: found the ending " + in_quotes(ending(path)) + ", expected " +
-                     (in_space ? "one of " + std::string(cycle_formats) : "geojson"));
+                     (in_space ? "one of " + endings(Use::cycles) : "geojson"));
   RepresentativeRequest request{.target = {path, *format}, .choice = {}, .levels = {}, .leaf_capacity = {}};
   if (arguments.levels && in_space) throw WrongUsage("--levels applies only to --dimension 2");
   if (constexpr std::string_view with_capacity = "hrbpa:";

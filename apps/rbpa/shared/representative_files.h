@@ -48,7 +48,7 @@ struct SpaceRepresentatives {
 
 /// Writes OBJ, JSON or VTU. OBJ has a group component_1, tunnel_1, void_1 … for each pair, with vertices of its own:
 /// lines, or triangles that face outward from the void. JSON is a list with indices of points. VTU has lines and
-/// triangles with the number of the pair (from 1), its dimension, birth and death. Requires: one of cycle_formats.
+/// triangles with the number of the pair (from 1), its dimension, birth and death. Requires: a format of Use::cycles.
 void write_representatives(OutputFile& file, Format format, const SpaceRepresentatives& all);
 
 }  // namespace rbpa::app

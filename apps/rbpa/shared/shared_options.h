@@ -46,7 +46,7 @@ inline void add_width_option(CLI::App& verb, std::string& width) {
 template <typename Arguments>
 void add_format_options(CLI::App& verb, Arguments& arguments) {
   verb.add_option("--format", arguments.format,
-                  "Set the format of POINTS, if its ending does not tell: " + std::string(point_formats) +
+                  "Set the format of POINTS, if its ending does not tell: " + endings(Use::points) +
                       (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""))
       ->type_name("NAME");
   verb.add_option("--columns", arguments.columns,

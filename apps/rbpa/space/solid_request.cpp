@@ -30,10 +30,10 @@ SolidAlpha parse_alpha(const std::string& text) {
 }
 
 Target parse_boundary(const std::string& path) {
-  const std::optional<Format> format = find_format(Use::surface, ending(path));
-  if (!format || is_picture(*format))
-    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) +
-                     ", expected one of ply, off, obj, stl, glb, vtu, npy");
+  const std::optional<Format> format = find_format(Use::boundary, ending(path));
+  if (!format)
+    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) + ", expected one of " +
+                     endings(Use::boundary));
   return {path, *format};
 }
 

@@ -115,7 +115,7 @@ Target parse_voids(const std::string& path) {
   const std::optional<Format> format = find_format(Use::voids, ending(path));
   if (!format)
     throw WrongUsage("--voids: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     std::string(void_formats));
+                     endings(Use::voids));
   return {path, *format};
 }
 

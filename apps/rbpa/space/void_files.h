@@ -31,7 +31,7 @@ nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names)
 ///       `atoms` the names that the input gives the points.
 /// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is one
 ///       for each side. Triangles face outward from the void, as if it were a body.
-/// Requires: voids of a solid with this boundary; a life for each void, if any; a format of void_formats.
+/// Requires: voids of a solid with this boundary; a life for each void, if any; a format of Use::voids.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
                  std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});

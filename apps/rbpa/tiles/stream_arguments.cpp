@@ -66,7 +66,7 @@ FolderContent content_of(const std::string& folder) {
       content.left_out.push_back(name + " (no regular file)");
     else if (!cloud_conversion(path).empty())
       content.clouds.push_back(path);
-    else if (format && (format != Format::ogr || has_gdal()))
+    else if (format)
       content.points[*format].push_back(path);
     else
       content.left_out.push_back(name);
@@ -101,7 +101,7 @@ std::vector<std::string> files_in(const std::string& folder, const PointArgument
     bad_input(folder, "points in files of several formats, such as " + some_of(formats),
               "one format, or the names of files");
   if (found.empty())
-    bad_input(folder, "a folder without files of points", "some by their endings: " + std::string(point_formats));
+    bad_input(folder, "a folder without files of points", "some by their endings: " + endings(Use::points));
   std::sort(found.begin(), found.end());
   if (quiet) return found;
   std::vector<std::string> names;
