@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
@@ -13,7 +14,13 @@ namespace {
 
 using namespace rbpa::app;
 
-constexpr Format formats[] = {Format::off, Format::ply, Format::obj, Format::stl};
+/// Returns the formats of meshes, in the order of the table.
+std::vector<Format> all_formats() {
+  std::vector<Format> formats;
+  for (const FormatRow& row : format_table)
+    if (row.is_for(Use::mesh)) formats.push_back(row.format);
+  return formats;
+}
 
 void is_sound(const MeshFile& mesh) {
   const auto& soup = mesh.soup;
@@ -35,7 +42,8 @@ void is_sound(const MeshFile& mesh) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const Format format = formats[data[0] % std::size(formats)];
+  static const std::vector<Format> formats = all_formats();
+  const Format format = formats[data[0] % formats.size()];
   const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     const MeshFile mesh = mesh_in(bytes, "FILE", format);

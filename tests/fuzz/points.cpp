@@ -1,11 +1,12 @@
 // Readers of points: any bytes are either points, all finite, or refused in a sentence of one line.
-// The first byte is the format and how it is read; the rest is the file.
+// format_of_input.h says how an input names its format.
 #include <zlib.h>
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
+#include "fuzz/format_of_input.h"
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/bytes/gunzip.h"
@@ -17,42 +18,9 @@ namespace {
 
 using namespace rbpa::app;
 
-constexpr Format formats[] = {Format::text, Format::npy, Format::off, Format::ply,
-                              Format::raw,  Format::png, Format::pgm};
-
-constexpr std::size_t ways = 4;  // ways in which each format is read
-
-/// Returns the source for formats that were added later, each with its options; the selectors below keep their meaning.
-PointSource later_source_of(std::size_t selector) {
-  PointSource source{.path = ""};
-  source.vertices = selector % 2 == 1;
-  source.skip_invalid = selector % 4 > 1;
-  switch (selector / 4 % 4) {
-    case 0:
-      source.format = Format::las;
-      source.skip_invalid = source.vertices = false;
-      if (selector % 4 == 1)
-        source.where = Condition("classification == 2 or x < 0 and not withheld", names_of_las_fields());
-      if (selector % 4 == 2) source.where = Condition("gps_time > 1 or red > 1", names_of_las_fields());
-      break;
-    case 1:
-      source.format = Format::geojson;
-      break;
-    case 2:
-      source.format = Format::wkt;
-      break;
-    default:
-      source.shift_longitude = selector % 8 > 5;
-      if (selector % 8 == 5) source.where = Condition("class > 1 or not x == 2", names_of_columns());
-      break;
-  }
-  return source;
-}
-
-PointSource source_of(std::uint8_t selector) {
-  if (selector >= ways * std::size(formats)) return later_source_of(selector - ways * std::size(formats));
-  PointSource source{.path = "", .format = formats[selector % std::size(formats)]};
-  switch (selector / std::size(formats) % ways) {
+PointSource source_of(Format format, unsigned options) {
+  PointSource source{.path = "", .format = format};
+  switch (options % 4) {
     case 1:
       source.columns = std::vector<Column>{{.number = 2}, {.number = 1}};
       source.pixels = {.foreground = Foreground::dark};
@@ -68,6 +36,14 @@ PointSource source_of(std::uint8_t selector) {
     default:
       break;
   }
+  source.vertices = (options & 4U) != 0;
+  source.skip_invalid = (options & 8U) != 0;
+  if ((options & 16U) != 0)
+    source.where = format == Format::las
+                       ? fuzz::condition_of(format, {"classification == 2 or x < 0 and not withheld"})
+                       : fuzz::condition_of(format, {"class > 1 or not x == 2", "x > 1 or not y == 2"});
+  if ((options & 32U) != 0) source.where = fuzz::condition_of(format, {"gps_time > 1 or red > 1"});
+  source.shift_longitude = (options & 64U) != 0;
   return source;
 }
 
@@ -106,24 +82,25 @@ void read_before(bool compressed, const std::string& bytes) {
   }
   const std::string name = "FILE";
   std::string text(1U << 20U, '\0');
-  std::string_view compressed = bytes;
-  for (Gunzip gunzip(name); !compressed.empty();) gunzip.inflate(compressed, text.data(), text.size());
+  std::string_view rest = bytes;
+  for (Gunzip gunzip(name); !rest.empty();) gunzip.inflate(rest, text.data(), text.size());
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const PointSource source = source_of(data[0]);
-  std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  if (source.format == Format::png) bytes = with_check_sums(bytes);
+  auto file = fuzz::divided({reinterpret_cast<const char*>(data), size});
+  if (!file) return 0;
   try {
-    constexpr std::uint8_t gzip_selector = 255, condition_selector = 254;
-    if (data[0] >= condition_selector) {
-      read_before(data[0] == gzip_selector, bytes);
+    if (file->ending == "gzip" || file->ending == "condition") {
+      read_before(file->ending == "gzip", file->bytes);
       return 0;
     }
-    const std::vector<rbpa::Point> points = points_in(bytes, "FILE", source).points;
+    const std::optional<Format> format = find_format(Use::points, file->ending);
+    if (!format || *format == Format::ogr) return 0;  // GDAL reads files only
+    if (format == Format::png) file->bytes = with_check_sums(file->bytes);
+    const PointSource source = source_of(*format, file->options);
+    const std::vector<rbpa::Point> points = points_in(file->bytes, "FILE", source).points;
     fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());

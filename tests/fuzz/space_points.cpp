@@ -1,16 +1,12 @@
 // Readers of points of space: any bytes are either points, all finite, with a normal and a color for each or for none,
-// or refused in a sentence of one line. The first byte is the format and the options; the rest is the file.
+// or refused in a sentence of one line. format_of_input.h says how an input names its format.
 #include <algorithm>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
+#include "fuzz/format_of_input.h"
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
-#include "io/cloud/las_fields.h"
 #include "io/cloud/read_space_points.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/formats.h"
 
@@ -18,31 +14,14 @@ namespace {
 
 using namespace rbpa::app;
 
-bool is_molecule(Format format) { return format == Format::pdb || format == Format::cif; }
-
-/// Returns the formats that the programs list.
-std::vector<Format> all_formats() {
-  std::vector<Format> formats;
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
-  std::string_view rest = space_formats;
-  while ((rest = rest.substr(std::min(rest.find_first_of(letters), rest.size()))), !rest.empty()) {
-    const std::string_view name = rest.substr(0, rest.find_first_not_of(letters));
-    const std::optional<Format> format = find_format(Use::space, name);
-    if (format && std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
-    rest.remove_prefix(name.size());
-  }
-  return formats;
-}
-
-CloudRequest choice_of(Format format, std::size_t selector) {
+CloudRequest choice_of(Format format, unsigned options) {
   CloudRequest choice;
-  if (selector % 4 == 1) choice.columns = parse_space_columns("3,1,2");
-  if (selector % 4 == 2) choice.columns = parse_space_columns("x,y,z,nx,ny,nz");
-  if (selector % 4 == 3)
-    choice.where =
-        Condition(is_molecule(format) ? "z > 1 or resname == 'LYS' and resseq == 2" : "z > 1 or classification == 2",
-                  is_molecule(format) ? names_of_atoms() : names_of_las_fields());
-  choice.skip_invalid = selector / 4 % 2 == 1;
+  if (options % 4 == 1) choice.columns = parse_space_columns("3,1,2");
+  if (options % 4 == 2) choice.columns = parse_space_columns("x,y,z,nx,ny,nz");
+  if (options % 4 == 3)
+    choice.where = fuzz::condition_of(
+        format, {"z > 1 or classification == 2", "z > 1 or resname == 'LYS' and resseq == 2", "z > 1 or not x == 2"});
+  choice.skip_invalid = (options & 4U) != 0;
   return choice;
 }
 
@@ -60,12 +39,11 @@ void is_sound(const SpacePoints& file) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  static const std::vector<Format> formats = all_formats();
-  const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
-  const Format format = formats[data[0] % formats.size()];
+  const auto file = fuzz::divided({reinterpret_cast<const char*>(data), size});
+  const std::optional<Format> format = file ? find_format(Use::space, file->ending) : std::nullopt;
+  if (!format) return 0;
   try {
-    is_sound(space_points_in(bytes, "FILE", format, choice_of(format, data[0] / formats.size())));
+    is_sound(space_points_in(file->bytes, "FILE", *format, choice_of(*format, file->options)));
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());
   } catch (const WrongUsage& refusal) {

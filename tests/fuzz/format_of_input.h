@@ -1,0 +1,40 @@
+// What: the beginning of a fuzzed file: a byte of options, the ending of the format, and a line feed. Every format of the
+//       table is a target without an edit here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/cloud/cloud.h"
+#include "io/failure.h"
+#include "io/formats.h"
+
+namespace fuzz {
+
+struct FuzzedFile {
+  unsigned options = 0;  ///< bits
+  std::string ending = {}, bytes = {};
+};
+
+/// Divides an input; nothing if it has no ending.
+inline std::optional<FuzzedFile> divided(std::string_view input) {
+  const std::size_t end = input.find('\n');
+  if (end == 0 || end == std::string_view::npos) return std::nullopt;
+  return FuzzedFile{static_cast<unsigned char>(input.front()), std::string(input.substr(1, end - 1)),
+                    std::string(input.substr(end + 1))};
+}
+
+/// Returns the first of `conditions` that names only fields of the format; nothing if there is none.
+inline std::optional<rbpa::app::Condition> condition_of(rbpa::app::Format format,
+                                                        std::initializer_list<const char*> conditions) {
+  const std::optional<rbpa::app::FieldNames> names = rbpa::app::fields_of(format);
+  for (const char* condition : conditions) try {
+      if (names) return rbpa::app::Condition(condition, *names);
+    } catch (const rbpa::app::WrongUsage&) {
+      continue;
+    }
+  return std::nullopt;
+}
+
+}  // namespace fuzz
