@@ -21,10 +21,10 @@ void add_normals(std::vector<Point3>& normals, const AddedPoints& added) {
   normals.insert(normals.end(), further.begin(), further.end());
 }
 
-using Color = std::array<std::uint8_t, 3>;
+using Rgb = std::array<std::uint8_t, 3>;
 
-Color mean_color(const Color& a, const Color& b, const Color& c) {
-  Color mean{};
+Rgb mean_color(const Rgb& a, const Rgb& b, const Rgb& c) {
+  Rgb mean{};
   for (std::size_t k = 0; k < 3; ++k) mean[k] = static_cast<std::uint8_t>((a[k] + b[k] + c[k] + 1) / 3);
   return mean;
 }

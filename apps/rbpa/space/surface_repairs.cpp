@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Names and texts by SuggestedRepairKind.
-constexpr std::array kind_names{"none", "turn_normals", "larger_ball", "filling"};
+constexpr std::array repair_names{"none", "turn_normals", "larger_ball", "filling"};
 constexpr std::array<const char*, 4> texts{"by nothing", "with normals turned around", "by one more radius each",
                                            "by --fill-holes"};
 
@@ -80,7 +80,7 @@ std::string repairs_text(std::span<const SuggestedRepair> repairs) {
 }
 
 Json as_json(const SuggestedRepair& repair) {
-  Json result = {{"kind", kind_names[static_cast<std::size_t>(repair.kind)]}};
+  Json result = {{"kind", repair_names[static_cast<std::size_t>(repair.kind)]}};
   if (repair.kind == SuggestedRepairKind::larger_ball) result["radius"] = repair.radius;
   if (repair.kind == SuggestedRepairKind::turn_normals) result["points"] = repair.points;
   if (repair.kind == SuggestedRepairKind::none)
@@ -95,7 +95,7 @@ Json counts_as_json(const std::vector<std::optional<SuggestedRepair>>& repairs) 
   Json result;
   for (const SuggestedRepairKind kind : {SuggestedRepairKind::turn_normals, SuggestedRepairKind::larger_ball,
                                          SuggestedRepairKind::filling, SuggestedRepairKind::none})
-    result[kind_names[static_cast<std::size_t>(kind)]] = counts[static_cast<std::size_t>(kind)];
+    result[repair_names[static_cast<std::size_t>(kind)]] = counts[static_cast<std::size_t>(kind)];
   return result;
 }
 
