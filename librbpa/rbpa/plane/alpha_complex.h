@@ -62,8 +62,7 @@ struct AlphaComplex {
 /// Throws:   as rbpa().
 /// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors
 ///           or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
-///           triangulation with
-///           neighbors.
+///           triangulation with neighbors.
 RBPA_API AlphaComplex alpha_complex(std::span<const Point> points, double alpha,
                                     const AlphaComplexOptions& options = {});
 

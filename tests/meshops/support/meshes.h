@@ -30,8 +30,7 @@ struct Strip {
 Strip strip(Connectivity& mesh, int pairs);
 
 /// Returns the faces as cyclic lists of vertex labels with the mates of their edges, in a form in which isomorphic
-/// meshes with
-/// the same labels are equal: one string per face, sorted. `label` of a vertex need not be unique.
+/// meshes with the same labels are equal: one string per face, sorted. `label` of a vertex need not be unique.
 std::vector<std::string> canonical_faces(const Connectivity& mesh, const std::vector<int>& label);
 
 }  // namespace meshops::test

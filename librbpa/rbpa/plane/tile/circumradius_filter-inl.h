@@ -1,8 +1,7 @@
 // What: tests which triangles have a circumradius ≤ alpha: ab² bc² ca² against 4 α² (ab × ac)², a triangle in each
 //       lane. Compiled once for each kind of vector unit; the only include guard is the compiler's own per kind.
 // Law:  `inside` and `outside` are true for the points in double precision; docs/explanation/plane.md, section 10,
-//       derives the
-//       bounds.
+//       derives the bounds.
 #if defined(RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
 #undef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_

@@ -1,8 +1,7 @@
 // What:   volume and surface area of the union of equal balls around points.
 // How:    inclusion and exclusion over the full alpha complex. A simplex counts by the angle around it that no
 //         tetrahedron fills, so at most three balls have to be intersected. docs/explanation/space.md, section 21, has
-//         the formula
-//         and a drawing.
+//         the formula and a drawing.
 // Law:    the set of balls that count is exact; sizes and angles are rounded, their sum is exact.
 // Cost:   that of a Delaunay triangulation, which takes most of it.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995).

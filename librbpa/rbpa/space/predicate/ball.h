@@ -3,8 +3,7 @@
 //         the symbolic perturbation has moved by even less: no fourth point touches it. docs/explanation/surfaces.md,
 //         sections 10 and 14.
 // How:    a floating-point filter whose bounds are computed with the ball (docs/explanation/surfaces.md, section 15);
-//         then
-//         long double, then integers of any length.
+//         then long double, then integers of any length.
 // Cost:   about sixty operations for each ball, and fifteen for each point; microseconds where a filter fails.
 #pragma once
 

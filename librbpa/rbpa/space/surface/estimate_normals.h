@@ -42,8 +42,7 @@ struct NormalOptions {
 /// spanning tree, whose weights measure how uncertain the side is across an edge. The first normal points outward at an
 /// extreme point: that of the first direction among +z, −z, +y, −y, +x, −x that is within 60 degrees of its plane's
 /// normal. If no step errs (docs/explanation/surfaces.md, section 3), the normals of each component of a closed surface
-/// point
-/// outward, also of a component inside another one; those of a plane that is not too steep point upward.
+/// point outward, also of a component inside another one; those of a plane that is not too steep point upward.
 ///
 /// That tree errs if the two sides of a closed body are nearer to each other than the points are. The outer shells of
 /// the exposed_triangles() of balls of a few spacings decide there.

@@ -6,8 +6,8 @@
 //       1. gather the points after v in the order of sites, and those before v, within 2 alpha (near_points-inl.h);
 //       2. list the pairs (q, r) after v, q before r, whose triangle with v has a circumradius of at most alpha;
 //       3. for a register of such triangles, clip the line of centers x + t n by every point p near v: a center is at
-//          least as
-//         far from p as from v where t b <= a. The first p on either side makes a tetrahedron (clip_triples-inl.h);
+//         least as far from p as from v where t b <= a. The first p on either side makes a tetrahedron
+//         (clip_triples-inl.h);
 //       4. compute each possible tetrahedron again in double (apex-inl.h), then exactly (exact_apex.h).
 // Cost: for m points within 2 alpha of a point, about pairs × m / lanes steps of twenty operations each.
 #pragma once

@@ -1,7 +1,6 @@
 // What: the distances from a tie beyond which the sign of a rounded number is certain, and their derivation.
 //       docs/explanation/surfaces.md, section 15. Nearer values go to exact arithmetic, or the free region is lost and
-//       the
-//       ball rolls about every edge.
+//       the ball rolls about every edge.
 #pragma once
 
 namespace rbpa::space::limits {
