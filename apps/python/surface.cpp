@@ -46,18 +46,13 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   return sides;
 }
 
-/// Returns the columns of a surface with filled holes: for each triangle whether it is new, for each curve its outcome.
-py::dict as_dict(Surface made, std::vector<std::array<std::uint32_t, 2>> boundary, const std::vector<bool>& is_new,
-                 const std::vector<HoleFill>& holes, std::size_t given_up) {
+/// Takes the columns out of a surface with filled holes: triangles, and for each whether it is new.
+py::dict as_dict(FilledSurface& made, std::vector<std::array<std::uint32_t, 2>> boundary) {
   py::dict result;
-  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
-  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["triangles"] = rows<std::int32_t>(std::move(made.surface.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.surface.neighbors));
   result["boundary"] = rows<std::int32_t>(std::move(boundary));
-  result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(is_new.begin(), is_new.end()));
-  std::vector<std::uint8_t> outcomes;
-  for (const HoleFill& hole : holes) outcomes.push_back(static_cast<std::uint8_t>(hole.outcome));
-  result["outcomes"] = line<std::uint8_t>(std::move(outcomes));
-  result["given_up"] = given_up;
+  result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.is_new.begin(), made.is_new.end()));
   return result;
 }
 
@@ -155,8 +150,7 @@ std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& 
   });
 }
 
-/// Fills the holes of at most `most_edges` edges and length `most_length`; returns the surface, and the outcome of
-/// each.
+/// Fills the holes of at most `most_edges` edges and length `most_length`.
 py::dict filled(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t most_edges,
                 double most_length, bool rims, unsigned threads) {
   const auto input = points3_of(points, "points");
@@ -167,41 +161,36 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
     const Surface open = indexable_surface(of_links(links), go_on);
     const std::vector<Hole> curves = surface_curves(input, open, go_on);
     const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open, go_on), curves);
-    std::vector<Hole> chosen;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      if ((rims || kinds[i] == CurveKind::hole) && curves[i].edges.size() <= most_edges &&
-          curves[i].length <= most_length)
-        chosen.push_back(curves[i]);
+    const std::vector<Hole> chosen =
+        chosen_curves(curves, kinds, {.most_edges = most_edges, .most_length = most_length, .rims = rims});
     FilledSurface result = fill_holes(input, open, chosen, {.threads = threads, .progress = watch.progress()});
     boundary = boundary_of(result.surface);
     return result;
   });
-  return as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, 0);
+  return as_dict(made, std::move(boundary));
 }
 
-/// Refines the new triangles; returns the added points, their normals, and how many fillings are smooth, flat or
-/// unchanged.
+/// Refines the new triangles; returns also the added points and their normals.
 py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
                  const Flags& is_new, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
   const Links links(triangles, neighbors);
   if (is_new.ndim() != 1) throw py::value_error("is_new: expected an array of shape (m,)");
-  const std::vector<bool> flags(is_new.data(), is_new.data() + is_new.shape(0));
+  FilledSurface made;
+  made.is_new.assign(is_new.data(), is_new.data() + is_new.shape(0));
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<Point3> further;
-  RefinedSurface made = watched(long_work, progress, [&](Watch& watch) {
-    RefinedSurface result =
-        refine_filling(input, of_links(links), flags, {.threads = threads, .progress = watch.progress()});
+  AddedPoints added = watched(long_work, progress, [&](Watch& watch) {
+    made.surface = of_links(links);
+    AddedPoints result = refine_filling(input, made, {.threads = threads, .progress = watch.progress()});
     if (!vectors.empty()) further = normals_between(vectors, result.between);
-    boundary = boundary_of(result.surface);
+    boundary = boundary_of(made.surface);
     return result;
   });
-  py::dict result = as_dict(std::move(made.surface), std::move(boundary), made.is_new, {}, 0);
-  result["points"] = rows<double>(std::move(made.points));
+  py::dict result = as_dict(made, std::move(boundary));
+  result["points"] = rows<double>(std::move(added.points));
   result["normals"] = rows<double>(std::move(further));
-  result["between"] = rows<std::int32_t>(std::move(made.between));
-  result["smooth"] = made.smooth;
   return result;
 }
 
@@ -216,7 +205,7 @@ py::dict watertight(const Doubles& points, const Indices& triangles, const Indic
     boundary = boundary_of(result.surface);
     return result;
   });
-  py::dict result = as_dict(std::move(made.surface), std::move(boundary), made.is_new, made.holes, made.given_up);
+  py::dict result = as_dict(made, std::move(boundary));
   result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));
   result["curves"] = made.open.size();
   result["crossing"] = made.crossing.size();

@@ -82,16 +82,12 @@ py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles
   std::vector<std::int32_t> number;
   const auto found = watched(input.points.size(), progress, [&](Watch& watch) {
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    std::vector<Hole> wanted;
     const std::vector<Hole> curves = holes(input.points, input.normals, input.radii, made, options);
     const std::vector<CurveKind> kinds =
         curve_kinds(input.points, surface_components(input.points, made, watch.until_stopped()), curves);
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      if (kinds[i] != CurveKind::hole) continue;
-      number.push_back(static_cast<std::int32_t>(i));
-      wanted.push_back(curves[i]);
-    }
-    return suggested_repairs(input.points, input.normals, input.radii, made, wanted, options);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      if (kinds[i] == CurveKind::hole) number.push_back(static_cast<std::int32_t>(i));
+    return suggested_repairs(input.points, input.normals, input.radii, made, chosen_curves(curves, kinds), options);
   });
   std::vector<std::uint8_t> kinds, outcomes;
   std::vector<double> larger;

@@ -1,7 +1,9 @@
 #include "triangulation/filling_counts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "io/bytes/number.h"
@@ -15,6 +17,12 @@ constexpr std::array texts{"filled", "where any filling crosses the surface",
                            "where any filling has an edge that already has two triangles", "with all points on a line",
                            "where the surroundings exceed the limit of work"};
 
+/// Returns the sum in ascending order, which depends neither on the order of holes nor on that of points.
+double sorted_sum(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 }  // namespace
 
 FillingCounts count(std::span<const HoleFill> holes) {
@@ -25,11 +33,24 @@ FillingCounts count(std::span<const HoleFill> holes) {
     counts.triangles += hole.triangles;
     areas.push_back(hole.area);
   }
-  std::sort(
-      areas.begin(),
-      areas.end());  // sorted, so that the sum does not depend on the order of holes, which depends on that of points
-  for (const double area : areas) counts.area += area;
+  counts.area = sorted_sum(std::move(areas));
   return counts;
+}
+
+void count_refined(std::span<const Point3> points, const FilledSurface& filled, const AddedPoints& added,
+                   FillingCounts& counts) {
+  std::vector<double> areas;
+  for (std::size_t t = 0; t < filled.is_new.size(); ++t) {
+    if (!filled.is_new[t]) continue;
+    const auto& [i, j, k] = filled.surface.triangles[t];
+    const Point3 &a = points[i], &b = points[j], &c = points[k];
+    const Point3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
+    areas.push_back(std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2);
+  }
+  counts.triangles = areas.size();
+  counts.area = sorted_sum(std::move(areas));
+  counts.points = added.points.size();
+  counts.smooth = added.smooth;
 }
 
 std::string filled_text(const FillingCounts& counts) {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "rbpa/space/repair/fill_holes.h"
+#include "rbpa/space/repair/refine_filling.h"
 
 namespace rbpa::app {
 
@@ -29,6 +29,10 @@ struct FillingCounts {
 
 /// Returns the counts. They do not depend on the order of the holes.
 FillingCounts count(std::span<const HoleFill> holes);
+
+/// Counts refined fillings instead: their triangles, the area of these, and the added points.
+void count_refined(std::span<const Point3> points, const FilledSurface& filled, const AddedPoints& added,
+                   FillingCounts& counts);
 
 /// Returns "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
 std::string filled_text(const FillingCounts& counts);

@@ -364,15 +364,15 @@ class Surface(Result):
         radius = float(_not_empty(self.radii)[0])
         return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
 
-    def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_]) -> Surface:
-        """Returns the surface with new triangles, and without those that are not kept."""
+    def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_], points: Floats, normals: Optional[Floats]) -> Surface:
+        """Returns the surface of these points with new triangles, and without those that are not kept."""
         old = of["is_new"] == 0
         levels = np.full(len(old), -1, dtype=np.int32)
         levels[old] = self.levels[kept]
         place = np.full(len(kept), -1, dtype=np.int32)
         place[kept] = np.flatnonzero(old)
         made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
-        filled = Surface(self.points, self.normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
+        filled = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
         freeze(place)
         filled._filled_from = (self, place)
         return filled
@@ -404,7 +404,7 @@ class Surface(Result):
         of = _core.fill_holes(
             self.points, self.triangles, self.neighbors, most, float(max_length), bool(rims), as_threads(threads)
         )
-        return self._with_filled(of, np.ones(len(self.triangles), dtype=bool))
+        return self._with_filled(of, np.ones(len(self.triangles), dtype=bool), self.points, self.normals)
 
     def watertight(self, *, threads: Optional[int] = None) -> Surface:
         """Returns the closed surface: without open islands, with all holes and rims filled, and verified to have no
@@ -431,7 +431,7 @@ class Surface(Result):
                 f"watertight: found {of['curves']} boundary curves and {of['crossing']} pairs of triangles that cross, "
                 "expected none"
             )
-        return self._with_filled(of, of["kept"] != 0)
+        return self._with_filled(of, of["kept"] != 0, self.points, self.normals)
 
     def refined(self, *, threads: Optional[int] = None, progress: Progress = None) -> Surface:
         """Returns the surface with the fillings of `fill_holes` or `watertight` made as fine and smooth as the rest, by
@@ -452,20 +452,10 @@ class Surface(Result):
         of = _core.refine_filling(
             self.points, self.normals, self.triangles, self.neighbors, new.astype(np.uint8), as_threads(threads), progress
         )
-        old = of["is_new"] == 0
-        levels = np.full(len(old), -1, dtype=np.int32)
-        levels[old] = self.levels[~new]
-        place = np.full(len(new), -1, dtype=np.int32)
-        place[~new] = np.flatnonzero(old)
         points = np.vstack((self.points, of["points"]))
         normals = None if self.normals is None else np.vstack((self.normals, of["normals"]))
-        made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
-        finer = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
-        freeze(place, points)
-        if normals is not None:
-            freeze(normals)
-        finer._filled_from = (self, place)
-        return finer
+        freeze(points, *([] if normals is None else [normals]))
+        return self._with_filled(of, ~new, points, normals)
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "rbpa/space/repair/refine_filling.h"
-
 namespace rbpa::app {
 namespace {
 

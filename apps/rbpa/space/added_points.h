@@ -2,9 +2,9 @@
 #pragma once
 
 #include "io/cloud/read_space_points.h"
+#include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "space/left_out_points.h"
-#include "triangulation/close_surface.h"
 
 namespace rbpa::app {
 

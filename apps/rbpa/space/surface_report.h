@@ -19,7 +19,7 @@
 #include "rbpa/space/surface/surface.h"
 #include "rbpa/space/surface/surface_components.h"
 #include "rbpa/space/surface/unused_points.h"
-#include "triangulation/close_surface.h"
+#include "triangulation/filling_counts.h"
 #include "triangulation/surface_counts.h"
 
 namespace rbpa::app {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,7 +33,6 @@
 #include "space/surface_repairs.h"
 #include "space/surface_report.h"
 #include "space/surface_request.h"
-#include "triangulation/close_surface.h"
 #include "triangulation/watertight_file.h"
 
 namespace rbpa::app {
@@ -59,7 +59,7 @@ class SurfaceRun : public Run {
   void choose_components();
   std::vector<bool> kept_by_choice() const;
   void fill();
-  void add_to_cloud(const AddedPoints& added);
+  void take(FilledSurface& filled, const AddedPoints& added);
   void close(const std::vector<bool>& kept);
   std::vector<std::string> shifts() const;
   void write();
@@ -94,6 +94,18 @@ class SurfaceRun : public Run {
     return source_ == NormalSource::estimate ? estimated_.normals : file_.normals;
   }
 };
+
+/// Returns the curves with the causes that `known` has for their edges.
+std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known) {
+  const auto key = [](const RimEdge& edge) { return std::make_pair(edge.triangle, edge.from); };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, RimEdge> edges;
+  for (const Hole& curve : known)
+    for (const RimEdge& edge : curve.edges) edges.emplace(key(edge), edge);
+  for (Hole& curve : curves)
+    for (RimEdge& edge : curve.edges)
+      if (const auto found = edges.find(key(edge)); found != edges.end()) edge = found->second;
+  return curves;
+}
 
 /// Returns the ascending radii with those above `most` replaced by it, without repetitions.
 std::vector<double> at_most(std::vector<double> radii, std::optional<double> most) {
@@ -193,10 +205,7 @@ void SurfaceRun::explain() {
 }
 
 void SurfaceRun::find_repairs() {
-  const std::vector<CurveKind> kinds = curve_kinds(file_.points, components_, facts_.holes);
-  std::vector<Hole> wanted;
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    if (kinds[i] == CurveKind::hole) wanted.push_back(facts_.holes[i]);
+  const std::vector<Hole> wanted = chosen_curves(facts_.holes, curve_kinds(file_.points, components_, facts_.holes));
   const auto found = step("looking for repairs", [&](const SurfaceOptions& how) {
     return suggested_repairs(file_.points, normals(), radii_, surface_, wanted, how);
   });
@@ -240,26 +249,34 @@ std::vector<bool> SurfaceRun::kept_by_choice() const {
 }
 
 void SurfaceRun::fill() {
-  BoundedSurface bounded{.surface = std::move(surface_),
-                         .components = std::move(components_),
-                         .curves = std::move(facts_.holes),
-                         .kinds = std::move(facts_.kinds)};
-  facts_.filling = step("filling holes", [&](const SurfaceOptions& how) {
-    return fill_chosen(file_.points, *request_.filled, bounded, how);
-  });
-  if (arguments_.refine && facts_.filling.filled() > 0)
-    add_to_cloud(step("refining fillings",
-                      [&](const SurfaceOptions& how) { return refine(points(), bounded, facts_.filling, how); }));
-  surface_ = std::move(bounded.surface);
-  components_ = std::move(bounded.components);
-  facts_.holes = std::move(bounded.curves);
-  facts_.kinds = std::move(bounded.kinds);
-  filled_ = std::move(bounded.filled);
+  const std::vector<Hole> chosen = chosen_curves(facts_.holes, facts_.kinds, *request_.filled);
+  if (chosen.empty()) return;
+  FilledSurface filled =
+      step("filling holes", [&](const SurfaceOptions& how) { return fill_holes(file_.points, surface_, chosen, how); });
+  const bool is_refined = arguments_.refine && filled.has_filled();
+  AddedPoints added;
+  if (is_refined)
+    added = step("refining fillings", [&](const SurfaceOptions& how) { return refine_filling(points(), filled, how); });
+  take(filled, added);
+  std::vector<std::uint32_t> number;  // of each triangle that was there before
+  for (std::uint32_t t = 0; t < filled_.size(); ++t)
+    if (!filled_[t]) number.push_back(t);
+  for (Hole& curve : facts_.holes)
+    for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
+  const std::span<const Point3> places = is_refined ? points() : file_.points;
+  components_ = surface_components(places, surface_, until_interrupted());
+  facts_.holes = with_causes(surface_curves(places, surface_, until_interrupted()), facts_.holes);
+  facts_.kinds = curve_kinds(places, components_, facts_.holes);
 }
 
-void SurfaceRun::add_to_cloud(const AddedPoints& added) {
+/// Takes the surface out of `filled`, and the points that --refine added.
+void SurfaceRun::take(FilledSurface& filled, const AddedPoints& added) {
+  facts_.filling = count(filled.holes);
   add_points(added, file_, estimated_, outliers_);
   if (!as_they_came_.empty()) as_they_came_.insert(as_they_came_.end(), added.points.begin(), added.points.end());
+  if (arguments_.refine && filled.has_filled()) count_refined(points(), filled, added, facts_.filling);
+  surface_ = std::move(filled.surface);
+  filled_ = std::move(filled.is_new);
 }
 
 /// Makes the kept components watertight. Throws Failure if that is not possible, or a file would not be.
@@ -273,13 +290,8 @@ void SurfaceRun::close(const std::vector<bool>& kept) {
                             .progress = how.progress});
   });
   facts_.dropped = dropped_components(file_.points, closed.components, surface_, components_);
-  facts_.filling = count(closed.holes);
+  take(closed, closed.added);
   facts_.filling.given_up = closed.given_up;
-  add_to_cloud(closed.added);
-  if (arguments_.refine && facts_.filling.filled() > 0)
-    count_refined(points(), closed.surface, closed.is_new, closed.added, facts_.filling);
-  surface_ = std::move(closed.surface);
-  filled_ = std::move(closed.is_new);
   components_ = surface_components(points(), surface_, until_interrupted());
   facts_.holes = std::move(closed.open);
   facts_.kinds.clear();

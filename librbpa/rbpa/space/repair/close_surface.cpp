@@ -39,12 +39,8 @@ std::vector<bool> points_of(std::span<const Point3> points, std::span<const Hole
 
 ClosedSurface fill_all(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options,
                        const std::function<bool()>& go_on) {
-  FilledSurface filled = fill_holes(points, surface, surface_curves(points, surface, go_on), options);
-  return {.surface = std::move(filled.surface),
-          .is_new = std::move(filled.is_new),
-          .kept = std::vector<bool>(surface.triangles.size(), true),
-          .holes = std::move(filled.holes),
-          .given_up = 0};
+  return {fill_holes(points, surface, surface_curves(points, surface, go_on), options),
+          std::vector<bool>(surface.triangles.size(), true)};
 }
 
 }  // namespace

@@ -18,11 +18,10 @@
 
 namespace rbpa {
 
-struct ClosedSurface {
-  Surface surface;           ///< without levels; closed where every hole is filled
-  std::vector<bool> is_new;  ///< for each triangle: whether it is new; the others are the kept ones in their old order
-  std::vector<bool> kept;    ///< for each triangle of the given surface: whether it is kept
-  std::vector<HoleFill> holes;  ///< for each curve that was to be filled
+/// A surface that is closed where every hole is filled. The triangles that are not new are the kept ones in their old
+/// order.
+struct ClosedSurface : FilledSurface {
+  std::vector<bool> kept = {};  ///< for each triangle of the given surface: whether it is kept
   std::size_t given_up = 0;     ///< number of triangles removed; more than 0 only if the surface is closed
 };
 

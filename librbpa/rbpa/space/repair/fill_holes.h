@@ -13,6 +13,7 @@
 //         (1995).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -71,8 +72,13 @@ RBPA_API HoleFilling fill_holes(std::span<const Point3> points, std::span<const 
 
 struct FilledSurface {
   Surface surface;              ///< without levels
-  std::vector<bool> is_new;     ///< for each triangle: whether it is new
+  std::vector<bool> is_new;     ///< for each triangle: whether it is new; the others keep their order
   std::vector<HoleFill> holes;  ///< for each given curve
+
+  /// Returns whether some hole is filled.
+  bool has_filled() const {
+    return std::any_of(holes.begin(), holes.end(), [](const HoleFill& h) { return h.outcome == HoleOutcome::filled; });
+  }
 };
 
 /// Closes the given boundary curves of a surface in the same way.

@@ -379,6 +379,13 @@ RefinedSurface refine_filling(std::span<const Point3> points, const Surface& sur
   return Refining(points, surface, is_new, options).run();
 }
 
+AddedPoints refine_filling(std::span<const Point3> points, FilledSurface& filled, const SurfaceOptions& options) {
+  RefinedSurface refined = refine_filling(points, filled.surface, filled.is_new, options);
+  filled.surface = std::move(refined.surface);
+  filled.is_new = std::move(refined.is_new);
+  return refined;
+}
+
 std::vector<Point3> normals_between(std::span<const Point3> normals, std::span<const Triangle> between) {
   std::vector<Point3> added;
   for (const Triangle& corners : between) {

@@ -20,6 +20,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/surface/surface.h"
 
 namespace rbpa {
@@ -45,6 +46,11 @@ struct RefinedSurface : AddedPoints {
 /// Throws:   InvalidInput; ContractViolation; Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
+
+/// Refines the fillings in place. Returns: the added points.
+/// Requires and throws: as above.
+RBPA_API AddedPoints refine_filling(std::span<const Point3> points, FilledSurface& filled,
+                                    const SurfaceOptions& options = {});
 
 /// Returns unit normals for the added points: the mean direction of the normals at the three points between which each
 /// was put, or the first of them if they cancel each other.

@@ -1,7 +1,5 @@
 #include "rbpa/space/repair/watertight.h"
 
-#include <algorithm>
-
 #include "meshops/core/contract.h"
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/surface/curve_kinds.h"
@@ -32,12 +30,8 @@ WatertightSurface make_watertight(std::span<const Point3> points, const Surface&
   std::span<const Point3> places = options.places.empty() ? points : options.places;
   meshops::require(places.size() == points.size(), "make_watertight: expected a place for each point");
   std::vector<Point3> all;
-  const auto is_filled = [](const HoleFill& hole) { return hole.outcome == HoleOutcome::filled; };
-  if (options.refine && std::any_of(result.holes.begin(), result.holes.end(), is_filled)) {
-    RefinedSurface refined = refine_filling(places, result.surface, result.is_new, run);
-    result.surface = std::move(refined.surface);
-    result.is_new = std::move(refined.is_new);
-    result.added = std::move(refined);
+  if (options.refine && result.has_filled()) {
+    result.added = refine_filling(places, result, run);
     all.assign(places.begin(), places.end());
     all.insert(all.end(), result.added.points.begin(), result.added.points.end());
     places = all;

@@ -68,6 +68,15 @@ std::vector<bool> islands(const SurfaceComponents& components) {
   return result;
 }
 
+std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
+                                const HoleChoice& choice) {
+  meshops::require(kinds.size() == curves.size(), "chosen_curves: expected the kind of each curve");
+  std::vector<Hole> chosen;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (choice.has(curves[i], kinds[i])) chosen.push_back(curves[i]);
+  return chosen;
+}
+
 std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                    std::span<const Hole> curves) {
   for (const Hole& curve : curves) {

@@ -5,7 +5,9 @@
 // Cost: linear in the curves.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,22 @@ enum class CurveKind : std::uint8_t {
 /// Returns for each component whether it is an island: it is open, and its area is less than a hundredth of the largest
 /// component's.
 RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
+
+/// A choice of boundary curves; by default all of kind `hole`.
+struct HoleChoice {
+  std::size_t most_edges = std::numeric_limits<std::size_t>::max();
+  double most_length = std::numeric_limits<double>::infinity();
+  bool rims = false;  ///< true: curves of every kind
+
+  bool has(const Hole& curve, CurveKind kind) const {
+    return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
+  }
+};
+
+/// Returns the chosen curves, in their order.
+/// Requires: the kind of each curve.
+RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
+                                         const HoleChoice& choice = {});
 
 /// Returns the kind of each curve.
 /// Requires: the holes() of a surface of these points, and its components.

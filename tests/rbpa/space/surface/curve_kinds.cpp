@@ -98,6 +98,8 @@ TEST_CASE("a curve of a component that is less than a hundredth of the largest i
   Sheet sheet = square([](int, int) { return false; });
   for (const Point3& p : {Point3{30, 0, 0}, Point3{31, 0, 0}, Point3{30, 1, 0}}) sheet.add(p, {0, 0, 1});
   CHECK(kinds_of(sheet, 1) == Kinds{CurveKind::rim, CurveKind::island});
+  const Surface surface = rbpa::surface(sheet.points, sheet.normals, 1);
+  CHECK(rbpa::islands(rbpa::surface_components(sheet.points, surface)) == std::vector<bool>{false, true});
   // Three such components alone are ordinary pieces.
   Sheet alone;
   for (const double x : {0.0, 10.0, 20.0})
@@ -112,6 +114,18 @@ TEST_CASE("kinds do not depend on the place or the size, up to the largest doubl
     for (Point3& p : sheet.points) p = {p.x * scale, p.y * scale, p.z * scale};
     CHECK(kinds_of(sheet, 0.15 * scale) == Kinds{CurveKind::hole});
   }
+}
+
+TEST_CASE("curves are chosen by kind, edges and length") {
+  const auto curve = [](std::size_t edges, double length) { return Hole{std::vector<rbpa::RimEdge>(edges), length}; };
+  const std::vector<Hole> curves = {curve(3, 1), curve(4, 2), curve(5, 3), curve(6, 4)};
+  const Kinds kinds = {CurveKind::hole, CurveKind::rim, CurveKind::hole, CurveKind::island};
+  CHECK(rbpa::chosen_curves(curves, kinds) == std::vector<Hole>{curves[0], curves[2]});
+  CHECK(rbpa::chosen_curves(curves, kinds, {.most_edges = 4}) == std::vector<Hole>{curves[0]});
+  CHECK(rbpa::chosen_curves(curves, kinds, {.most_length = 2, .rims = true}) ==
+        std::vector<Hole>{curves[0], curves[1]});
+  CHECK(rbpa::chosen_curves(curves, kinds, {.rims = true}) == curves);
+  CHECK_THROWS_AS(rbpa::chosen_curves(curves, {}), meshops::ContractViolation);
 }
 
 TEST_CASE("curves of another surface are refused") {
