@@ -14,7 +14,6 @@
 #include "rbpa/plane/persistence.h"
 #include "rbpa/plane/plateaus.h"
 #include "rbpa/plane/representatives.h"
-#include "rbpa/plane/smallest_covering_alpha.h"
 #include "rbpa/plane/triangles_by_level.h"
 
 namespace rbpa::python {
@@ -24,18 +23,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Delaunay delaunay_of(std::span<const Point> points, unsigned threads, Watch& watch) {
   return Delaunay(points, {.threads = threads, .progress = watch.progress()});
-}
-
-/// Returns the least alpha that covers a share of the points, in at most `components` solid components if that is
-/// given.
-std::optional<double> least_alpha(const Doubles& points, double share, std::optional<std::size_t> components,
-                                  unsigned threads, const py::object& progress) {
-  const auto input = points_of(points);
-  return watched(input.size(), progress, [&](Watch& watch) {
-    const Delaunay delaunay = delaunay_of(input, threads, watch);
-    return smallest_covering(delaunay, filtration(delaunay, watch.until_stopped()),
-                             {.share = share, .max_components = components}, watch.until_stopped());
-  });
 }
 
 /// Returns the arguments of rbpa.Plateau for each plateau, the best first.
@@ -148,8 +135,6 @@ std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool f
 
 void bind_filtration(py::module_& module) {
   using py::arg;
-  module.def("least_alpha", &least_alpha, arg("points").noconvert(), arg("share"), arg("components"), arg("threads"),
-             arg("progress"));
   module.def("plateaus", &plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("representatives", &representatives_of, arg("points").noconvert(), arg("full"), arg("min_persistence"),
              arg("top"), arg("levels"), arg("leaf_capacity"), arg("threads"), arg("progress"));

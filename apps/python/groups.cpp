@@ -19,13 +19,11 @@ std::span<const std::uint32_t> labels_of(const Indices& array) {
 }
 
 py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::size_t count, const Doubles& alphas,
-                          double share, std::optional<std::size_t> components, std::size_t plateau,
-                          double min_hole_area, double min_part_area, unsigned threads, const py::object& progress) {
+                          const AlphaChoice& choice, double min_hole_area, double min_part_area, unsigned threads,
+                          const py::object& progress) {
   const auto input = points_of(points);
   const auto of = labels_of(labels);
-  const GroupAlpha alpha{.given = {alphas.data(), static_cast<std::size_t>(alphas.size())},
-                         .covering = {.share = share, .max_components = components},
-                         .plateau = plateau};
+  const GroupAlpha alpha{.given = {alphas.data(), static_cast<std::size_t>(alphas.size())}, .choice = choice};
   std::vector<std::int64_t> counts;
   PolygonTotals all;
   GroupShapes made;
@@ -71,8 +69,8 @@ py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::siz
 void bind_groups(py::module_& module) {
   using py::arg;
   module.def("shapes_of_groups", &shapes_of_groups, arg("points").noconvert(), arg("labels").noconvert(), arg("count"),
-             arg("alphas").noconvert(), arg("share"), arg("components"), arg("plateau"), arg("min_hole_area"),
-             arg("min_part_area"), arg("threads"), arg("progress"));
+             arg("alphas").noconvert(), arg("choice"), arg("min_hole_area"), arg("min_part_area"), arg("threads"),
+             arg("progress"));
 }
 
 }  // namespace rbpa::python

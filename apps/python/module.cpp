@@ -30,6 +30,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of rbpa.";
   module.attr("version") = RBPA_VERSION;
   bind_errors(module);
+  rbpa::python::bind_alpha_choice(module);  // before functions of a choice, so that signatures show the Python type
   rbpa::python::bind_triangulation(module);
   rbpa::python::bind_polygons(module);
   rbpa::python::bind_points(module);

@@ -5,6 +5,7 @@
 
 namespace rbpa::python {
 
+void bind_alpha_choice(pybind11::module_& module);
 void bind_triangulation(pybind11::module_& module);
 void bind_polygons(pybind11::module_& module);
 void bind_filtration(pybind11::module_& module);

@@ -15,6 +15,7 @@
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/space/balls/periodic_topology.h"
+#include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/solid_radii.h"
 
 namespace rbpa::python {
@@ -54,16 +55,15 @@ py::dict periodic_solid_of(const Doubles& points, const Box& box, double alpha, 
   }));
 }
 
-/// Returns the radius that the rule chooses among all tetrahedra.
-double periodic_alpha_of(const Doubles& points, const Box& box, bool in_one_piece, unsigned threads,
+/// Returns the radius that the rule chooses among all tetrahedra. Requires the rule auto or min.
+double periodic_alpha_of(const Doubles& points, const Box& box, const AlphaChoice& choice, unsigned threads,
                          const py::object& progress) {
   const auto input = points3_of(points, "points");
   return watched(input.size(), progress, [&](Watch& watch) {
     const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(),
                                              {.threads = threads, .progress = watch.progress()});
     const std::vector<double> radii = circumradii(all.positions, all.simplices, threads);
-    const Solid by_points = without_offsets(all);
-    return in_one_piece ? auto_alpha(by_points, radii) : min_alpha(by_points, radii);
+    return choose_solid_alpha(choice, input, without_offsets(all), radii).alpha;
   });
 }
 
@@ -101,8 +101,8 @@ void bind_periodic_solid(py::module_& module) {
   using py::arg;
   module.def("periodic_solid", &periodic_solid_of, arg("points").noconvert(), arg("box"), arg("alpha"), arg("threads"),
              arg("progress"));
-  module.def("periodic_alpha", &periodic_alpha_of, arg("points").noconvert(), arg("box"), arg("in_one_piece"),
-             arg("threads"), arg("progress"));
+  module.def("periodic_alpha", &periodic_alpha_of, arg("points").noconvert(), arg("box"), arg("choice"), arg("threads"),
+             arg("progress"));
   module.def("periodic_topology", &periodic_topology_of, arg("points").noconvert(), arg("box"), arg("alpha"),
              arg("full"));
 }

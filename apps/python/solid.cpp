@@ -18,6 +18,7 @@
 #include "rbpa/space/balls/dangling_faces.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/union_of_balls.h"
+#include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/solid/voids.h"
@@ -46,12 +47,14 @@ Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threa
   }));
 }
 
-double alpha_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, bool in_one_piece,
-                double share) {
-  return watched(static_cast<std::size_t>(radii.size()), py::none(), [&](Watch& watch) {
-    const Solid delaunay = solid_again(simplices, neighbors);
-    return in_one_piece ? auto_alpha(delaunay, line_of(radii), share, watch.until_stopped())
-                        : min_alpha(delaunay, line_of(radii), share, watch.until_stopped());
+/// Returns the radius that the rule chooses. Requires all tetrahedra of the points.
+double choose_solid_alpha_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
+                             const Doubles& radii, std::size_t distinct, const AlphaChoice& choice) {
+  const auto input = points3_of(points, "points");
+  return watched(input.size(), py::none(), [&](Watch& watch) {
+    Solid delaunay = solid_again(simplices, neighbors);
+    delaunay.distinct = distinct;
+    return choose_solid_alpha(choice, input, delaunay, line_of(radii), watch.until_stopped()).alpha;
   });
 }
 
@@ -168,8 +171,8 @@ void bind_solid(py::module_& module) {
   using py::arg;
   module.def("solid", &solid_of, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
   module.def("circumradii", &radii_of, arg("points").noconvert(), arg("simplices").noconvert(), arg("threads"));
-  module.def("solid_alpha", &alpha_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
-             arg("radii").noconvert(), arg("in_one_piece"), arg("share"));
+  module.def("choose_solid_alpha", &choose_solid_alpha_of, arg("points").noconvert(), arg("simplices").noconvert(),
+             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("distinct"), arg("choice"));
   module.def("solid_within", &within_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
              arg("radii").noconvert(), arg("alpha"));
   module.def("union_of_balls", &balls_of, arg("points").noconvert(), arg("radius"), arg("threads"), arg("progress"));

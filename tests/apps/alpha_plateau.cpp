@@ -208,7 +208,8 @@ TEST_SUITE("alpha plateau") {
     folder.file("p.xy", two_squares());
     for (const std::string wrong : {"", "0", "-1", "two", "1.5"})
       CHECK(folder.rbpa("shape no_such_file.xy -o s.wkt --alpha plateau:" + wrong).err ==
-            "rbpa: --alpha plateau: found '" + wrong + "', expected a whole number from 1\n");
+            "rbpa: --alpha: found 'plateau:" + wrong +
+                "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K\n");
     const std::size_t count = radii_of(folder, "p.xy")["plateaus"].size();
     const Outcome high = folder.rbpa("shape p.xy -o s.wkt --alpha plateau:99");
     CHECK(high.code == 2);

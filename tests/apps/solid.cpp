@@ -204,15 +204,13 @@ TEST_SUITE("solid") {
     const Folder folder;
     folder.file("c.xyz", hollow_cube());
     folder.file("bad.xyz", "0 0 0\n1 0 zero\n");
-    const std::string radius =
-        "expected a radius: a number above 0, or inf; or a rule: auto, min, plateau or plateau:K";
+    const std::string radius = "expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
     refuses(folder, "c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
     refuses(folder, "c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
     refuses(folder, "c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
     refuses(folder, "c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
     refuses(folder, "c.xyz --alpha convex -o t.npy", 2, "--alpha: found 'convex', " + radius);
-    refuses(folder, "c.xyz --alpha plateau:0 -o t.npy", 2,
-            "--alpha plateau: found '0', expected a whole number from 1");
+    refuses(folder, "c.xyz --alpha plateau:0 -o t.npy", 2, "--alpha: found 'plateau:0', " + radius);
     refuses(folder, "c.xyz --alpha plateau:99 -o t.npy", 2,
             "--alpha plateau:99: there is only 1 plateau (rbpa alpha POINTS --dimension 3 lists them)");
     refuses(folder, "c.xyz --alpha plateau --box 9 -o t.npy", 2,

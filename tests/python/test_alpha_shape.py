@@ -131,7 +131,7 @@ def test_cover_or_components_without_alpha_select_auto():
     assert rbpa.alpha_shape(points, cover=0.9).alpha == rbpa.alpha_shape(points, "auto", cover=0.9).alpha
     assert rbpa.alpha_shapes(points, np.zeros(800), components=2).alphas[0] == rbpa.alpha_shape(points, "auto", components=2).alpha
     for option in ({"cover": 0.9}, {"components": 2}):
-        with pytest.raises(rbpa.InvalidInput, match="found alpha='plateau'"):
+        with pytest.raises(rbpa.InvalidInput, match="applies only to alpha='auto'"):
             rbpa.alpha_shape(points, "plateau", **option)
 
 

@@ -124,9 +124,9 @@ def test_radii_by_group():
             rbpa.alpha_shapes(POINTS, LABELS, wrong)
     with pytest.raises(rbpa.InvalidInput, match="one value for each of the 4000 points"):
         rbpa.alpha_shapes(POINTS, LABELS[:-1])
-    with pytest.raises(rbpa.InvalidInput, match="components: found alpha=2"):
+    with pytest.raises(rbpa.InvalidInput, match="components applies only to alpha='auto'"):
         rbpa.alpha_shapes(POINTS, LABELS, 2, components=3)
-    with pytest.raises(rbpa.InvalidInput, match="cover: found alpha=2"):
+    with pytest.raises(rbpa.InvalidInput, match="cover applies only to alpha='auto' or 'min'"):
         rbpa.alpha_shapes(POINTS, LABELS, 2, cover=0.5)
 
 

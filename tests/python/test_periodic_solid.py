@@ -98,8 +98,10 @@ def test_what_cannot_be_computed_is_refused():
     assert len(sparse.simplices) > 0
     with pytest.raises(rbpa.InvalidInput, match="no point inside"):
         sparse.betti
-    with pytest.raises(rbpa.InvalidInput, match="alpha"):
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'best', expected a radius"):
         rbpa.periodic_solid(points, 1, "best")
+    with pytest.raises(rbpa.InvalidInput, match="alpha: found 'plateau', expected a radius, auto or min"):
+        rbpa.periodic_solid(points, 1, "plateau")
     with pytest.raises(rbpa.InvalidInput, match="complex: found 'most', expected 'full' or 'solid'"):
         rbpa.periodic_solid(points, 1, complex="most")
     many = numpy.random.default_rng(6).random((500_000, 3))

@@ -173,11 +173,15 @@ def test_the_tree_of_voids_has_those_of_every_radius():
 def test_plateaus_have_two_separate_bodies():
     random = numpy.random.default_rng(17)
     points = numpy.vstack([random.random((500, 3)), random.random((500, 3)) + [4, 0, 0]])
-    best = rbpa.solid_filtration(points).plateaus()[0]
+    plateaus = rbpa.solid_filtration(points).plateaus()
+    best = plateaus[0]
     assert best.components == 2 and best.kind == "structured" and best.is_long
     solid = rbpa.solid(points, "plateau")
     assert solid.alpha == best.alpha and len(solid.simplices) == best.tetrahedra
     assert solid.volume == pytest.approx(best.volume)
+    assert rbpa.solid(points, f"plateau:{len(plateaus)}").alpha == plateaus[-1].alpha
+    with pytest.raises(rbpa.InvalidInput, match="alpha plateau:9: there (are|is) only [1-8] plateau"):
+        rbpa.solid(points, "plateau:9")
 
 
 def flat_sets():

@@ -10,10 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._core import InvalidInput
-from rbpa._filtration import Plateau
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
-from rbpa._input import as_area, as_count, as_plateau, as_points, as_radius, as_rule, as_share, as_threads, or_auto, shown
+from rbpa._input import as_area, as_choice, as_count, as_points, as_share, as_threads, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
 from rbpa._result import Triangles
@@ -78,26 +76,11 @@ def alpha_shape(
     array = as_points(points)
     workers = as_threads(threads)
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
-    radius = _choose(array, or_auto(alpha, share, pieces), share, pieces, workers, progress)
+    choice = as_choice(or_auto(alpha, share, pieces), share, pieces)
+    radius = choice.radius if choice.is_given else _core.choose_alpha(array, choice, workers, progress)
     # If no radius covers the points, they are on a line, and there is no triangle at any radius.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
     return AlphaShape(array, radius, made)
-
-
-def _choose(
-    points: Floats, alpha: Alpha, cover: float, components: int, threads: int, progress: Progress
-) -> Optional[float]:
-    """Returns the radius; None if no radius satisfies the rule, as there is no triangle at any radius."""
-    rule = as_rule(alpha, cover, components)
-    if rule == "auto" or rule == "min":
-        return _core.least_alpha(points, cover, components if rule == "auto" else None, threads, progress)
-    rank = None if rule is None else as_plateau(rule)
-    if rank is not None:
-        found = _core.plateaus(points, threads, progress)
-        if found and rank > len(found):
-            raise InvalidInput(f"alpha: found {shown(alpha)}, expected at most plateau:{len(found)}")
-        return Plateau(*found[rank - 1]).alpha if found else None
-    return as_radius(alpha)  # type: ignore[arg-type]  # refuses other words
 
 
 def concave_hull(

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Indices, Integers, Progress
-from rbpa._input import as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads, shown
+from rbpa._input import as_choice, as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads, shown
 from rbpa._plot import axes_or_current, label_axes
 from rbpa._result import Result, short_repr
 
@@ -141,7 +141,7 @@ class Filtration(Result):
         pieces = None if components is None else as_count(components, "components", 1)
         if pieces is not None and share < 1:  # the columns do not have the sizes of pieces
             self._require_unchanged()
-            return _core.least_alpha(self.points, share, pieces, as_threads(None), None)
+            return _core.choose_alpha(self.points, as_choice("auto", share, pieces), as_threads(None), None)
         good = self.covered / max(self.distinct, 1) >= share
         if pieces is not None:
             good &= self.solid_components <= pieces

@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import PLATEAU, RULES, Alpha, Floats, Indices, Integers, Progress
-from rbpa._input import aligned, as_count, as_numbers, as_plateau, as_points, as_radius, as_rule, as_share, as_threads
+from rbpa._input import PLATEAU, Alpha, Floats, Indices, Integers, Progress
+from rbpa._input import aligned, as_choice, as_count, as_numbers, as_points, as_radius, as_share, as_threads
 from rbpa._input import index_of, or_auto, shown
 from rbpa._polygons import Polygons, number_or_none
 from rbpa._result import Result
@@ -104,15 +104,10 @@ def _shapes(
     keys, names, labels = _labels(points, groups, len(array))
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
     alpha = or_auto(alpha, share, pieces)
-    rule = as_rule(alpha, share, pieces)
-    plateau = 0 if rule is None else as_plateau(rule) or 0
-    radii = _radii(alpha, keys, names) if rule is None else np.empty(0)
-    if rule not in (None, "auto", "min") and not plateau:
-        as_radius(rule)  # type: ignore[arg-type]  # refuses other words
-    made = _core.shapes_of_groups(
-        array, labels, len(keys), radii, share, pieces if rule == "auto" else None, plateau, min_hole_area, 0.0,
-        as_threads(threads), progress,
-    )  # fmt: skip
+    is_rule = isinstance(alpha, str)
+    choice = as_choice(alpha if is_rule else math.inf, share, pieces)
+    radii = np.empty(0) if is_rule else _radii(alpha, keys, names)
+    made = _core.shapes_of_groups(array, labels, len(keys), radii, choice, min_hole_area, 0.0, as_threads(threads), progress)
     return AlphaShapes(array, keys, names, labels, made)
 
 
@@ -203,7 +198,7 @@ def _radii(alpha: Any, keys: list[Any], names: npt.NDArray[Any]) -> Floats:
             by_order = "; alpha.to_numpy() goes by their order" if index is not None else ""
             raise InvalidInput(f"alpha: found no radius for group {shown(missing[0])}, expected one for each group{by_order}")
         alpha = [alpha[key] for key in keys]
-    expected = f"a radius (a number > 0, or inf), one for each group, {RULES}"
+    expected = f"{_core.EXPECTED_ALPHA}, or a radius for each group"
     radii = as_numbers(alpha, "alpha", expected)
     if radii.ndim == 0:
         return np.array([as_radius(alpha)])

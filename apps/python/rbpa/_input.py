@@ -5,13 +5,13 @@ from __future__ import annotations
 import decimal
 import numbers
 import os
-import re
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
-from rbpa._core import InvalidInput
+from rbpa import _core
+from rbpa._core import AlphaChoice, InvalidInput
 
 Floats = npt.NDArray[np.float64]
 Indices = npt.NDArray[np.int32]
@@ -19,7 +19,6 @@ Integers = npt.NDArray[np.int64]
 Progress = Optional[Callable[[int, int], Optional[bool]]]
 Alpha = Union[float, str]
 
-RULES = "'auto', 'min', 'plateau' or 'plateau:K'"
 _EXACT = 2**53  # float64 represents every integer up to it
 _LONG = 80  # greatest length of a value in a message
 
@@ -170,7 +169,7 @@ def as_numbers(values: Any, name: str, expected: str) -> Floats:
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def as_radius(alpha: float, expected: str = f"a radius (a number > 0, or inf), {RULES}") -> float:
+def as_radius(alpha: float, expected: str = _core.EXPECTED_ALPHA) -> float:
     """Converts a number; the library checks whether it is a radius."""
     return as_number(alpha, "alpha", expected)
 
@@ -187,20 +186,15 @@ def or_auto(alpha: Any, cover: float, components: int) -> Any:
     return "auto" if alpha is PLATEAU and (cover != 1 or components != 1) else alpha
 
 
-def as_rule(alpha: Any, cover: float, components: int) -> Optional[str]:
-    """Returns the rule that chooses alpha, or None if alpha is a radius. Refuses arguments that the rule does not
-    use."""
-    rule = alpha if isinstance(alpha, str) else None
-    if components != 1 and rule != "auto":
-        raise InvalidInput(f"components: found alpha={shown(alpha)}, expected alpha='auto'")
-    if cover != 1 and rule != "auto" and rule != "min":
-        raise InvalidInput(f"cover: found alpha={shown(alpha)}, expected alpha='auto' or 'min'")
-    return rule
-
-
-def as_plateau(rule: str) -> Optional[int]:
-    """Returns the rank of a rule "plateau" or "plateau:K"; None for other rules."""
-    return int(rule.partition(":")[2] or 1) if re.fullmatch("plateau(:[1-9][0-9]*)?", rule) else None
+def as_choice(alpha: Any, cover: float = 1.0, components: int = 1) -> AlphaChoice:
+    """Returns a radius, or a rule with its arguments. Refuses arguments that the rule does not use."""
+    rule = _core.alpha_rule(alpha, cover, components) if isinstance(alpha, str) and alpha.isascii() else None
+    choice = AlphaChoice(as_radius(alpha)) if rule is None else rule  # refuses other words
+    if components != 1 and not choice.takes_components:
+        raise InvalidInput("components applies only to alpha='auto'")
+    if cover != 1 and not choice.takes_cover:
+        raise InvalidInput("cover applies only to alpha='auto' or 'min'")
+    return choice
 
 
 def as_area(area: float, name: str) -> float:

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_threads, shown
+from rbpa._input import Floats, Indices, Progress, as_choice, as_points, as_threads, shown
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze, short_repr
 
@@ -61,17 +61,15 @@ def periodic_solid(
     (64.0, (1, 3, 3, 1), 384)
     """
     array = as_points(points, columns=3)
-    expected = "a radius: a number > 0, or inf; or a rule: 'auto' or 'min'"
-    if isinstance(alpha, str) and alpha not in ("auto", "min"):
-        raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
+    choice = as_choice(alpha)
+    if choice.is_plateau:
+        raise InvalidInput(f"alpha: found {shown(alpha)}, expected a radius, auto or min for points in a box")
     if complex not in ("full", "solid"):
         raise InvalidInput(f"complex: found {shown(complex)}, expected 'full' or 'solid'")
     sides = _as_sides(box)
-    if isinstance(alpha, str):
-        radius = _core.periodic_alpha(array, sides, alpha == "auto", as_threads(threads), progress)
-    else:
-        radius = as_number(alpha, "alpha", expected)
-    made = _core.periodic_solid(array, sides, radius, as_threads(threads), progress)
+    workers = as_threads(threads)
+    radius = choice.radius if choice.is_given else _core.periodic_alpha(array, sides, choice, workers, progress)
+    made = _core.periodic_solid(array, sides, radius, workers, progress)
     return PeriodicSolid(array, sides, {"alpha": radius, "complex": complex, **made})
 
 

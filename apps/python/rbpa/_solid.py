@@ -11,14 +11,14 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_points, as_share, as_threads, shown
+from rbpa._input import Alpha, Floats, Indices, Progress, as_choice, as_number, as_points, as_share, as_threads
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze, short_repr
 
 
 def solid(
     points: npt.ArrayLike,
-    alpha: Union[float, Literal["auto", "min", "plateau"]] = math.inf,
+    alpha: Alpha = math.inf,
     *,
     cover: float = 1.0,
     threads: Optional[int] = None,
@@ -32,11 +32,11 @@ def solid(
     points : array_like of shape (n, 3)
         Finite coordinates. A float64 array in C order is used without a copy, and must not be changed while the result
         is in use; anything else is converted.
-    alpha : float, "auto", "min" or "plateau"
+    alpha : float, "auto", "min", "plateau" or "plateau:K"
         A radius in the units of the points, never its square. "min" is the least radius at which every point is in a
         tetrahedron, "auto" the least at which one solid component has every point, "plateau" a radius around which
-        parts and voids hardly change (`solid_filtration(points).plateaus()`). A rule gives infinity if there is no
-        tetrahedron.
+        parts and voids hardly change, the best of `solid_filtration(points).plateaus()`, and "plateau:2" the second. A
+        rule gives infinity if there is no tetrahedron.
     cover : float
         For "auto" and "min": the share of the points that must be covered, such as 0.99, so that single points do not
         decide.
@@ -62,20 +62,13 @@ def solid(
     (1.0, 6.0, (1, 0, 0), 12)
     """
     array = as_points(points, columns=3)
-    expected = "a radius: a number > 0, or inf; or a rule: 'auto', 'min' or 'plateau'"
-    if isinstance(alpha, str) and alpha not in ("auto", "min", "plateau"):
-        raise InvalidInput(f"alpha: found {shown(alpha)}, expected {expected}")
     share = as_share(cover, "cover")
-    if share < 1 and alpha not in ("auto", "min"):
-        raise InvalidInput(f"cover: found {shown(share)} with alpha {shown(alpha)}, expected alpha 'auto' or 'min'")
-    radius = math.inf if isinstance(alpha, str) else as_number(alpha, "alpha", expected)
-    made = Solid(array, radius, _core.solid(array, radius, as_threads(threads), progress))
-    if not isinstance(alpha, str):
+    choice = as_choice(alpha, share)
+    made = Solid(array, choice.radius, _core.solid(array, choice.radius, as_threads(threads), progress))
+    if choice.is_given:
         return made
-    if alpha == "plateau":
-        found = _core.solid_plateaus(array, made.simplices, made.neighbors, made.radii, len(array) - len(made.duplicates))
-        return made.within(found[0][2] if found else math.inf)
-    return made.within(_core.solid_alpha(made.simplices, made.neighbors, made.radii, alpha == "auto", share))
+    distinct = len(array) - len(made.duplicates)
+    return made.within(_core.choose_solid_alpha(array, made.simplices, made.neighbors, made.radii, distinct, choice))
 
 
 class BallUnion(NamedTuple):

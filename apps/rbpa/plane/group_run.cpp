@@ -11,10 +11,8 @@
 namespace rbpa::app {
 
 GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets) {
-  const AlphaChoice choice = parse_alpha(arguments.radius, ChosenFor::groups);
-  const std::optional<std::string> column =
-      choice.rule == AlphaRule::column ? std::optional(choice.column) : std::nullopt;
-  const GroupSources sources = parse_group_sources(arguments, arguments, column);
+  const AlphaOption alpha = parse_alpha(arguments.radius, ChosenFor::groups);
+  const GroupSources sources = parse_group_sources(arguments, arguments, alpha.column);
   const GroupRequest request{
       .complex = parse_request(arguments, ChosenFor::groups), .sources = sources, .targets = targets};
   std::vector<std::string> outputs = given({arguments.stats});
@@ -25,14 +23,10 @@ GroupRequest parse_group_request(const ComplexArguments& arguments, const std::v
 
 namespace {
 
-/// Returns how each group finds its radius. The result keeps spans of both arguments.
-GroupAlpha group_alpha(const AlphaChoice& choice, const NamedGroups& named) {
-  GroupAlpha alpha;
-  if (choice.rule == AlphaRule::given) alpha.given = {&choice.radius, 1};
-  if (choice.rule == AlphaRule::column) alpha.given = named.radii;
-  alpha.covering = {.share = choice.cover};
-  if (choice.rule == AlphaRule::automatic) alpha.covering.max_components = choice.max_components;
-  if (choice.rule == AlphaRule::plateau) alpha.plateau = choice.rank;
+/// Returns the choice for each group. The result keeps a span of the radii of `named`.
+GroupAlpha group_alpha(const AlphaOption& option, const NamedGroups& named) {
+  GroupAlpha alpha{.choice = option};
+  if (option.column) alpha.given = named.radii;
   return alpha;
 }
 
@@ -71,12 +65,12 @@ NamedShapes GroupRun::named_shapes() const {
 }
 
 void GroupRun::finish() {
-  const AlphaChoice& choice = request.complex.alpha;
+  const AlphaOption& alpha = request.complex.alpha;
   if (stats_file) {
     stats.write_seconds = lap();
     stats.threads = threads_used(named.file.points.size(), options().threads);
-    stats.alpha_rule = name_of(choice);
-    if (choice.rule == AlphaRule::given) stats.alpha = choice.radius;
+    stats.alpha_rule = name_of(alpha);
+    if (alpha.rule == AlphaRule::given && !alpha.column) stats.alpha = alpha.radius;
     stats.groups = GroupStats{named.names.size(), shapes.problems.size(), triangles()};
     stats.polygons = shapes.polygons.size();
     stats.of_polygons = total(shapes.polygons);

@@ -9,7 +9,7 @@
 #include "io/polygon/shape_files.h"
 #include "plane/named_groups.h"
 #include "rbpa/plane/groups.h"
-#include "shared/alpha_choice.h"
+#include "shared/alpha_option.h"
 #include "shared/complex_run.h"
 #include "shared/run.h"
 #include "shared/stats.h"

@@ -6,7 +6,7 @@
 #include "io/interrupt.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
 #include "rbpa/rbpa.h"
-#include "shared/alpha_choice.h"
+#include "shared/alpha_option.h"
 #include "shared/method.h"
 
 namespace rbpa::app {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/alpha_choice.h"
+#include "shared/alpha_option.h"
 #include "shared/method.h"
 #include "shared/point_arguments.h"
 #include "shared/run.h"
@@ -27,7 +27,7 @@ struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
 struct ComplexRequest {
   RunOptions options;
   PointSource source;
-  AlphaChoice alpha;
+  AlphaOption alpha;
   Method method;
   int width;                 ///< of pictures, in pixels
   double bytes_a_point = 0;  ///< memory that the run takes beyond the points, in bytes for each; 0: not checked

@@ -8,7 +8,7 @@
 
 #include "io/formats.h"
 #include "io/polygon/ogr.h"
-#include "shared/alpha_choice.h"
+#include "shared/alpha_option.h"
 #include "shared/method.h"
 #include "shared/run.h"
 

@@ -18,6 +18,7 @@
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
+#include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "shared/progress.h"
@@ -90,7 +91,7 @@ void PeriodicRun::warning_range() const {
 }
 
 void PeriodicRun::build() {
-  const SolidAlpha& alpha = request_.alpha;
+  const AlphaChoice& alpha = request_.alpha;
   // Voids consist of the tetrahedra above alpha.
   const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
@@ -122,9 +123,10 @@ void PeriodicRun::select_within() {
   const std::vector<double> radii =
       circumradii(solid_.positions, solid_.simplices, options().threads, until_interrupted());
   stop_if_interrupted();
-  facts_.alpha_rule = name_of({.rule = request_.alpha.rule});
+  facts_.alpha_rule = name_of(request_.alpha);
   if (request_.alpha.rule != AlphaRule::given) {
-    facts_.alpha = request_.alpha.choose(without_offsets(solid_), radii);
+    facts_.alpha =
+        choose_solid_alpha(request_.alpha, file_.points, without_offsets(solid_), radii, until_interrupted()).alpha;
     stop_if_interrupted();
   }
   if (is_counted())

@@ -8,26 +8,12 @@
 #include "io/bytes/number.h"
 #include "io/failure.h"
 #include "picture/picture.h"
+#include "shared/alpha_option.h"
 #include "shared/progress.h"
 #include "space/void_files.h"
 
 namespace rbpa::app {
 namespace {
-
-SolidAlpha parse_alpha(const std::string& text) {
-  if (text == "auto") return {.rule = AlphaRule::automatic};
-  if (text == "min") return {.rule = AlphaRule::least};
-  if (text == "plateau") return {.rule = AlphaRule::plateau};
-  if (constexpr std::string_view ranked = "plateau:"; text.starts_with(ranked))
-    return {.rule = AlphaRule::plateau,
-            .rank = parse_whole("--alpha plateau", text.substr(ranked.size()), {.least = 1})};
-  const ParsedNumber number = parse_whole_number(text);
-  const bool is_infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (!is_infinite && (number.fault != NumberFault::none || !(number.value > 0)))
-    throw WrongUsage("--alpha: found " + in_quotes(text) +
-                     ", expected a radius: a number above 0, or inf; or a rule: auto, min, plateau or plateau:K");
-  return {.radius = number.value};
-}
 
 Target parse_boundary(const std::string& path) {
   const std::optional<Format> format = find_format(Use::boundary, ending(path));
@@ -111,7 +97,7 @@ SolidRequest parse(const SolidArguments& arguments) {
   const bool has_names = arguments.json || arguments.voids || arguments.pockets;
   SolidRequest request{
       .source = parse_space_source(arguments, has_names ? columns_of_names() : std::vector<WantedColumn>()),
-      .alpha = parse_alpha(arguments.alpha),
+      .alpha = parse_alpha({.alpha = arguments.alpha, .cover = arguments.cover}),
       .box = {},
       .targets = {},
       .boundary = {},
@@ -120,11 +106,6 @@ SolidRequest parse(const SolidArguments& arguments) {
       .walls = parse_walls(arguments),
       .width = parse_width(arguments.width),
       .run = parse_run(arguments.run)};
-  if (arguments.cover) {
-    if (request.alpha.rule == AlphaRule::given || request.alpha.rule == AlphaRule::plateau)
-      throw WrongUsage("--cover applies only to --alpha auto or min");
-    request.alpha.cover = parse_cover(*arguments.cover);
-  }
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
     throw WrongUsage("--balls requires a finite --alpha");
   if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
@@ -151,9 +132,8 @@ std::string text_of_progress(const Progress& progress, double seconds) {
   return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
 }
 
-std::string text_of(const SolidAlpha& alpha, double radius) {
-  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of({.rule = alpha.rule, .rank = alpha.rank}) + " = ") +
-         text_of(radius);
+std::string text_of(const AlphaChoice& alpha, double radius) {
+  return "alpha " + (alpha.rule == AlphaRule::given ? "" : name_of(alpha) + " = ") + text_of(radius);
 }
 
 }  // namespace rbpa::app

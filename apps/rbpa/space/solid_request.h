@@ -4,16 +4,13 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "rbpa/base/alpha_choice.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/space/solid/solid.h"
-#include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/solid/voids.h"
-#include "shared/alpha_choice.h"
 #include "shared/arguments.h"
 #include "shared/point_arguments.h"
 #include "shared/run.h"
@@ -21,23 +18,9 @@
 
 namespace rbpa::app {
 
-/// A radius, or the rule that chooses it from the triangulation of the points.
-struct SolidAlpha {
-  AlphaRule rule = AlphaRule::given;
-  double radius = std::numeric_limits<double>::infinity();
-  double cover = 1;      ///< share of the points, for `automatic` and `least`
-  std::size_t rank = 1;  ///< for `plateau`: 1 is the best
-
-  /// Returns the radius that the rule chooses from all tetrahedra. Requires: the rule is `automatic` or `least`.
-  double choose(const Solid& delaunay, std::span<const double> radii) const {
-    return rule == AlphaRule::least ? min_alpha(delaunay, radii, cover, until_interrupted())
-                                    : auto_alpha(delaunay, radii, cover, until_interrupted());
-  }
-};
-
 struct SolidRequest {
   SpacePointSource source;
-  SolidAlpha alpha;
+  AlphaChoice alpha;
   std::optional<Point3> box;  ///< sides of the periodic box; all 0: those of the input's cell
   std::vector<Target> targets;
   std::optional<Target> boundary, voids, pockets;
@@ -58,6 +41,6 @@ SolidRequest parse(const SolidArguments& arguments);
 std::string text_of_progress(const Progress& progress, double seconds);
 
 /// Returns "alpha auto = 0.3".
-std::string text_of(const SolidAlpha& alpha, double radius);
+std::string text_of(const AlphaChoice& alpha, double radius);
 
 }  // namespace rbpa::app

@@ -18,7 +18,7 @@
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/full_topology.h"
-#include "rbpa/space/persistence/solid_plateaus.h"
+#include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/surface/split_fans.h"
@@ -51,7 +51,7 @@ class SolidRun : public Run {
   bool has_boundary() const;
   void build();
   void select_within();
-  double alpha_of_plateau() const;
+  void choose_alpha();
   void find_boundary();
   void count();
   void count_full_complex();
@@ -87,7 +87,7 @@ bool SolidRun::has_boundary() const {
 }
 
 void SolidRun::build() {
-  const SolidAlpha& alpha = request_.alpha;
+  const AlphaChoice& alpha = request_.alpha;
   const bool is_given = alpha.rule == AlphaRule::given, needs_all = !is_given || is_full() || has_lives();
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
@@ -101,38 +101,37 @@ void SolidRun::build() {
   facts_.distinct = solid_.distinct;
   facts_.alpha = alpha.radius;
   facts_.walls = request_.walls;
-  facts_.alpha_rule = name_of({.rule = alpha.rule, .rank = alpha.rank});
+  facts_.alpha_rule = name_of(alpha);
   facts_.threads = options().threads_or_all();
   facts_.build_seconds = lap();
   if (needs_all) select_within();
   facts_.isolated = solid_.isolated.size();
 }
 
-/// Chooses alpha by the rule if there is one, and selects the tetrahedra of the triangulation up to it.
+/// Chooses alpha, and selects the tetrahedra of the triangulation up to it.
 void SolidRun::select_within() {
   const ProgressLine line = options().line("alpha");
   radii_ = circumradii(file_.points, solid_.simplices, options().threads, until_interrupted());
   stop_if_interrupted();
   triangulation_ = std::move(solid_);
-  if (request_.alpha.rule == AlphaRule::plateau)
-    facts_.alpha = alpha_of_plateau();
-  else if (request_.alpha.rule != AlphaRule::given)
-    facts_.alpha = request_.alpha.choose(triangulation_, radii_);
+  choose_alpha();
   solid_ = within(triangulation_, radii_, facts_.alpha);
   stop_if_interrupted();
   facts_.choose_seconds = lap();
 }
 
-double SolidRun::alpha_of_plateau() const {
-  const std::vector<SolidPlateau> found = solid_plateaus(file_.points, triangulation_, radii_, until_interrupted());
-  const std::string name = name_of({.rule = AlphaRule::plateau, .rank = request_.alpha.rank});
-  if (found.empty()) return std::numeric_limits<double>::infinity();
-  if (request_.alpha.rank > found.size())
-    throw WrongUsage("--alpha " + name + (found.size() == 1 ? ": there is only " : ": there are only ") +
-                     counted(found.size(), "plateau") + " (rbpa alpha POINTS --dimension 3 lists them)");
-  if (!found.front().is_long)
-    summarize("--alpha " + name + ": no range of alpha stands out, and the longest one may be chance");
-  return found[request_.alpha.rank - 1].alpha;
+/// Finds facts_.alpha: given, or chosen by the rule among all tetrahedra.
+void SolidRun::choose_alpha() {
+  ChosenSolidAlpha chosen;
+  try {
+    chosen = choose_solid_alpha(request_.alpha, file_.points, triangulation_, radii_, until_interrupted());
+  } catch (const InvalidInput& e) {
+    throw WrongUsage("--" + std::string(e.what()) + " (rbpa alpha POINTS --dimension 3 lists them)");
+  }
+  facts_.alpha = chosen.alpha;
+  if (!chosen.plateaus.empty() && !chosen.plateaus.front().is_long)
+    summarize("--alpha " + name_of(request_.alpha) +
+              ": no range of alpha stands out, and the longest one may be chance");
 }
 
 void SolidRun::find_boundary() {

@@ -8,7 +8,7 @@
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/solid/solid_radii.h"
-#include "shared/alpha_choice.h"
+#include "shared/alpha_option.h"
 #include "shared/progress.h"
 #include "shared/stats.h"
 #include "space/solid_request.h"

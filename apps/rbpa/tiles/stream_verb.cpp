@@ -18,19 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 double parse_finite_alpha(const RadiusArguments& arguments) {
-  const std::string text = arguments.alpha.value_or("");
-  const bool is_word = text.starts_with("auto") || text.starts_with("min") || text.starts_with("plateau");
   const std::string advice = " (rbpa alpha on a sample of the points shows them)";
-  if (is_word)
-    throw WrongUsage("--alpha: found " + in_quotes(text) +
+  const AlphaOption option = parse_alpha(arguments);
+  if (option.rule != AlphaRule::given)
+    throw WrongUsage("--alpha: found " + in_quotes(*arguments.alpha) +
                      ", expected a radius: choosing one needs all points in memory" + advice);
-  const AlphaChoice choice = parse_alpha(arguments);
-  if (std::isinf(choice.radius))
+  if (std::isinf(option.radius))
     throw WrongUsage(
         "--alpha: found inf, expected a finite radius: an unbounded circle may pass through any points, so no "
         "tile would be complete" +
         advice);
-  return choice.radius;
+  return option.radius;
 }
 
 std::vector<PointSource> parse_sources(const StreamArguments& arguments) {

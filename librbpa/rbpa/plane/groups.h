@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
+#include "rbpa/base/alpha_choice.h"
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/outline_polygons.h"
-#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa {
 
@@ -65,14 +65,11 @@ RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups
 
 /// The choice of the radius of each group.
 struct GroupAlpha {
-  /// One radius for all groups, or one for each; empty: the radii are chosen.
+  /// One radius for all groups, or one for each; empty: `choice` has the radius or the rule.
   std::span<const double> given = {};
-  /// A condition (covering.h): each group gets the least radius that satisfies it. By default all points of a group
-  /// must be in one component.
-  Covering covering = {.share = 1, .max_components = 1};
-  /// If above 0, each group gets the radius of the plateau of this rank (plateaus.h), or of the last plateau if there
-  /// are fewer.
-  std::size_t plateau = 0;
+  /// The radius of all groups, or the rule that chooses a radius for each. By default all points of a group must be in
+  /// one component. A rank above the number of a group's plateaus means its last plateau.
+  AlphaChoice choice = {.rule = AlphaRule::automatic};
 };
 
 struct GroupShapesOptions : GroupOptions {

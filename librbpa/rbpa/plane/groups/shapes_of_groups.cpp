@@ -13,6 +13,7 @@
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/alpha_complex.h"
+#include "rbpa/plane/choose_alpha.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
@@ -102,10 +103,9 @@ class GroupShaper {
                "), expected finite coordinates";
     double& alpha = made.alphas.back();
     AlphaComplex complex;
-    if (!alpha_.given.empty()) {
-      const double given = alpha_.given[alpha_.given.size() == 1 ? 0 : group.number];
-      if (!(given > 0)) return "alpha is " + text(given) + ", expected a radius above 0, or infinity";
-      alpha = given;
+    if (const std::optional<double> given = given_for(group.number)) {
+      if (!(*given > 0)) return "alpha is " + text(*given) + ", expected a radius above 0, or infinity";
+      alpha = *given;
       complex = alpha_complex(group.points, alpha, of_group);
     } else {
       const Delaunay delaunay(group.points, of_group);
@@ -127,13 +127,19 @@ class GroupShaper {
     return "no triangle has circumradius <= " + text(alpha);
   }
 
+  /// Returns the given radius of a group; nothing if a rule chooses it.
+  std::optional<double> given_for(std::size_t group) const {
+    if (!alpha_.given.empty()) return alpha_.given[alpha_.given.size() == 1 ? 0 : group];
+    return alpha_.choice.rule == AlphaRule::given ? std::optional(alpha_.choice.radius) : std::nullopt;
+  }
+
   /// Returns the complex at the chosen radius, which is stored in `alpha`; all triangles if there is no radius.
   AlphaComplex choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
     Steps step(go_on);
-    if (alpha_.plateau == 0) {
+    if (alpha_.choice.rule != AlphaRule::plateau) {
       const std::vector<double> radii = radii_of(delaunay, step);
-      const std::optional<double> smallest = smallest_covering(delaunay, radii, alpha_.covering, step);
+      const std::optional<double> smallest = smallest_covering(delaunay, radii, covering_of(alpha_.choice), step);
       if (!smallest) return delaunay.triangulation();
       alpha = *smallest;
       return complex_at(delaunay, radii, alpha);
@@ -141,7 +147,7 @@ class GroupShaper {
     const Filtration all = filtration(delaunay, go_on);
     const std::vector<Plateau> found = plateaus(delaunay, all, go_on);
     if (found.empty()) return delaunay.triangulation();
-    alpha = found[std::min(alpha_.plateau, found.size()) - 1].alpha;
+    alpha = found[std::min(alpha_.choice.rank, found.size()) - 1].alpha;
     return complex_at(delaunay, all, alpha);
   }
 
@@ -177,6 +183,7 @@ void check(const GroupAlpha& alpha, std::size_t groups) {
     throw InvalidInput("alpha: found " + std::to_string(given) + " radii for " + std::to_string(groups) +
                        " groups, expected as many, or one for all");
   if (given == 1) check(std::span<const Point>(), alpha.given[0]);
+  if (given == 0 && alpha.choice.rule == AlphaRule::given) check(std::span<const Point>(), alpha.choice.radius);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/plane/choose_alpha.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/groups.h"
 #include "rbpa/plane/plateaus.h"
@@ -21,6 +22,7 @@
 
 using namespace rbpa_test;
 using rbpa::AlphaComplex;
+using rbpa::AlphaRule;
 using rbpa::GroupProblem;
 using rbpa::Groups;
 using rbpa::GroupShapes;
@@ -72,10 +74,10 @@ Alone alone(const Points& points, std::span<const std::uint32_t> members, const 
   if (std::isnan(given)) {
     const AlphaComplex all = rbpa::alpha_complex(of, infinity, {.neighbors = true});
     const rbpa::Filtration steps = rbpa::filtration(all, of);
-    if (alpha.plateau == 0)
-      found.alpha = rbpa::smallest_covering(all, steps, alpha.covering).value_or(none);
+    if (alpha.choice.rule != AlphaRule::plateau)
+      found.alpha = rbpa::smallest_covering(all, steps, rbpa::covering_of(alpha.choice)).value_or(none);
     else if (const auto plateaus = rbpa::plateaus(all, of, steps); !plateaus.empty())
-      found.alpha = plateaus[std::min(alpha.plateau, plateaus.size()) - 1].alpha;
+      found.alpha = plateaus[std::min(alpha.choice.rank, plateaus.size()) - 1].alpha;
   }
   if (std::isnan(found.alpha)) return found;
   const AlphaComplex complex = rbpa::alpha_complex(of, found.alpha, {.neighbors = true});
@@ -116,7 +118,8 @@ void check_as_alone(const Points& points, const Groups& groups, const rbpa::Grou
   std::size_t problems = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     CAPTURE(g);
-    const double given = alpha.given.empty() ? none : alpha.given[alpha.given.size() == 1 ? 0 : g];
+    const double for_all = alpha.choice.rule == AlphaRule::given ? alpha.choice.radius : none;
+    const double given = alpha.given.empty() ? for_all : alpha.given[alpha.given.size() == 1 ? 0 : g];
     const Alone expected = alone(points, groups[g], alpha, given);
     CHECK((found.alphas[g] == expected.alpha || (std::isnan(found.alphas[g]) && std::isnan(expected.alpha))));
     const auto polygon = [&](std::size_t at) { return found.polygons.begin() + static_cast<std::ptrdiff_t>(at); };
@@ -162,9 +165,10 @@ TEST_CASE("each group has the result of a call with its points alone, by every r
   check_as_alone(sets.points, groups, {.given = one});
   check_as_alone(sets.points, groups, {.given = all});
   check_as_alone(sets.points, groups, {});
-  check_as_alone(sets.points, groups, {.covering = {.share = 0.9}});
-  check_as_alone(sets.points, groups, {.plateau = 1});
-  check_as_alone(sets.points, groups, {.plateau = 2});
+  check_as_alone(sets.points, groups, {.choice = {.radius = 1}});
+  check_as_alone(sets.points, groups, {.choice = {.rule = AlphaRule::least, .cover = 0.9}});
+  check_as_alone(sets.points, groups, {.choice = {.rule = AlphaRule::plateau}});
+  check_as_alone(sets.points, groups, {.choice = {.rule = AlphaRule::plateau, .rank = 2}});
   std::vector<double> each;
   for (std::size_t g = 0; g < groups.size(); ++g)
     each.push_back(random.chance(0.2) ? infinity : std::ldexp(1.0, random.integer(-3, 6)));
@@ -243,7 +247,8 @@ TEST_CASE("wrong labels, offsets, members and radii are refused") {
   const double two[] = {1, 2}, zero[] = {0};
   CHECK(refusal(points, {{0, 1, 2, 3}, {0, 1, 2}}, {.given = two}) ==
         "alpha: found 2 radii for 3 groups, expected as many, or one for all");
-  CHECK(refusal(points, {{0, 3}, {0, 1, 2}}, {.given = zero}) == "alpha is 0, expected a radius above 0, or infinity");
+  for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = zero}, {.choice = {.radius = 0}}})
+    CHECK(refusal(points, {{0, 3}, {0, 1, 2}}, alpha) == "alpha is 0, expected a radius above 0, or infinity");
 }
 
 TEST_CASE("every group is visited once, with its points; an exception or cancelling ends the run") {
@@ -296,7 +301,8 @@ TEST_CASE("work on a large group can be cancelled, by every rule") {
   const Points points = uniform(120000, 5);
   const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 1), 3);
   const double one[] = {60.0}, tiny[] = {1e-9};  // it has no polygons
-  for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = one}, {.given = tiny}, {}, {.plateau = 1}})
+  for (const rbpa::GroupAlpha& alpha :
+       {rbpa::GroupAlpha{.given = one}, {.given = tiny}, {}, {.choice = {.rule = AlphaRule::plateau}}})
     for (const unsigned threads : {1U, 2U}) {
       std::size_t calls = 0;
       const auto first_group = [&](std::size_t done) {

@@ -1,0 +1,59 @@
+// What: `--alpha`: a radius as the command line gives it, or a rule by which the points choose one.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rbpa/base/alpha_choice.h"
+#include "rbpa/base/point.h"
+#include "rbpa/plane/plateaus.h"
+#include "shared/run.h"
+
+namespace rbpa::app {
+
+/// The options about the radius, as text: exactly one of the first three is present.
+struct RadiusArguments {
+  std::optional<std::string> alpha = std::nullopt;
+  std::optional<std::string> squared = std::nullopt;  ///< the square of the radius, as in CGAL and PostGIS
+  std::optional<std::string> inverse = std::nullopt;  ///< one over the radius, as in Python's alphashape
+  std::optional<std::string> components = std::nullopt;
+  std::optional<std::string> cover = std::nullopt;
+};
+
+/// A choice, and how the command line gave it.
+struct AlphaOption : AlphaChoice {
+  std::optional<std::string> column = std::nullopt;  ///< "column:NAME", for groups only: the column of the radii
+  std::string converted = {};                        ///< " of --alpha-squared 25" if the radius was given that way
+};
+
+/// Parses a number of solid components: at least 1. Throws WrongUsage.
+std::size_t parse_components(const std::string& components);
+
+/// Parses a share of the points: above 0 and at most 1. Throws WrongUsage.
+double parse_cover(const std::string& cover);
+
+enum class ChosenFor { all_points, groups };
+
+/// Parses the options about the radius. Throws WrongUsage that names the value, or an option that does not apply to
+/// this choice. Requires: exactly one of the first three arguments is present.
+AlphaOption parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
+
+/// Returns the name of the choice, or "column:r".
+std::string name_of(const AlphaOption& option);
+
+/// Returns the radius that the rule chooses, or nothing if the points have no triangle at any radius. Every rule
+/// triangulates the points, with a progress line unless quiet; a given radius is returned at once.
+/// Throws Cancelled after a signal, WrongUsage if there are fewer plateaus than the rank.
+std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
+
+/// Returns a warning about uneven density if the best plateau is one piece of dense points, such as the lines of a
+/// scanner, and another plateau also covers the space between them; else "".
+std::string warning_on_density(const std::vector<Plateau>& plateaus);
+
+/// Returns ", alpha auto = 0.25" for a summary, in digits that read back to the same radius; "" for a radius that was
+/// given as such.
+std::string said(const AlphaOption& option, std::optional<double> alpha);
+
+}  // namespace rbpa::app
