@@ -7,6 +7,11 @@
 
 namespace rbpa::app {
 
+/// The reader of points of a format (io/cloud/cloud.h); each is defined in the source that reads the format.
+struct CloudFormat;
+extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
+    ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, cif_reader;
+
 enum class Format {
   text,  // a table, one point per line
   pts,   // a table that may begin with the number of points
@@ -70,7 +75,8 @@ struct FormatRow {
   std::string_view endings;  ///< separated by blanks; help and messages list them
   std::string_view aliases;  ///< further endings and names, which are not listed
   Format format;
-  unsigned uses;  ///< of Use, joined by |
+  unsigned uses;                        ///< of Use, joined by |
+  const CloudFormat* points = nullptr;  ///< reads points; null for geometries and pixels, which are no columns
 
   constexpr bool is_for(Use use) const { return (uses & static_cast<unsigned>(use)) != 0; }
 };
@@ -78,24 +84,27 @@ struct FormatRow {
 /// All formats, in the order in which help and messages list them. A format may have several rows, but an ending only
 /// one for each use.
 inline constexpr FormatRow format_table[] = {
-    {"xy", "", Format::text, 0U | Use::points},
-    {"txt csv tsv xyz", "text", Format::text, Use::points | Use::space},
-    {"pts", "", Format::pts, Use::points | Use::space},
-    {"xyzn", "", Format::xyzn, Use::points | Use::space},
-    {"xyzrgb", "", Format::xyzrgb, Use::points | Use::space},
-    {"las", "", Format::las, Use::points | Use::space},
-    {"off", "", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary},
-    {"ply", "", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary},
+    {"xy", "", Format::text, 0U | Use::points, &table_reader},
+    {"txt csv tsv xyz", "text", Format::text, Use::points | Use::space, &table_reader},
+    {"pts", "", Format::pts, Use::points | Use::space, &pts_reader},
+    {"xyzn", "", Format::xyzn, Use::points | Use::space, &xyzn_reader},
+    {"xyzrgb", "", Format::xyzrgb, Use::points | Use::space, &xyzrgb_reader},
+    {"las", "", Format::las, Use::points | Use::space, &las_reader},
+    {"off", "", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary,
+     &off_reader},
+    {"ply", "", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary,
+     &ply_reader},
     {"obj", "", Format::obj,
      Use::space | Use::mesh | Use::triangles | Use::full | Use::surface | Use::boundary | Use::polylines | Use::voids |
-         Use::cycles},
+         Use::cycles,
+     &obj_reader},
     {"stl", "", Format::stl, Use::mesh | Use::surface | Use::boundary},
-    {"pcd", "", Format::pcd, 0U | Use::space},
-    {"pdb", "ent", Format::pdb, 0U | Use::space},
-    {"cif", "mmcif", Format::cif, 0U | Use::space},
+    {"pcd", "", Format::pcd, 0U | Use::space, &pcd_reader},
+    {"pdb", "ent", Format::pdb, 0U | Use::space, &pdb_reader},
+    {"cif", "mmcif", Format::cif, 0U | Use::space, &cif_reader},
     {"npy", "", Format::npy,
-     Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid},
-    {"f64xy", "", Format::raw, 0U | Use::points},
+     Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid, &npy_reader},
+    {"f64xy", "", Format::raw, 0U | Use::points, &raw_reader},
     {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
     {"glb", "", Format::glb, Use::surface | Use::boundary},
     {"vtu", "", Format::vtu, Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::cycles},

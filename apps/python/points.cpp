@@ -26,8 +26,7 @@ namespace {
 using app::Format;
 using MaybeText = std::optional<std::string>;
 
-Format format_of(const std::string& path, const MaybeText& name, bool space) {
-  const app::Use use = space ? app::Use::space : app::Use::points;
+Format format_of(const std::string& path, const MaybeText& name, app::Use use) {
   if (const std::optional<Format> found = app::find_format(use, name ? *name : app::input_ending(path))) return *found;
   if (name) app::refuse_name("format", *name, app::endings(use));
   app::refuse_input(path, use, "format");
@@ -36,11 +35,14 @@ Format format_of(const std::string& path, const MaybeText& name, bool space) {
 /// Returns the requested columns, each of kind "number" or "text", or by its values if the kind is empty.
 using WantedFields = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<app::WantedColumn> columns_of(const WantedFields& fields, bool texts) {
+std::vector<app::WantedColumn> columns_of(const WantedFields& fields, app::Use use, bool texts) {
+  const auto has_texts = [](const app::CloudFormat& reader) {
+    return reader.fields != nullptr && reader.fields().texts;
+  };
   std::vector<app::WantedColumn> columns;
   for (const auto& [name, kind] : fields) {
     using Kind = app::WantedColumn::Kind;
-    app::require_format(texts || kind != "text", "fields", "without fields of text", "cif, pdb or text");
+    app::require_format(texts || kind != "text", "fields", "without fields of text", app::readable(use, has_texts));
     columns.push_back({.name = name,
                        .kind = !texts || kind == "number" ? Kind::number
                                : kind == "text"           ? Kind::text
@@ -52,14 +54,17 @@ std::vector<app::WantedColumn> columns_of(const WantedFields& fields, bool texts
 app::PointSource source_of(const std::string& path, bool space, const WantedFields& fields, const MaybeText& where,
                            const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
   app::PointSource source{.path = path, .skip_invalid = skip_invalid, .vertices = vertices};
-  source.format = format_of(path, format, space);
+  const app::Use use = space ? app::Use::space : app::Use::points;
+  source.format = format_of(path, format, use);
   const bool text = app::is_table(source.format);
   if (columns) {
     app::require_format(text, "columns", "with fixed columns", "text");
     source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);
   }
   if (skip_invalid)
-    app::require_format(text || source.format == Format::las, "skip_invalid", "without lines of points", "las or text");
+    app::require_format(app::has(source.format, &app::CloudFormat::skips_invalid), "skip_invalid",
+                        "without lines of points",
+                        app::readable(use, [](const app::CloudFormat& reader) { return reader.skips_invalid; }));
   if (vertices)
     app::require_format(
         !space &&
@@ -68,8 +73,8 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   if (where || !fields.empty()) {
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
     app::require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
-                        "cif, las, pcd, pdb, ply or text");
-    source.where.emplace(where.value_or(""), *names, columns_of(fields, names->texts));
+                        app::with_fields(use));
+    source.where.emplace(where.value_or(""), *names, columns_of(fields, use, names->texts));
   }
   return source;
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/cloud/cloud.h"
 #include "io/cloud/read_space_points.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "support/las_file.h"
 #include "support/lzf.h"

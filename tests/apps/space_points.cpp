@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "io/cloud/cloud.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "support/las_file.h"
 #include "support/mesh_files.h"

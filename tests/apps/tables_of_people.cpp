@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/bytes/number.h"
+#include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/fields.h"
 #include "support/program.h"
@@ -22,7 +22,7 @@ using namespace rbpa::app;
 namespace {
 
 PointFile read(const std::string& text, const CloudRequest& rule = {}) {
-  return read_plane_points(*open_table(Content(text, "t"), rule));
+  return read_plane_points(*table_reader.open(Content(text, "t"), rule));
 }
 
 std::string refusal(const std::string& text, const CloudRequest& rule = {}) {

@@ -167,7 +167,7 @@ def test_places_in_the_file_stay_where_lines_are_left_out(tmp_path):
     assert rbpa.read_points(path, skip_invalid=True, where="k != 3").index.tolist() == [0, 3]
     assert rbpa.read_points(las(tmp_path / "scan.las"), where="classification == 2").index.tolist() == [0, 1, 4]
     assert rbpa.read_points(tmp_path / "scan.las").index.tolist() == [0, 1, 2, 3, 4]
-    with pytest.raises(rbpa.InvalidInput, match="fields: found a format without fields of text, expected cif, pdb or text"):
+    with pytest.raises(rbpa.InvalidInput, match="fields: found a format without fields of text, expected text"):
         rbpa.read_points(tmp_path / "scan.las", fields={"intensity": str})
     with pytest.raises(rbpa.InvalidInput, match="fields: found <class 'bytes'> for 'k', expected float or str"):
         rbpa.read_points(path, fields={"k": bytes})

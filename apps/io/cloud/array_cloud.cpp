@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "io/bytes/npy.h"
-#include "io/cloud/readers.h"
+#include "io/cloud/cloud.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 
@@ -91,8 +91,6 @@ class ArrayCloud final : public Cloud {
   std::size_t first_ = 0;
 };
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_raw(Content content, const CloudRequest& request) {
   constexpr std::size_t row = 16;
   const std::size_t size = content.size();
@@ -114,5 +112,14 @@ std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
 double claimed_npy_size(std::string_view first, const std::string& name) {
   return read_npy_layout(first, unknown_size, name).end();
 }
+
+}  // namespace
+
+/// Reads raw numbers: pairs x, y of little-endian float64 and nothing else.
+const CloudFormat raw_reader = {.open = open_raw, .streams = true, .has_signature = false};
+
+/// Reads an array of NumPy: of shape (n, 2) or (n, 3); in space of shape (n, 3) or (n, 6), whose last three columns are
+/// normals. Ignores bytes behind the array, as NumPy does.
+const CloudFormat npy_reader = {.open = open_npy, .claim = claimed_npy_size, .streams = true};
 
 }  // namespace rbpa::app

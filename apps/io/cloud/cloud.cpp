@@ -4,42 +4,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "io/bytes/number.h"
 #include "io/cloud/images.h"
-#include "io/cloud/las_fields.h"
-#include "io/cloud/las_header.h"
-#include "io/cloud/off.h"
-#include "io/cloud/ply.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/signature.h"
 
 namespace rbpa::app {
 namespace {
-
-/// Returns any_size, as text claims no size. Refuses zero bytes, of which a few kilobytes would become a line of
-/// gigabytes, except in UTF-16, which its reader refuses with a better message.
-double claimed_text_size(std::string_view first, const std::string& name) {
-  const std::size_t zero = first.find('\0');
-  if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))
-    bad_input(name, "a zero byte at byte " + std::to_string(zero), "text");
-  return any_size;
-}
-
-constexpr CloudFormat cloud_formats[] = {{Format::text, open_table, claimed_text_size, names_of_columns, true},
-                                         {Format::pts, open_pts, claimed_text_size, names_of_columns, true},
-                                         {Format::xyzn, open_xyzn, claimed_text_size, names_of_columns, true},
-                                         {Format::xyzrgb, open_xyzrgb, claimed_text_size, names_of_columns, true},
-                                         {Format::las, open_las, claimed_las_size, names_of_las_fields, true},
-                                         {Format::npy, open_npy, claimed_npy_size, nullptr, true},
-                                         {Format::raw, open_raw, nullptr, nullptr, true},
-                                         {Format::ply, open_ply, claimed_ply_size, names_of_properties},
-                                         {Format::pcd, open_pcd, claimed_pcd_size, names_of_properties},
-                                         {Format::pdb, open_pdb, claimed_text_size, names_of_atoms},
-                                         {Format::cif, open_cif, claimed_text_size, names_of_atoms},
-                                         {Format::off, open_off, claimed_off_size},
-                                         {Format::obj, open_obj, claimed_text_size}};
 
 /// Returns the claim of the format that the content shows, or any_size if that claims nothing.
 double claimed_by_content(std::string_view first, const std::string& name) {
@@ -53,9 +26,49 @@ double claimed_by_content(std::string_view first, const std::string& name) {
 }  // namespace
 
 const CloudFormat* cloud_format(Format format) {
-  const auto found = std::find_if(std::begin(cloud_formats), std::end(cloud_formats),
-                                  [format](const CloudFormat& known) { return known.format == format; });
-  return found == std::end(cloud_formats) ? nullptr : found;
+  const auto found = std::find_if(std::begin(format_table), std::end(format_table), [format](const FormatRow& row) {
+    return row.format == format && row.points != nullptr;
+  });
+  return found == std::end(format_table) ? nullptr : found->points;
+}
+
+bool has(Format format, bool CloudFormat::*property) {
+  const CloudFormat* known = cloud_format(format);
+  return known != nullptr && known->*property;
+}
+
+std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit, std::vector<std::string> others) {
+  bool tables = false;
+  for (const FormatRow& row : format_table) {
+    if (!row.is_for(use) || row.points == nullptr || !fit(*row.points)) continue;
+    if (is_table(row.format))
+      tables = true;
+    else
+      others.emplace_back(row.endings);
+  }
+  std::sort(others.begin(), others.end());
+  if (tables) others.emplace_back("text");
+  std::string list;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == others.size() ? " or " : ", ") + others[i];
+  return list;
+}
+
+std::string with_fields(Use use, std::vector<std::string> others) {
+  return readable(
+      use, [](const CloudFormat& reader) { return reader.fields != nullptr; }, std::move(others));
+}
+
+double claimed_text_size(std::string_view first, const std::string& name) {
+  const std::size_t zero = first.find('\0');
+  if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))
+    bad_input(name, "a zero byte at byte " + std::to_string(zero), "text");
+  return any_size;
+}
+
+bool may_be_compressed(Format format, std::string_view path) {
+  const CloudFormat* known = cloud_format(format);
+  return known == nullptr || known->has_signature || is_gzip_name(path);
 }
 
 std::optional<FieldNames> fields_of(Format format) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -122,24 +123,46 @@ void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
 /// Returns `index`, or nothing if index[i] = i for all i.
 std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index);
 
-/// The reader of a format.
+/// The reader of a format, which a row of format_table names.
 struct CloudFormat {
-  Format format;
   /// Opens a file. Throws BadInput, and WrongUsage if two requested columns are one.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);
   double (*claim)(std::string_view first, const std::string& name) = nullptr;  ///< Claim::size
   FieldNames (*fields)() = nullptr;  ///< fields that CloudRequest::where may name; null if points have no fields
   bool streams = false;              ///< reads a file piece by piece; otherwise it has to be in memory
+  bool skips_invalid = false;        ///< CloudRequest::skip_invalid has a meaning
+  bool is_molecule = false;          ///< points are atoms, perhaps with a cell
+  bool has_signature = true;         ///< false: raw numbers, which are decompressed only if the name ends in .gz
 };
 
 /// Returns the reader of a format; null for formats whose points are no columns, such as geometries and pixels.
 const CloudFormat* cloud_format(Format format);
+
+/// Whether the format has points, and its reader has the property.
+bool has(Format format, bool CloudFormat::*property);
+
+/// Returns the formats of a use whose readers are `fit`, and `others`, for messages: "las, ply or text". All tables
+/// are "text".
+std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit, std::vector<std::string> others = {});
+
+/// Returns the formats of a use whose points have fields, and `others`, as readable().
+std::string with_fields(Use use, std::vector<std::string> others = {});
+
+/// Returns any_size, as text claims no size, for CloudFormat::claim. Refuses zero bytes, of which a few kilobytes would
+/// become a line of gigabytes, except in UTF-16, which its reader refuses with a better message.
+double claimed_text_size(std::string_view first, const std::string& name);
+
+/// Returns the rule for number properties of PLY and fields of PCD: any name.
+FieldNames names_of_properties();
 
 /// Returns the fields that `--where` may name; nothing if points of the format have no fields.
 std::optional<FieldNames> fields_of(Format format);
 
 /// Returns the claim of the size that a compressed file of the format makes, a file of points or of a mesh.
 Claim claim_of(Format format, bool skip_invalid = false);
+
+/// Whether a file that begins like a gzip file is decompressed. False for raw numbers, which may begin so by chance.
+bool may_be_compressed(Format format, std::string_view path);
 
 /// Throws BadInput unless all coordinates and normals are finite; the block's first point is point `first` of its file.
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name);

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "io/bytes/number.h"
+#include "io/cloud/cloud.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/las_header.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 
@@ -174,10 +174,14 @@ class LasCloud final : public Cloud {
   bool is_settled_ = false, ended_ = false;
 };
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_las(Content content, const CloudRequest& request) {
   return std::make_unique<LasCloud>(std::move(content), request);
 }
+
+}  // namespace
+
+/// Reads LAS 1.0 to 1.4, point formats 0 to 10, with red, green and blue unless all points are black.
+const CloudFormat las_reader = {
+    .open = open_las, .claim = claimed_las_size, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
 
 }  // namespace rbpa::app

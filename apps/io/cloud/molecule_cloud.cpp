@@ -8,7 +8,6 @@
 
 #include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/text/fields.h"
@@ -163,6 +162,20 @@ class MoleculeCloud final : public Cloud {
   std::size_t atoms_ = 0, water_atoms_ = 0;
 };
 
+FieldNames names_of_atoms() {
+  std::string all;
+  for (const std::string_view column : atom_columns) (all += all.empty() ? "" : ", ") += column;
+  return {[](std::string_view word) { return atom_column(word) != no_atom_column; }, "a column of atoms: " + all, true};
+}
+
+std::unique_ptr<Cloud> open_pdb(Content content, const CloudRequest& request) {
+  return std::make_unique<MoleculeCloud>(std::move(content), request, pdb_atoms);
+}
+
+std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request) {
+  return std::make_unique<MoleculeCloud>(std::move(content), request, cif_atoms);
+}
+
 }  // namespace
 
 std::size_t atom_column(std::string_view name) {
@@ -201,17 +214,11 @@ std::string_view without_uncertainty(std::string_view number) {
   return is_one ? number.substr(0, bracket) : number;
 }
 
-FieldNames names_of_atoms() {
-  std::string all;
-  for (const std::string_view column : atom_columns) (all += all.empty() ? "" : ", ") += column;
-  return {[](std::string_view word) { return atom_column(word) != no_atom_column; }, "a column of atoms: " + all, true};
-}
-
-std::unique_ptr<Cloud> open_pdb(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(std::move(content), request, pdb_atoms);
-}
-std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(std::move(content), request, cif_atoms);
-}
+/// Read the atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and
+/// HETATM, and PDBx/mmCIF's _atom_site, with atom_columns as their fields. Requires: content in memory.
+const CloudFormat pdb_reader = {
+    .open = open_pdb, .claim = claimed_text_size, .fields = names_of_atoms, .is_molecule = true};
+const CloudFormat cif_reader = {
+    .open = open_cif, .claim = claimed_text_size, .fields = names_of_atoms, .is_molecule = true};
 
 }  // namespace rbpa::app

@@ -8,7 +8,6 @@
 
 #include "io/bytes/number.h"
 #include "io/cloud/colors.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/vertex_lines.h"
 #include "rbpa/base/point3.h"
@@ -162,10 +161,15 @@ class ObjCloud final : public Cloud {
   bool is_read_ = false;
 };
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_obj(Content content, const CloudRequest&) {
   return std::make_unique<ObjCloud>(std::move(content));
 }
+
+}  // namespace
+
+/// Reads the lines "v" of OBJ, with colors if they have six numbers or more, and "vn". A vertex has the normal that the
+/// corners of faces give it. If faces name no normals, and there are equally many vertices and normals, they belong
+/// together in their order. If neither gives every vertex a normal, there are none.
+const CloudFormat obj_reader = {.open = open_obj, .claim = claimed_text_size};
 
 }  // namespace rbpa::app

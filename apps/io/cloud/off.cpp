@@ -6,7 +6,6 @@
 #include "io/bytes/claim.h"
 #include "io/bytes/number.h"
 #include "io/cloud/element_cloud.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
@@ -98,8 +97,6 @@ std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
   return in_space || !take_word(first).empty() ? 3 : 2;
 }
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
   const std::string_view text = content.ahead();
   const OffHeader off = read_off_header(text, text.size(), content.name());
@@ -113,5 +110,10 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
   if (!request.in_space && numbers == 3) layout.height = 2;
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
+
+}  // namespace
+
+/// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF. Does not read the faces.
+const CloudFormat off_reader = {.open = open_off, .claim = claimed_off_size};
 
 }  // namespace rbpa::app

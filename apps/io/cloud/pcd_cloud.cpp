@@ -9,7 +9,6 @@
 #include "io/bytes/lzf.h"
 #include "io/bytes/scalar.h"
 #include "io/cloud/element_cloud.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
 #include "io/text/plain_text.h"
@@ -218,8 +217,6 @@ std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
                         name + ": behind line " + std::to_string(header.lines));
 }
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
   auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.ahead().size(), content.name()).read();
   PointLayout layout = lay_out(header.elements.front(), request, content.name());
@@ -239,5 +236,11 @@ double claimed_pcd_size(std::string_view first, const std::string& name) {
   const auto before = static_cast<double>(first.size() - header.data.size() + CompressedSizes::room);
   return header.data.size() < CompressedSizes::room ? before : before + CompressedSizes(header.data).compressed;
 }
+
+}  // namespace
+
+/// Reads PCD, the Point Cloud Library's format, versions 0.5 to 0.7, ASCII or binary, compressed or not: x, y, z;
+/// normal_x, normal_y, normal_z if all three are there; rgb or rgba.
+const CloudFormat pcd_reader = {.open = open_pcd, .claim = claimed_pcd_size, .fields = names_of_properties};
 
 }  // namespace rbpa::app

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "io/cloud/element_cloud.h"
-#include "io/cloud/readers.h"
 #include "io/failure.h"
 
 namespace rbpa::app {
@@ -41,12 +40,17 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
   return layout;
 }
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_ply(Content content, const CloudRequest& request) {
   PlyHeader header = read_ply_header(content.ahead(), content.name());
   PointLayout layout = lay_out(header, request, content.name());
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
+
+}  // namespace
+
+/// Reads the element "vertex" of PLY: x, y, z; nx, ny, nz if all three are there; and red, green, blue (of type uchar)
+/// if all three are there. Ignores everything else, but a binary file must hold it, so that a truncated file is
+/// noticed.
+const CloudFormat ply_reader = {.open = open_ply, .claim = claimed_ply_size, .fields = names_of_properties};
 
 }  // namespace rbpa::app

@@ -16,7 +16,9 @@ namespace {
 class CloudBlocks final : public PointBlocks {
  public:
   explicit CloudBlocks(const PointSource& source)
-      : source_(source), cloud_(open_plane_cloud(Content::of_file(source.path, may_be_compressed(source)), source)) {}
+      : source_(source),
+        cloud_(open_plane_cloud(Content::of_file(source.path, may_be_compressed(source.format, source.path)), source)) {
+  }
 
   bool next(std::vector<Point>& block) override {
     block.clear();

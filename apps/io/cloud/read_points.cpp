@@ -99,7 +99,8 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
   };
   const bool table = is_table(format);
   require(table || !columns, "--columns", "with fixed columns");
-  require(table || !skip_invalid || format == Format::las, "--skip-invalid", "without lines of points");
+  require(!skip_invalid || format == Format::by_content || has(format, &CloudFormat::skips_invalid), "--skip-invalid",
+          "without lines of points");
   require(table || !vertices || format == Format::geojson || format == Format::wkt, "--vertices",
           "without lines and polygons");
   if (!where) return;
@@ -110,13 +111,11 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
   require(names->texts || where->texts().empty(), "--where", "whose fields are numbers");
 }
 
-bool may_be_compressed(const PointSource& source) { return source.format != Format::raw || is_gzip_name(source.path); }
-
 PointFile read_points(const PointSource& source) {
   if (source.format == Format::ogr)
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
   Claim claim = claim_of(source.format, source.skip_invalid);
-  claim.may_be_compressed = may_be_compressed(source);
+  claim.may_be_compressed = may_be_compressed(source.format, source.path);
   const InputBytes input(source.path, "a file of points", claim,
                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);

@@ -31,9 +31,6 @@ struct PointSource {
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };
 
-/// Whether a file that begins like a gzip file is decompressed. False for raw numbers, which may begin so by chance.
-bool may_be_compressed(const PointSource& source);
-
 /// Reads the points in the order of the file, all finite. A gzip file is decompressed. Throws BadInput with the file,
 /// the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);

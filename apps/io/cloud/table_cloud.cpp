@@ -5,7 +5,6 @@
 
 #include "io/bytes/number.h"
 #include "io/cloud/colors.h"
-#include "io/cloud/readers.h"
 #include "io/cloud/table_beginning.h"
 #include "io/cloud/table_lines.h"
 #include "io/failure.h"
@@ -404,19 +403,47 @@ class TableCloud final : public Cloud {
   double z_ = none;           // of the point that is being read
 };
 
-}  // namespace
-
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::any);
 }
+
 std::unique_ptr<Cloud> open_pts(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::pts);
 }
+
 std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzn);
 }
+
 std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request) {
   return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzrgb);
 }
+
+}  // namespace
+
+/// Reads a table in text, one point per line. Every line is a point, a comment ('#'), blank, or the one header; other
+/// lines are refused by their number, or left out and counted. The separator is the first of comma, semicolon, tab and
+/// blanks that the first line of data contains; but if every comma stands inside a number, as in "1,5;2,5", it is a
+/// decimal sign. Fields may be in double quotes (not with blanks as separator). All lines have the same number of
+/// columns. In a line that the condition excludes, only the condition's columns are read.
+const CloudFormat table_reader = {
+    .open = open_table, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+
+/// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first
+/// line of such a table may be the number of points; exactly as many must follow, unless invalid ones are skipped.
+const CloudFormat pts_reader = {
+    .open = open_pts, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+
+/// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
+const CloudFormat xyzn_reader = {
+    .open = open_xyzn, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+
+/// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1, or from 0 to 255
+/// if one of the file is greater than 1.
+const CloudFormat xyzrgb_reader = {.open = open_xyzrgb,
+                                   .claim = claimed_text_size,
+                                   .fields = names_of_columns,
+                                   .streams = true,
+                                   .skips_invalid = true};
 
 }  // namespace rbpa::app

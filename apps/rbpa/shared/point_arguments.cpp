@@ -26,7 +26,18 @@ PixelRule parse_pixel_rule(const PixelArguments& arguments) {
   return rule;
 }
 
+void require_skips_invalid(Use use, Format format) {
+  require_format(format == Format::by_content || has(format, &CloudFormat::skips_invalid), "--skip-invalid",
+                 "without lines of points",
+                 readable(use, [](const CloudFormat& reader) { return reader.skips_invalid; }));
+}
+
 }  // namespace
+
+void require_molecule(Format format, const std::string& option, const std::string& found) {
+  require_format(has(format, &CloudFormat::is_molecule), option, found,
+                 readable(Use::space, [](const CloudFormat& reader) { return reader.is_molecule; }));
+}
 
 bool GroupArguments::ask_for_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
@@ -52,20 +63,20 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   if (ogr && source.path == "-")
     throw WrongUsage("-: found standard input, which GDAL cannot read, expected a file name");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
-  if (arguments.skip_invalid)
-    require_format(text || format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  if (arguments.skip_invalid) require_skips_invalid(Use::points, format);
   const bool of_groups = columns.key || columns.radius;
   if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
   if (of_groups && format == Format::geojson) {
-    require_format(!arguments.where, "--where", "without fields beside the points", "las, ply, pcd or text");
+    require_format(!arguments.where, "--where", "without fields beside the points", with_fields(Use::points));
   } else if (arguments.where || of_groups) {
     const std::optional<FieldNames> names = fields_of(format);
-    require_format(names.has_value(),
-                   columns.key ? "--group-by"
-                   : of_groups ? "--alpha column"
-                               : "--where",
-                   "without fields beside the points",
-                   of_groups ? "geojson, las, ply, pcd or text" : "las, ply or text");
+    require_format(
+        names.has_value(),
+        columns.key ? "--group-by"
+        : of_groups ? "--alpha column"
+                    : "--where",
+        "without fields beside the points",
+        with_fields(Use::points, of_groups ? std::vector<std::string>{"geojson"} : std::vector<std::string>()));
     source.where = of_groups ? Condition::of_groups(columns, arguments.where.value_or(""), *names)
                              : Condition(*arguments.where, *names);
   }
@@ -88,18 +99,15 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
     require_format(text, "--columns", "with fixed columns", "text");
     source.choice.columns = parse_space_columns(*arguments.columns);
   }
-  if (arguments.skip_invalid)
-    require_format(text || source.format == Format::las, "--skip-invalid", "without lines of points", "las or text");
+  if (arguments.skip_invalid) require_skips_invalid(Use::space, source.format);
   source.choice.skip_invalid = arguments.skip_invalid;
   source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
-  if (arguments.waters)
-    require_format(source.format == Format::pdb || source.format == Format::cif, "--waters", "without atoms",
-                   "cif or pdb");
+  if (arguments.waters) require_molecule(source.format, "--waters", "without atoms");
   const std::optional<FieldNames> names = fields_of(source.format);
   if (!names || !names->texts) std::erase_if(columns, [](const WantedColumn& column) { return column.if_there; });
   if (!arguments.where && columns.empty()) return source;
   require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
-                 "cif, las, pcd, pdb, ply or text");
+                 with_fields(Use::space));
   if (arguments.where && arguments.where->empty())
     source.choice.where = Condition("", *names);  // refuses the empty condition
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);

@@ -66,6 +66,9 @@ struct SpacePointSource {
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
+/// Throws WrongUsage as require_format() unless the points of the format are atoms.
+void require_molecule(Format format, const std::string& option, const std::string& found);
+
 /// Returns the columns that name a point: those of atoms, which tables may have as well.
 std::vector<WantedColumn> columns_of_names();
 

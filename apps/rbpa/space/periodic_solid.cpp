@@ -55,8 +55,7 @@ class PeriodicRun : public Run {
 
 /// Returns "atoms" for a molecule, else "points".
 std::string PeriodicRun::name_of_points() const {
-  const Format format = request_.source.format;
-  return format == Format::pdb || format == Format::cif ? "atoms" : "points";
+  return has(request_.source.format, &CloudFormat::is_molecule) ? "atoms" : "points";
 }
 
 /// Takes the box of the file for --box auto, else the given one, and prints a warning if the file has another.

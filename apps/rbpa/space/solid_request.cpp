@@ -114,8 +114,7 @@ SolidRequest parse(const SolidArguments& arguments) {
   if (arguments.voids) request.voids = parse_voids(*arguments.voids);
   if (arguments.box) {
     const Format format = request.source.format;
-    if (*arguments.box == "auto")
-      require_format(format == Format::pdb || format == Format::cif, "--box auto", "without a cell", "cif or pdb");
+    if (*arguments.box == "auto") require_molecule(format, "--box auto", "without a cell");
     request.box = *arguments.box == "auto" ? Point3() : parse_box(*arguments.box);
     check_box(arguments, request);
   }
