@@ -120,6 +120,8 @@ set(alone meshtopo)
 walk(meshtopo 2)
 shown("${text}" text)
 string(REGEX REPLACE "\n\n\n+" "\n\n" text "${text}")
+# The page links to the formats of input, so that a new one does not change it.
+string(REGEX REPLACE "(do|does) not tell: [a-z0-9]+(, [a-z0-9]+)*" "\\1 not tell: an ending in [file formats](file_formats.md)" text "${text}")
 
 if(WRITE)
   file(WRITE ${page} "${text}")
