@@ -72,7 +72,7 @@ class Module {
     return this.#wasm.memory.buffer.byteLength;
   }
 
-  /** Calls a function of the module with arrays of numbers, the number of points in them, and other numbers. Returns
+  /** Calls a function of the module with arrays of numbers and texts, the number of points in them, and other numbers. Returns
    * read(this), which copies the results, and frees all memory of the call. */
   call(name, arrays, count, numbers, read) {
     const places = [];
@@ -91,10 +91,13 @@ class Module {
   indices = (i) => this.#copyOut(Uint32Array, i);
   integers = (i) => this.#copyOut(Int32Array, i);
 
-  #copyIn(array) {
-    const at = this.#wasm.rbpa_allocate(8 * array.length) >>> 0;
+  #copyIn(given) {
+    const isText = typeof given === "string";
+    const array = isText ? new TextEncoder().encode(`${given}\0`) : given;
+    const Type = isText ? Uint8Array : Float64Array;
+    const at = this.#wasm.rbpa_allocate(Type.BYTES_PER_ELEMENT * array.length) >>> 0;
     if (at === 0 && array.length > 0) throw new RangeError("rbpa: out of memory: WebAssembly has at most 4 GiB");
-    new Float64Array(this.#wasm.memory.buffer, at, array.length).set(array);
+    new Type(this.#wasm.memory.buffer, at, array.length).set(array);
     return at;
   }
   // A new view each time, as the memory may have grown.

@@ -13,14 +13,15 @@
 #include <vector>
 
 #include "javascript/exports.h"
+#include "rbpa/base/alpha_choice.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/point.h"
 #include "rbpa/plane/alpha_complex.h"
+#include "rbpa/plane/choose_alpha.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/plateaus.h"
-#include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace {
 
@@ -63,24 +64,16 @@ AlphaComplex triangulated(std::span<const Point> points, double alpha) {
   return rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true});
 }
 
-enum class Rule { given, automatic, least, plateau };
+/// Parses a rule; without one, the choice is the radius.
+rbpa::AlphaChoice choice_of(const char* rule, double radius) {
+  if (!rule) return {.radius = radius};
+  if (const std::optional<rbpa::AlphaChoice> choice = rbpa::parse_alpha_rule(rule)) return *choice;
+  throw rbpa::InvalidInput("alpha: found '" + std::string(rule) + "', expected " + std::string(rbpa::expected_alpha));
+}
 
-/// Chooses the radius by a rule; 0 if no radius satisfies it.
-double chosen(const rbpa::Delaunay& delaunay, Rule rule, double number) {
-  if (rule == Rule::given) return number;
-  if (rule != Rule::plateau) {
-    const auto found = rbpa::smallest_covering(
-        delaunay,
-        {.share = 1, .max_components = rule == Rule::automatic ? std::optional<std::size_t>(1) : std::nullopt});
-    return found.value_or(0);
-  }
-  const auto plateaus = rbpa::plateaus(delaunay, rbpa::filtration(delaunay));
-  const auto rank = static_cast<std::size_t>(number);
-  if (plateaus.empty()) return 0;
-  if (rank > plateaus.size())
-    throw rbpa::InvalidInput("there are " + std::to_string(plateaus.size()) + " plateaus, and no plateau " +
-                             std::to_string(rank));
-  return plateaus[rank - 1].alpha;
+/// Returns the radius, given or chosen by the rule; 0 if the points have no triangle at any radius.
+double chosen(const rbpa::AlphaChoice& choice, const rbpa::Delaunay& delaunay) {
+  return rbpa::choose_alpha(choice, delaunay).alpha.value_or(0);
 }
 
 void add_triangulation(AlphaComplex made) {
@@ -135,19 +128,17 @@ RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   });
 }
 
-/// Computes an alpha shape. `rule` is a Rule; `number` is the radius, or the rank of the plateau. The first result is
-/// the chosen radius.
-RBPA_EXPORT bool rbpa_alpha_shape(const double* points, std::size_t count, int rule, double number,
+/// Computes an alpha shape. `rule` is null if the radius is given. The first result is the radius, 0 if a rule finds
+/// none.
+RBPA_EXPORT bool rbpa_alpha_shape(const double* points, const char* rule, std::size_t count, double radius,
                                   double min_hole_area, double min_part_area) {
   return completes([&] {
     const auto input = points_of(points, count);
-    AlphaComplex made;
-    double alpha = number;
-    if (rule == 0) {
-      made = triangulated(input, alpha);
-    } else {
-      made = triangulated(input, infinity);
-      alpha = chosen(rbpa::Delaunay(made, input, {}, "alphaShape"), static_cast<Rule>(rule), number);
+    const rbpa::AlphaChoice choice = choice_of(rule, radius);
+    AlphaComplex made = triangulated(input, choice.radius);
+    double alpha = choice.radius;
+    if (choice.rule != rbpa::AlphaRule::given) {
+      alpha = chosen(choice, rbpa::Delaunay(made, input, {}, "alphaShape"));
       if (alpha > 0) made = triangulated(input, alpha);
     }
     const auto polygons =
@@ -181,7 +172,8 @@ RBPA_EXPORT bool rbpa_filtration(const double* points, std::size_t count) {
     results.add(std::move(alpha));
     for (auto& count_of_steps : counts) results.add(std::move(count_of_steps));
     results.add(std::move(area));
-    results.add(std::vector<double>{chosen(delaunay, Rule::automatic, 0), chosen(delaunay, Rule::least, 0)});
+    results.add(std::vector<double>{chosen({.rule = rbpa::AlphaRule::automatic}, delaunay),
+                                    chosen({.rule = rbpa::AlphaRule::least}, delaunay)});
     results.add(std::move(plateaus));
   });
 }

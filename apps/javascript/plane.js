@@ -6,18 +6,11 @@ export async function load() {
 }
 export default load;
 
-const rules = { given: 0, auto: 1, min: 2, plateau: 3 };
-
-/** Parses a radius, "auto", "min", "plateau" or "plateau:K" as a rule and its number. */
-function parseAlpha(alpha) {
-  if (typeof alpha === "number" && alpha > 0) return [rules.given, alpha];
-  if (alpha === "auto" || alpha === "min") return [rules[alpha], 0];
-  const plateau = typeof alpha === "string" && /^plateau(?::([1-9]\d{0,8}))?$/.exec(alpha);
-  if (!plateau)
-    throw new InvalidInput(
-      `alpha: found ${JSON.stringify(alpha) ?? alpha}, expected a radius above 0, Infinity, "auto", "min", "plateau" or "plateau:K"`,
-    );
-  return [rules.plateau, Number(plateau[1] ?? 1)];
+/** Returns alpha as a rule, or null, and a radius. The module refuses texts that are no rule, such as values of other
+ * types. */
+function ruleAndRadius(alpha) {
+  if (typeof alpha === "number") return [null, alpha];
+  return [typeof alpha === "string" ? alpha : (JSON.stringify(alpha) ?? String(alpha)), Infinity];
 }
 
 class Rbpa {
@@ -56,12 +49,12 @@ class Rbpa {
   }
 
   alphaShape(points, alpha = "plateau", { minHoleArea = 0, minPartArea = 0 } = {}) {
-    const choice = parseAlpha(alpha);
+    const [rule, radius] = ruleAndRadius(alpha);
     check(minHoleArea, "minHoleArea", (area) => area >= 0, "an area");
     check(minPartArea, "minPartArea", (area) => area >= 0, "an area");
     const coords = flat(points, 2, "points");
-    const numbers = [...choice, minHoleArea, minPartArea];
-    return this.#module.call("rbpa_alpha_shape", [coords], coords.length / 2, numbers, (made) => {
+    const numbers = [radius, minHoleArea, minPartArea];
+    return this.#module.call("rbpa_alpha_shape", [coords, rule], coords.length / 2, numbers, (made) => {
       const [chosen] = made.doubles(0);
       const [area, perimeter] = made.doubles(12);
       return new AlphaShape(coords, {

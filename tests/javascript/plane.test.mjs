@@ -123,7 +123,7 @@ test("rules choose the alpha that the filtration names", () => {
   assert.equal(filtration.solidComponents[step], 1);
   assert.equal(filtration.covered[step], 2000);
   assert.ok(Math.abs(filtration.area[step] - auto.area) < 1e-12);
-  assert.throws(() => rbpa.alphaShape(coords, "plateau:999999"), /plateaus, and no plateau 999999/);
+  assert.throws(() => rbpa.alphaShape(coords, "plateau:999999"), /^InvalidInput: alpha plateau:999999: there are only \d plateaus$/);
   for (const none of [[], [[1, 2]], [[0, 0], [1, 1]], [[0, 0], [1, 1], [2, 2]], [[0, 0], [1, 0], [1, 0]]]) {
     const line = rbpa.alphaShape(none);
     assert.equal(line.alpha, null);
@@ -153,8 +153,9 @@ test("invalid input is refused with what was found and what was expected", () =>
   refused(() => rbpa.alphaComplex([[0, 0], "x"]), /found "x" at 1/);
   refused(() => rbpa.alphaComplex([[0, 0], null]), /found null at 1/);
   for (const alpha of [0, -1, NaN, "1", null]) refused(() => rbpa.alphaComplex([], alpha), /^alpha: found/);
-  for (const alpha of [0, NaN, "best", "plateau:0", "plateau:", null, {}])
-    refused(() => rbpa.alphaShape([], alpha), /^alpha: found .*expected a radius above 0/);
+  for (const alpha of [0, -1, NaN]) refused(() => rbpa.alphaShape([], alpha), /^alpha is .*expected a radius above 0/);
+  for (const alpha of ["best", "", "1", "plateau:0", "plateau:", null, {}, ["auto"]])
+    refused(() => rbpa.alphaShape([], alpha), /^alpha: found '.*', expected a radius .*, auto, min, plateau or plateau:K$/);
   refused(() => rbpa.alphaShape([], 1, { minHoleArea: -1 }), /^minHoleArea: found -1/);
   assert.equal(rbpa.alphaComplex([[0, 0], [1, 0], [0, 1]]).triangles.length, 3);  // works after refusals
 });
