@@ -46,12 +46,23 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   return sides;
 }
 
-/// Takes the columns out of a surface with filled holes: triangles, and for each whether it is new.
-py::dict as_dict(FilledSurface& made, std::vector<std::array<std::uint32_t, 2>> boundary) {
+/// Takes the columns out of a surface: triangles, neighbors and boundary.
+py::dict as_dict(Surface& made) {
+  std::vector<std::array<std::uint32_t, 2>> boundary;
+  {
+    const py::gil_scoped_release unlocked;
+    boundary = boundary_of(made);
+  }
   py::dict result;
-  result["triangles"] = rows<std::int32_t>(std::move(made.surface.triangles));
-  result["neighbors"] = rows<std::int32_t>(std::move(made.surface.neighbors));
+  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
   result["boundary"] = rows<std::int32_t>(std::move(boundary));
+  return result;
+}
+
+/// Takes the columns out of a surface with filled holes, and for each triangle whether it is new.
+py::dict as_dict(FilledSurface& made) {
+  py::dict result = as_dict(made.surface);
   result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.is_new.begin(), made.is_new.end()));
   return result;
 }
@@ -60,21 +71,15 @@ py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Do
                     const py::object& progress) {
   const SurfaceInput input(points, normals, radii);
   if (input.radii.empty()) throw py::value_error("radii: expected one or more");
-  std::vector<std::array<std::uint32_t, 2>> boundary;
   Surface made = watched(input.points.size(), progress, [&](Watch& watch) {
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    Surface found = input.has_normals ? surface(input.points, input.normals, input.radii, options)
-                                      : exposed_triangles(input.points, input.radii.front(), options);
-    boundary = boundary_of(found);
-    return found;
+    return input.has_normals ? surface(input.points, input.normals, input.radii, options)
+                             : exposed_triangles(input.points, input.radii.front(), options);
   });
   static_assert(static_cast<std::uint32_t>(-1) == Surface::none);
   made.levels.resize(made.triangles.size());  // empty for one radius: all triangles are of level 0
-  py::dict result;
-  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
-  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  py::dict result = as_dict(made);
   result["levels"] = line<std::int32_t>(std::move(made.levels));
-  result["boundary"] = rows<std::int32_t>(std::move(boundary));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
   return result;
 }
@@ -83,17 +88,10 @@ py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Do
 py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   const auto input = points3_of(points, "points");
   const auto rows_given = triples_of(triangles, "triangles");
-  std::vector<std::array<std::uint32_t, 2>> boundary;
-  SurfaceOfTriangles made = watched(rows_given.size(), py::none(), [&](Watch&) {
-    SurfaceOfTriangles found = surface_of(input, rows_given);
-    boundary = boundary_of(found);
-    return found;
-  });
-  py::dict result;
-  result["levels"] = line<std::int32_t>(std::vector<std::uint32_t>(made.triangles.size()));
-  result["triangles"] = rows<std::int32_t>(std::move(made.triangles));
-  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
-  result["boundary"] = rows<std::int32_t>(std::move(boundary));
+  SurfaceOfTriangles made =
+      watched(rows_given.size(), py::none(), [&](Watch&) { return surface_of(input, rows_given); });
+  py::dict result = as_dict(made);
+  result["levels"] = line<std::int32_t>(std::vector<std::uint32_t>(made.given.size()));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
   result["given"] = line<std::int32_t>(std::move(made.given));
   return result;
@@ -155,7 +153,6 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
                 double most_length, bool rims, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
-  std::vector<std::array<std::uint32_t, 2>> boundary;
   FilledSurface made = watched(long_work, py::none(), [&](Watch& watch) {
     const std::function<bool()> go_on = watch.until_stopped();
     const Surface open = indexable_surface(of_links(links), go_on);
@@ -163,11 +160,9 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
     const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open, go_on), curves);
     const std::vector<Hole> chosen =
         chosen_curves(curves, kinds, {.most_edges = most_edges, .most_length = most_length, .rims = rims});
-    FilledSurface result = fill_holes(input, open, chosen, {.threads = threads, .progress = watch.progress()});
-    boundary = boundary_of(result.surface);
-    return result;
+    return fill_holes(input, open, chosen, {.threads = threads, .progress = watch.progress()});
   });
-  return as_dict(made, std::move(boundary));
+  return as_dict(made);
 }
 
 /// Refines the new triangles; returns also the added points and their normals.
@@ -179,16 +174,14 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   if (is_new.ndim() != 1) throw py::value_error("is_new: expected an array of shape (m,)");
   FilledSurface made;
   made.is_new.assign(is_new.data(), is_new.data() + is_new.shape(0));
-  std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<Point3> further;
   AddedPoints added = watched(long_work, progress, [&](Watch& watch) {
     made.surface = of_links(links);
     AddedPoints result = refine_filling(input, made, {.threads = threads, .progress = watch.progress()});
     if (!vectors.empty()) further = normals_between(vectors, result.between);
-    boundary = boundary_of(made.surface);
     return result;
   });
-  py::dict result = as_dict(made, std::move(boundary));
+  py::dict result = as_dict(made);
   result["points"] = rows<double>(std::move(added.points));
   result["normals"] = rows<double>(std::move(further));
   return result;
@@ -198,14 +191,10 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
 py::dict watertight(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
-  std::vector<std::array<std::uint32_t, 2>> boundary;
   WatertightSurface made = watched(long_work, py::none(), [&](Watch& watch) {
-    WatertightSurface result =
-        make_watertight(input, of_links(links), {.threads = threads, .progress = watch.progress()});
-    boundary = boundary_of(result.surface);
-    return result;
+    return make_watertight(input, of_links(links), {.threads = threads, .progress = watch.progress()});
   });
-  py::dict result = as_dict(made, std::move(boundary));
+  py::dict result = as_dict(made);
   result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));
   result["curves"] = made.open.size();
   result["crossing"] = made.crossing.size();
