@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/cloud/cloud.h"
 #include "support/program.h"
 #include "support/random.h"
 
@@ -154,7 +155,9 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
             "--isolated cannot be combined with groups", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
-            "--group-by: found a format without fields beside the points, expected geojson, las, ply or text", 2);
+            "--group-by: found a format without fields beside the points, expected " +
+                rbpa::app::with_fields(rbpa::app::Use::points, {"geojson"}),
+            2);
     CHECK(folder.names() == std::vector<std::string>{"p.csv", "p.xy"});
   }
 
@@ -212,7 +215,9 @@ TEST_SUITE("shape groups") {
     refuses(folder, "n.geojson --group-by kind --alpha 1 -o s.csv",
             "n.geojson: found no Feature with a property 'kind', expected at least one, as --group-by requires", 3);
     refuses(folder, "n.geojson --group-by k --where k>1 --alpha 1 -o s.csv",
-            "--where: found a format without fields beside the points, expected las, ply or text", 2);
+            "--where: found a format without fields beside the points, expected " +
+                rbpa::app::with_fields(rbpa::app::Use::points),
+            2);
     folder.file("l.geojson", feature(R"({"k":[1]})", "[[0,0]]"));
     refuses(folder, "l.geojson --group-by k --alpha 1 -o s.csv",
             "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires", 3);
