@@ -10,7 +10,7 @@ namespace rbpa::app {
 /// The reader of points of a format (io/cloud/cloud.h); each is defined in the source that reads the format.
 struct CloudFormat;
 extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
-    ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, cif_reader;
+    ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, cif_reader, kitti_reader;
 
 enum class Format {
   text,  // a table, one point per line
@@ -21,6 +21,7 @@ enum class Format {
   npy_edges,  // written beside the .npy of the triangles of a full complex
   npy_points,
   raw,
+  kitti,  // .bin
   las,
   off,
   ply,
@@ -90,6 +91,7 @@ inline constexpr FormatRow format_table[] = {
     {"xyzn", "", Format::xyzn, Use::points | Use::space, &xyzn_reader},
     {"xyzrgb", "", Format::xyzrgb, Use::points | Use::space, &xyzrgb_reader},
     {"las", "", Format::las, Use::points | Use::space, &las_reader},
+    {"bin", "", Format::kitti, Use::points | Use::space, &kitti_reader},
     {"off", "", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary,
      &off_reader},
     {"ply", "", Format::ply, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary,
