@@ -2,6 +2,7 @@
 //       table is a target without an edit here.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,8 +20,8 @@ struct FuzzedFile {
 
 /// Divides an input; nothing if it has no ending.
 inline std::optional<FuzzedFile> divided(std::string_view input) {
-  const std::size_t end = input.find('\n');
-  if (end == 0 || end == std::string_view::npos) return std::nullopt;
+  const std::size_t end = input.find('\n', 1);
+  if (end == std::string_view::npos) return std::nullopt;
   return FuzzedFile{static_cast<unsigned char>(input.front()), std::string(input.substr(1, end - 1)),
                     std::string(input.substr(end + 1))};
 }
