@@ -154,13 +154,8 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   FilledSurface made = watched(long_work, py::none(), [&](Watch& watch) {
-    const std::function<bool()> go_on = watch.until_stopped();
-    const Surface open = indexable_surface(of_links(links), go_on);
-    const std::vector<Hole> curves = surface_curves(input, open, go_on);
-    const std::vector<CurveKind> kinds = curve_kinds(input, surface_components(input, open, go_on), curves);
-    const std::vector<Hole> chosen =
-        chosen_curves(curves, kinds, {.most_edges = most_edges, .most_length = most_length, .rims = rims});
-    return fill_holes(input, open, chosen, {.threads = threads, .progress = watch.progress()});
+    const HoleChoice choice = {.most_edges = most_edges, .most_length = most_length, .rims = rims};
+    return fill_holes(input, of_links(links), choice, {.threads = threads, .progress = watch.progress()});
   });
   return as_dict(made);
 }
@@ -192,7 +187,7 @@ py::dict watertight(const Doubles& points, const Indices& triangles, const Indic
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   WatertightSurface made = watched(long_work, py::none(), [&](Watch& watch) {
-    return make_watertight(input, of_links(links), {.threads = threads, .progress = watch.progress()});
+    return make_watertight(input, of_links(links), {}, {.threads = threads, .progress = watch.progress()});
   });
   py::dict result = as_dict(made);
   result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));

@@ -282,12 +282,8 @@ void SurfaceRun::take(FilledSurface& filled, const AddedPoints& added) {
 /// Makes the kept components watertight. Throws Failure if that is not possible, or a file would not be.
 void SurfaceRun::close(const std::vector<bool>& kept) {
   WatertightSurface closed = step("filling holes", [&](const SurfaceOptions& how) {
-    return make_watertight(file_.points, surface_,
-                           {.kept = kept,
-                            .places = points(),
-                            .refine = arguments_.refine,
-                            .threads = how.threads,
-                            .progress = how.progress});
+    return make_watertight(file_.points, surface_, {.kept = kept, .places = points(), .refine = arguments_.refine},
+                           how);
   });
   facts_.dropped = dropped_components(file_.points, closed.components, surface_, components_);
   take(closed, closed.added);

@@ -23,6 +23,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/surface.h"
 
@@ -84,6 +85,10 @@ struct FilledSurface {
 /// Closes the given boundary curves of a surface in the same way.
 /// Requires: an indexable_surface() (split_fans.h), and curves of it.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
+                                  const SurfaceOptions& options = {});
+
+/// Closes the chosen boundary curves of the indexable_surface() of any surface of these points.
+RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
                                   const SurfaceOptions& options = {});
 
 }  // namespace rbpa

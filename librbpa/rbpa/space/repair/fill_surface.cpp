@@ -55,4 +55,13 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
   return result;
 }
 
+FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
+                         const SurfaceOptions& options) {
+  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const Surface open = indexable_surface(surface, go_on);
+  const std::vector<Hole> curves = surface_curves(points, open, go_on);
+  const std::vector<CurveKind> kinds = curve_kinds(points, surface_components(points, open, go_on), curves);
+  return fill_holes(points, open, chosen_curves(curves, kinds, choice), options);
+}
+
 }  // namespace rbpa

@@ -1,6 +1,7 @@
 #include "rbpa/space/repair/watertight.h"
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/split_fans.h"
@@ -9,8 +10,7 @@
 namespace rbpa {
 
 WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
-                                  const WatertightOptions& options) {
-  const SurfaceOptions run = {.threads = options.threads, .progress = options.progress};
+                                  const WatertightOptions& options, const SurfaceOptions& run) {
   const std::function<bool()> go_on = going_on(run.progress, points.size(), surface.triangles.size());
   const SurfaceComponents components = surface_components(points, surface, go_on);
   std::vector<bool> stays = islands(components);

@@ -8,14 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/base/progress.h"
 #include "rbpa/space/repair/close_surface.h"
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/surface/holes.h"
@@ -32,9 +30,7 @@ struct WatertightOptions {
   /// The final position of each point, by which fillings are refined and checked; empty: the given points. The originals
   /// of points that scale_space() moved differ from those by which holes are filled.
   std::span<const Point3> places = {};
-  bool refine = false;                                 ///< refines the fillings
-  unsigned threads = 0;                                ///< as in SurfaceOptions
-  std::function<bool(const Progress&)> progress = {};  ///< as in SurfaceOptions
+  bool refine = false;  ///< refines the fillings
 };
 
 /// A surface closed as far as possible. Flags `kept` are those of the triangles of the given surface, islands included.
@@ -54,6 +50,6 @@ struct WatertightSurface : ClosedSurface {
 /// Requires: a surface of these points; options of matching sizes.
 /// Throws:   as close_surface(), refine_filling() and crossing_triangles().
 RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
-                                           const WatertightOptions& options = {});
+                                           const WatertightOptions& options = {}, const SurfaceOptions& run = {});
 
 }  // namespace rbpa

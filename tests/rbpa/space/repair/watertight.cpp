@@ -116,6 +116,23 @@ TEST_CASE("fillings are refined and checked at the given places") {
   CHECK_THROWS_AS(make_watertight(scan.points, open, {.places = doubled}), meshops::ContractViolation);
 }
 
+TEST_CASE("a choice of holes is filled as if they were listed") {
+  Scan scan;
+  scan.add_sphere(0, 600);
+  scan.add_triangle(5);
+  const Surface open = scan.surface(), indexable = rbpa::indexable_surface(open);
+  const auto curves = rbpa::surface_curves(scan.points, indexable);
+  const auto kinds = rbpa::curve_kinds(scan.points, rbpa::surface_components(scan.points, indexable), curves);
+  const auto listed = rbpa::fill_holes(scan.points, indexable, rbpa::chosen_curves(curves, kinds));
+  const auto chosen = rbpa::fill_holes(scan.points, open, rbpa::HoleChoice());
+  CHECK(chosen.surface.triangles == listed.surface.triangles);
+  CHECK(chosen.surface.neighbors == listed.surface.neighbors);
+  CHECK(chosen.holes == listed.holes);
+  CHECK(chosen.holes.size() == 1);
+  CHECK(chosen.has_filled());
+  CHECK_FALSE(rbpa::fill_holes(scan.points, open, rbpa::HoleChoice{.most_edges = 3, .rims = false}).has_filled());
+}
+
 TEST_CASE("a sheet in a plane stays open, with the reason and its curve") {
   Scan scan;
   for (int x = 0; x < 4; ++x)
@@ -135,7 +152,7 @@ TEST_CASE("making a surface watertight can be cancelled, and no triangle is not 
   Scan scan;
   scan.add_sphere(0, 600);
   const Surface open = scan.surface();
-  CHECK_THROWS_AS(make_watertight(scan.points, open, {.progress = [](const rbpa::Progress&) { return false; }}),
+  CHECK_THROWS_AS(make_watertight(scan.points, open, {}, {.progress = [](const rbpa::Progress&) { return false; }}),
                   rbpa::Cancelled);
   CHECK_FALSE(make_watertight({}, {}).is_watertight());
 }
