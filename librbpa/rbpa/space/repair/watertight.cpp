@@ -36,7 +36,7 @@ WatertightSurface make_watertight(std::span<const Point3> points, const Surface&
     all.insert(all.end(), result.added.points.begin(), result.added.points.end());
     places = all;
   }
-  result.open = surface_curves(places, result.surface, go_on);
+  result.open = surface_curves(all.empty() ? points : places, result.surface, go_on);
   result.crossing = crossing_triangles(places, result.surface.triangles, most_crossing_pairs, run);
   return result;
 }

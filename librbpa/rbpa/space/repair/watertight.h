@@ -37,7 +37,9 @@ struct WatertightOptions {
 struct WatertightSurface : ClosedSurface {
   std::vector<bool> components = {};  ///< for each component of the given surface, whether it stays
   AddedPoints added = {};             ///< points inside refined fillings; none without `refine`
-  std::vector<Hole> open = {};        ///< boundary curves that stay open; `holes` has the reasons
+  /// Boundary curves that stay open, with their lengths by the given points, or by the places if fillings are refined;
+  /// `holes` has the reasons.
+  std::vector<Hole> open = {};
   /// Pairs of triangles that cross, sorted: the first most_crossing_pairs.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
 
