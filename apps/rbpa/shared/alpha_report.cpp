@@ -10,6 +10,7 @@
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
+#include "shared/alpha_option.h"
 
 namespace rbpa::app {
 namespace {
