@@ -23,7 +23,6 @@
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/curve_kinds.h"
-#include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/outer_shells.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_components.h"
