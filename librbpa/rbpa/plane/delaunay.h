@@ -1,5 +1,5 @@
 // What: a Delaunay triangulation together with its points; it is computed from them here, or checked once.
-// Why:  the functions that use it (filtration.h, persistence.h, plateaus.h, covering.h, filtration_arrays.h) do not
+// Why:  the functions that use it (filtration.h, persistence.h, plateaus.h, smallest_covering_alpha.h) do not
 //       check it again. A run checks a given triangulation at most once, and one that it computes itself never.
 #pragma once
 
