@@ -11,6 +11,7 @@
 
 #include "rbpa/base/point.h"
 #include "rbpa/hrbpa.h"
+#include "rbpa/plane/triangles_by_level.h"
 #include "support/triangle.h"
 
 namespace rbpa_bench {

@@ -16,6 +16,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/mesh.h"
 #include "rbpa/paper/growth_of_radii.h"
+#include "rbpa/plane/triangles_by_level.h"
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
 #include "support/generate.h"
