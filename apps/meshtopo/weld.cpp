@@ -43,7 +43,7 @@ class NearVertices {
 
   std::vector<std::uint32_t> operator()() {
     for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) join_within(b);
-    // Only half of the 26 neighbors of a block, those behind it in the order of blocks, have to be searched.
+    // Only half of the 26 neighbors of a block, those after it in the order of blocks, have to be searched.
     for (std::int64_t x = 0; x <= 1; ++x)
       for (std::int64_t y = -1; y <= 1; ++y)
         for (std::int64_t z = -1; z <= 1; ++z)

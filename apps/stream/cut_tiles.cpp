@@ -208,7 +208,7 @@ class SmallerCutter {
     if (hopeless && summary.points > budget_.tile_points) {
       const std::uint64_t near = count_near(tile, extent);
       if (near > budget_.tile_points) refuse_dense({{extent.x0, extent.y0}, near}, request_, budget_);
-      return false;  // most points are around a box larger than needed: a cut would leave them in one half
+      return false;  // most points are around the box, far from its own points: a cut leaves them in one half
     }
     if (!line) return false;  // all points are equal: they have to be one tile
     split(tile, *line);

@@ -12,7 +12,7 @@
 
 namespace rbpa::app {
 
-/// The state of a file, from which it is resumed.
+/// The state of a file, from which it can be continued.
 struct RecordState {
   std::uint64_t bytes = 0;
   std::uint32_t checksum = 0;
@@ -23,7 +23,8 @@ class RecordLog {
  public:
   explicit RecordLog(std::string path) : path_(std::move(path)) {}
 
-  /// Resumes the file from a state. Throws BadInput if there is less in it.
+  /// Continues the file from a state that flush() returned: cuts off what was written after it. Throws BadInput if the
+  /// file is shorter.
   void resume(const RecordState& state);
   template <typename T>
   void append(const T& value) {

@@ -49,7 +49,8 @@ class TileTree {
 
   std::size_t tiles() const { return boxes_.size(); }
   const Region& box(std::uint32_t tile) const { return boxes_[tile]; }
-  const std::vector<Part>& parts() const { return parts_; }  ///< the first is the whole plane
+  /// Returns all parts, cut ones and tiles. Part 0 is the whole plane.
+  const std::vector<Part>& parts() const { return parts_; }
 
   /// Returns the numbers of all tiles, part by part, so that neighbors are close to each other.
   std::vector<std::uint32_t> order() const;

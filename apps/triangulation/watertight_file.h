@@ -1,5 +1,5 @@
-// What: checks whether a file in single precision is as watertight as the surface that is written to it.
-// Law:  the check is exact, for the surface as a reader of the file finds it.
+// What: checks whether a watertight surface remains watertight when a file rounds its coordinates to single precision.
+// Law:  the check is exact for the rounded coordinates, which are those that a reader of the file gets.
 #pragma once
 
 #include <array>

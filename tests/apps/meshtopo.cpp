@@ -1,4 +1,4 @@
-// Reports, repairs and loops of meshtopo.
+// Tests of the program meshtopo: its reports, in JSON and for people, its repairs, and the loops that generate homology.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -345,7 +345,8 @@ TEST_SUITE("meshtopo --repair") {
     REQUIRE(folder.meshtopo("m.off --repair=b.off -q").code == 0);
     REQUIRE(folder.meshtopo("m.off --repair -o c.off -q").code == 0);
     REQUIRE(folder.meshtopo("m.off -o d.off --repair -q").code == 0);
-    REQUIRE(folder.meshtopo("--repair m.off -o e.off -q").code == 0);  // the mesh behind the flag of old
+    REQUIRE(folder.meshtopo("--repair m.off -o e.off -q").code ==
+            0);  // the mesh follows the flag, as in older versions
     REQUIRE(folder.meshtopo("--repair f.off m.off -q").code == 0);
     for (const std::string name : {"b", "c", "d", "e", "f"})
       CHECK(folder.content(name + ".off") == folder.content("a.off"));

@@ -229,7 +229,7 @@ TEST_SUITE("numbers") {
     for (int i = 0; i < 20000 && different < 10; ++i) {
       check(texts.any_double());
       check(std::ldexp(texts.unit(), static_cast<int>(texts.below(80)) - 20));
-      // Few decimal places, few binary places, integers with zeros behind.
+      // Few decimal places, few binary places, integers with trailing zeros.
       const double power = std::pow(10, static_cast<double>(texts.below(16)));
       check(static_cast<double>(texts.below(1000000000)) / power);
       check(std::ldexp(static_cast<double>(texts.below(1000)), -static_cast<int>(texts.below(70))));

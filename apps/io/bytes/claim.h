@@ -1,5 +1,5 @@
 // What: limits decompression to the size that a file's header claims: some kilobytes of gzip may become gigabytes.
-// Law:  a whole file is never refused for its claim, unless more than a mebibyte lies behind its data, or one line of
+// Law:  a whole file is never refused for its claim, unless more than a mebibyte lies after its data, or one line of
 //       its text, with the comments and blank lines before it, is longer than a mebibyte.
 // Cost: memory is at most twice the claimed size plus two mebibytes. A claim is computed again whenever the
 //       decompressed size has doubled.

@@ -12,7 +12,7 @@ namespace rbpa::app {
 /// Whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
-/// Decompresses all members of a gzip file, one behind the other.
+/// Decompresses all members of a gzip file, one after another.
 class Gunzip {
  public:
   /// `name` stands for the file in messages; it must outlive this object.

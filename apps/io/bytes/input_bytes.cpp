@@ -28,7 +28,7 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   bad_input(name, reason, expected);
 }
 
-/// The greatest length of a header, and of bytes behind the data, which readers of uncompressed files ignore.
+/// The greatest length of a header, and of bytes after the data, which readers of uncompressed files ignore.
 constexpr std::size_t slack = std::size_t{1} << 20U;
 
 /// Memory that reading needs for each byte: four bytes of text ("0 0" and a line end) become a point of 16, and stay.

@@ -40,7 +40,7 @@ NpyHeader find_header(std::string_view bytes, const std::string& name) {
   return {bytes.substr(start, length), start + length};
 }
 
-/// Returns the text of the value of `key`, up to the comma or brace behind it at the same depth; empty without such a
+/// Returns the text of the value of `key`, up to the comma or brace after it at the same depth; empty without such a
 /// key.
 std::string_view value_of(std::string_view dictionary, std::string_view key) {
   for (const char quote : {'\'', '"'}) {

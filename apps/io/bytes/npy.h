@@ -32,7 +32,7 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
                           std::span<const std::size_t> fits = {});
 
 /// Returns the bytes before the numbers, of version 1. `type` is NumPy's name, such as "<u4". `columns` is the text of
-/// the shape behind the number of rows: ", 3" for three columns, "," for a one-dimensional array.
+/// the shape after the number of rows: ", 3" for three columns, "," for a one-dimensional array.
 std::string npy_header(std::string_view type, std::uint64_t rows, std::string_view columns);
 
 }  // namespace rbpa::app

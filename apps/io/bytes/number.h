@@ -18,7 +18,7 @@ enum class NumberFault { none, not_a_number, not_finite, out_of_range, rounded_i
 
 struct ParsedNumber {
   double value;
-  const char* end;  ///< behind the last character that belongs to the number
+  const char* end;  ///< after the last character that belongs to the number
   NumberFault fault;
 };
 

@@ -55,7 +55,7 @@ struct CloudBlock {
   std::vector<double> heights = {};              ///< one per point for CloudRequest::heights; NaN for a point without
   std::vector<std::vector<double>> fields = {};  ///< the values of the columns() of CloudRequest::where
   /// The number of each point among all of the file, if some may be left out: among records of LAS, vertices, atoms, or
-  /// lines of a table behind its header, where a line that is left out counts as a point. Otherwise empty.
+  /// lines of a table after its header, where a line that is left out counts as a point. Otherwise empty.
   std::vector<std::uint64_t> index = {};
 };
 
@@ -181,7 +181,7 @@ double load_exactly(Scalar type, const char* at, std::endian order, const Place&
   });
 }
 
-/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes behind the one before. Throws BadInput
+/// Replaces `column` by `count` numbers: the first at `at`, each `stride` bytes after the one before. Throws BadInput
 /// for an integer beyond 2^53, naming its point: the first number is that of point `first` of the file.
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order, std::size_t first, const std::string& name);

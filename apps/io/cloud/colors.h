@@ -1,4 +1,4 @@
-// What: colors written as numbers behind the vertices of a text file.
+// What: colors written as numbers after the vertices of a text file.
 // Law:  every vertex has a color, or none has and a warning says so: partial colors are dropped. Channels are from 0 to
 //       1; if one of the file is greater, all are from 0 to 255, or from 0 to 65535 if such are `allowed`.
 #pragma once

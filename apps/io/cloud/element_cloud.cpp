@@ -185,7 +185,7 @@ class ElementCloud final : public Cloud {
     if (z.fault == NumberFault::none) take_height(block, i, z.value);
   }
 
-  /// Skips the elements behind the vertices of a binary file, so that a truncated file is noticed.
+  /// Skips the elements after the vertices of a binary file, so that a truncated file is noticed.
   void pass_rest() {
     for (std::size_t i = layout_.element + 1; i < header_.elements.size(); ++i) {
       binary_->require_room(header_.elements[i]);

@@ -21,7 +21,7 @@ struct PointLayout {
   std::vector<std::size_t> condition = {};                        ///< properties that the condition reads
   std::optional<std::size_t> height = std::nullopt;               ///< property z, if it is no column
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
-  bool colors_behind = false;                                     ///< text: three words behind the properties
+  bool colors_behind = false;                                     ///< text: three words after the properties
   bool has_room = false;                                          ///< the data are known to be long enough
   bool by_columns = false;              ///< binary without lists: all values of one property before those of the next
   std::vector<char> decompressed = {};  ///< decompressed data, which the header's data view

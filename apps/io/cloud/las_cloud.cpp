@@ -91,7 +91,7 @@ class LasCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return content_.bytes_read(); }
 
  private:
-  /// Returns the system of the file; also reads the records behind the points.
+  /// Returns the system of the file; also reads the records after the points.
   LasCrs find_system(std::string_view before) const {
     const bool has_more = !content_.is_compressed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();

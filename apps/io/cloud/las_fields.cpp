@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The offsets of the fields behind those that all formats of a family have.
+/// The offsets of the fields after those that all formats of a family have.
 struct FieldLayout {
   std::size_t size;
   std::size_t time = 0, color = 0, infrared = 0;  // 0: there is none

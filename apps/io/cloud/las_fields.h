@@ -72,8 +72,8 @@ struct LasPlace {
   }
 };
 
-/// Returns the places of the condition's fields. Throws BadInput if records of the format, in a file of version
-/// 1.minor, lack one.
+/// Returns the places of the fields that the condition names, in its order, for records of point format `format` in a
+/// file of version 1.minor. Throws BadInput, which names the file `name`, if such records lack a field.
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
                                       const std::string& name);
 

@@ -179,8 +179,9 @@ std::string text_of_unit(unsigned unit) {
   return unit == us_survey_foot ? "US survey feet" : "another unit, number " + std::to_string(unit) + " of EPSG";
 }
 
-/// Returns the system if `unit` is its unit, and a warning otherwise: some writers name the system in meters and,
-/// beside it, feet as the unit.
+/// Returns the system if `unit`, EPSG's number of a unit, is the unit of the system, and a warning otherwise: some
+/// writers name a system in meters and, beside it, feet as the unit. Returns the system also if its unit cannot be
+/// compared: `unit` is 0, or the system has no EPSG code.
 LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
   unsigned code = 0;
   if (crs && crs->authority == "EPSG") std::from_chars(crs->code.data(), crs->code.data() + crs->code.size(), code);

@@ -1,6 +1,7 @@
-// What: the public header block of a LAS file, versions 1.0 to 1.4: number and place of the points, and their system.
-// Law:  the number of records comes from LasCount::settle() only, which refuses or warns if the header and the file
-//       differ; the records that it counts lie within the file.
+// What: reads the public header block of a LAS file, versions 1.0 to 1.4: the number and the place of the point records,
+//       and their coordinate reference system.
+// Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if it differs
+//       between the header and the file. All records that settle() counts lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.
 #pragma once
 
@@ -34,7 +35,7 @@ class LasCount {
   /// For a file whose end is not known yet: the number of points to look for, and the number for which there is room.
   std::size_t sought(bool skip_invalid) const { return takes_all(skip_invalid) ? room_ : claimed_; }
   std::size_t room() const { return room_; }
-  /// Returns the count of the same file after its end was found behind `room` whole records.
+  /// Returns the count of the same file whose end was found later, after `room` whole records.
   LasCount with_room(std::size_t room) const { return {claimed_, room, length_}; }
 
  private:
@@ -53,11 +54,11 @@ struct LasHeader {
   unsigned minor;   ///< of version 1.minor
   unsigned format;  ///< of point records, 0 to 10
   std::size_t size;
-  std::size_t records;                           ///< number of variable length records, which begin behind the header
+  std::size_t records;                           ///< number of variable length records, which begin after the header
   LasCount count;                                ///< of points, by the header and by the room up to what follows them
   std::size_t length;                            ///< of a point record in bytes, with any extra bytes
   std::size_t begin;                             ///< offset of the first point record
-  std::size_t extended_begin, extended_records;  ///< offset and number of records behind the points, from 1.4 on
+  std::size_t extended_begin, extended_records;  ///< offset and number of records after the points, from 1.4 on
   std::size_t waveforms;                         ///< offset of the record with waveforms, from 1.3 on; 0: none
   std::array<double, 3> scale, offset;
 };
@@ -67,7 +68,7 @@ struct LasHeader {
 /// cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
-/// Returns the size that a LAS header claims, for Claim::size: up to the end of the points and of the records behind
+/// Returns the size that a LAS header claims, for Claim::size: up to the end of the points and of the records after
 /// them that the header names.
 double claimed_las_size(std::string_view first, const std::string& name);
 

@@ -53,7 +53,7 @@ std::uint32_t take_obj_number(std::string_view word, std::string_view text, std:
 
 namespace {
 
-/// Reads all points as one block, since the faces behind the points assign the normals.
+/// Reads all points as one block, since the faces after the points assign the normals.
 class ObjCloud final : public Cloud {
  public:
   explicit ObjCloud(Content content) : content_(std::move(content)), lines_(content_.ahead()), name_(content_.name()) {

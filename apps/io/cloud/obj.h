@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Returns the current line, joined in `room` with the lines that continue it, without the comment behind it.
+/// Returns the current line, joined in `room` with the lines that continue it, without the comment after it.
 std::string_view take_obj_line(Lines& lines, std::string& room);
 
 /// Calls visit(word, rest, line) for each line with content: its first word, what follows it, and its number.

@@ -13,8 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The keyword of a three-dimensional ASCII file: OFF with prefixes, perhaps with the number of vertices right behind
-/// it.
+/// The keyword of a three-dimensional ASCII file: OFF with prefixes; the number of vertices may follow without a blank.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
@@ -28,7 +27,7 @@ struct Keyword {
     known = glued.empty() || parse_count(glued);
   }
   bool known = false, normals = false, colors = false;
-  std::string_view glued;  // behind the word
+  std::string_view glued;  // after the word
 };
 
 }  // namespace

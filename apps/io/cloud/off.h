@@ -11,8 +11,8 @@
 namespace rbpa::app {
 
 struct OffHeader {
-  bool normals;  ///< N is among the prefixes: three numbers behind the coordinates of a vertex
-  bool colors;   ///< C is among the prefixes: red, green, blue and mostly opacity behind the normal
+  bool normals;  ///< N is among the prefixes: three numbers after the coordinates of a vertex
+  bool colors;   ///< C is among the prefixes: red, green, blue and mostly opacity after the normal
   std::size_t vertices, faces;
   std::size_t line;  ///< with these counts
   Lines lines;       ///< the vertices are next

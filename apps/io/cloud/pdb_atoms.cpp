@@ -22,7 +22,7 @@ bool has_digit(std::string_view line, std::size_t column) {
   return line.size() >= column && is_digit(line[column - 1]);
 }
 
-/// Whether a line is a record ATOM or HETATM. A serial number of six digits may take the blank behind ATOM.
+/// Whether a line is a record ATOM or HETATM. A serial number of six digits may take the blank after ATOM.
 bool is_atom(std::string_view line) {
   const auto may_follow = [](char c) { return c == ' ' || is_digit(c); };
   return line.starts_with("HETATM") ||
@@ -40,7 +40,7 @@ std::string number_in(std::string_view text, std::size_t columns) {
       text.size() == columns && (upper || is_lower(text.front())) &&
       std::all_of(text.begin(), text.end(), [&](char c) { return is_digit(c) || (upper ? is_upper(c) : is_lower(c)); });
   if (!is_hybrid) return std::string(text);
-  std::size_t value = 0, decimal = 1, leading = 1;  // 10^columns, and 36^(columns - 1)
+  std::size_t value = 0, decimal = 1, leading = 1;  // decimal becomes 10^columns, leading 36^(columns − 1)
   for (std::size_t i = 0; i < columns; ++i) {
     value =
         36 * value + static_cast<std::size_t>(is_digit(text[i]) ? text[i] - '0' : text[i] - (upper ? 'A' : 'a') + 10);

@@ -73,13 +73,13 @@ class Numbers {
     rest_.remove_prefix(word.size());
     return *value;
   }
-  /// Skips the next word. Returns false, and stays at the end, if the word may continue behind the text.
+  /// Skips the next word. Returns false, and stays at the end, if the word may continue after the text.
   bool pass() {
     rest_.remove_prefix(next_word().size());
     return !rest_.empty();
   }
   std::string_view rest() const { return rest_; }
-  /// Returns the text behind the single blank or line end that must come next.
+  /// Returns the text after the single blank or line end that must come next.
   std::string_view rest_behind_blank() const {
     if (rest_.empty() || !is_space(rest_.front()))
       bad_input(at_line(name_, line_), rest_.empty() ? "the end of the file" : in_quotes(rest_.substr(0, 1)),
@@ -115,7 +115,7 @@ class Numbers {
   const std::string& name_;
 };
 
-/// A header and the data behind it.
+/// A header and the data after it.
 struct Pgm {
   bool text;
   std::size_t width, height, white;

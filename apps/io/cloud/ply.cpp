@@ -247,7 +247,7 @@ void PlyText::next(const PlyElement& element, std::size_t index) {
   rest_ = lines_.line();
 }
 
-/// Decides about words behind an element in its line: they are ignored, or the next elements.
+/// Decides about words after an element in its line: they are ignored, or the next elements.
 void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   if (rest_.front() != '#' && is_by_words_) return;
   if (rest_.front() != '#' && !is_by_lines_) {

@@ -129,8 +129,8 @@ class PlyBinary {
   const std::string& name_;
 };
 
-/// A pass over the data of an ASCII file: one element per line, and ignored words behind it; or, if there are too few
-/// lines, the words of all elements one behind the other.
+/// A pass over the data of an ASCII file: one element per line, and ignored words after it; or, if there are too few
+/// lines, the words of all elements one after another.
 class PlyText {
  public:
   /// Refers to the header, which must outlive this object.

@@ -333,7 +333,7 @@ class TableCloud final : public Cloud {
     return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
   }
 
-  /// Skips the text behind the atoms: the next frame of a trajectory, or something else. Returns false.
+  /// Skips the text after the atoms: the next frame of a trajectory, or something else. Returns false.
   bool end_atoms() {
     const bool is_frame = parse_count(lines_.line()).has_value();
     if (!is_frame && !request_.skip_invalid)

@@ -39,7 +39,7 @@ struct TableLayout {
   std::vector<std::string_view> names = {};  ///< of all columns, if they are known
 };
 
-/// The beginning of a table: its first line, the comment right before it, and the form of the lines behind it.
+/// The beginning of a table: its first line, the comment right before it, and the form of the lines after it.
 struct TableBeginning {
   const TableLines& lines;
   std::vector<std::string_view> fields = {};  ///< of the current line, without empty ones at its end

@@ -31,13 +31,13 @@ class TableLines {
   std::size_t number() const { return lines_.number() - spanned_; }
   /// Whether a quoted text begins in the line and has no end.
   bool is_open() const { return is_open_; }
-  /// Returns the text behind the line that is in memory.
+  /// Returns the text after the line that is in memory.
   std::string_view rest() const { return lines_.rest(); }
   /// Returns the text from the beginning of the current line: whole lines of `size` bytes or more, fewer at the end
   /// only.
   std::string_view ahead(std::size_t size);
   const Lines& lines() const { return lines_; }
-  /// Returns the comment in the line right before the current one, behind its '#' or "//"; empty if it is no comment.
+  /// Returns the comment in the line right before the current one, after its '#' or "//"; empty if it is no comment.
   std::string_view comment_before() const;
 
   const Content& content() const { return content_; }
@@ -58,7 +58,7 @@ class TableLines {
   std::size_t mark_ = 0;   // bytes before text_: the byte-order mark
   char separator_ = '\0';  // not known yet
   std::size_t least_fields_ = 0;
-  std::size_t spanned_ = 0;  // lines behind the first of the current one
+  std::size_t spanned_ = 0;  // lines after the first of the current one
   bool is_open_ = false;
 };
 

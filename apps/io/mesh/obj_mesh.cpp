@@ -53,7 +53,7 @@ class ObjReader {
     return true;
   }
 
-  /// Checks the corners that name vertices behind their face.
+  /// Checks corners that name vertices which come after the face.
   void check_later_corners() const {
     for (std::size_t f = 0; f < mesh_.soup.faces(); ++f)
       for (const std::uint32_t corner : mesh_.soup.face(f))

@@ -64,7 +64,7 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 /// Reads STL. Points are numbered by their first corner in the file. The file is binary if its size fits the number of
 /// facets at byte 80, or if it does not begin with "solid", or if it has zero bytes and no facet in the second line.
 /// Coordinates of a binary file are floats, of a text the nearest doubles. Ignores normals, colors and names, and, with
-/// a warning, attributes of facets and data behind the last facet. Throws BadInput naming the line, or the facet of a
+/// a warning, attributes of facets and data after the last facet. Throws BadInput naming the line, or the facet of a
 /// binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 

@@ -68,7 +68,7 @@ MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string
   const char* facet = bytes.data() + header_size;
   for (std::size_t f = 0; f < facets; ++f, facet = next(facet)) {
     if (f % 16384 == 0) stop_if_interrupted();
-    const char* at = facet + 3 * sizeof(float);  // behind the normal
+    const char* at = facet + 3 * sizeof(float);  // after the normal
     std::array<std::uint32_t, 3> cycle{};
     for (std::uint32_t& corner : cycle) {
       Position p{};

@@ -75,8 +75,9 @@ void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees);
 
 /// Writes VTU with appended raw data, little-endian: cells are the triangles, then the edges, then the points. Cell
-/// data are `level`; the number of the feature, under the features' name; and the numbers of the feature, under their
-/// names. A name that comes twice gets a suffix _2 and so on.
+/// data are, if the mesh has features, the number of each cell's feature in an array with the name features->name, and
+/// an array for each entry of features->numbers, named like the entry or, if that name is taken, with a suffix _2, _3
+/// and so on; and, if the mesh has levels, an array `level`.
 void write_vtu(OutputFile& file, const TriangleMesh& mesh);
 
 }  // namespace rbpa::app

@@ -38,7 +38,7 @@ Slot slot_of(const std::string& key) {
   return key == "crs" ? Slot::crs : Slot::ignored;
 }
 
-/// Turns the events of a JSON parser into points. The type of an object may come behind its content.
+/// Turns the events of a JSON parser into points. The type of an object may come after its content.
 class Events {
  public:
   /// With `polygons`, reads polygons only.
@@ -177,7 +177,7 @@ class Events {
     std::string type = {};
     Slot slot = Slot::ignored;
     bool in_list = false;         // within a list of objects
-    const char* begin = nullptr;  // at its bracket, or right behind it
+    const char* begin = nullptr;  // at its bracket, or right after it
     bool has_features = false;    // it has a member "features"
     bool is_feature = false;      // its members show that it is a Feature
     std::optional<GeoJsonGeometry> geometry = std::nullopt;

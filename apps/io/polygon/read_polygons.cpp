@@ -41,7 +41,7 @@ PolygonFile read_polygons(const std::string& path, Format format) {
 
 namespace {
 
-/// Returns the words of a line; all behind the third are one.
+/// Returns the words of a line, which blanks, commas or semicolons separate.
 std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view separators = " \t,;";
   std::vector<std::string_view> words;

@@ -98,7 +98,7 @@ void WktGeometries::take_srid() {
 
 bool WktGeometries::next(std::vector<Point>& points) {
   do skip_space();
-  while (take_sign(';'));  // some writers put one behind each geometry
+  while (take_sign(';'));  // some writers put one after each geometry
   if (text_.empty()) return false;
   take_srid();
   take_geometry(points, 0);

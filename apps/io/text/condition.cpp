@@ -93,7 +93,7 @@ class Parser {
     }
   }
 
-  /// Adds the jump behind the first operand, which may decide alone; returns its index.
+  /// Adds the jump after the first operand, which may decide alone; returns its index.
   std::size_t begin_second(Step step) {
     result_.push_back({step});
     return result_.size() - 1;

@@ -16,7 +16,7 @@ namespace rbpa::app {
 /// The rule for names of fields in a condition.
 struct FieldNames {
   bool (*are)(std::string_view word);
-  std::string described;  ///< for messages, behind "expected a number or "
+  std::string described;  ///< for messages, after "expected a number or "
   bool texts = false;     ///< fields may be compared with texts
 };
 

@@ -21,7 +21,7 @@ inline std::string_view without_quotes(std::string_view field) {
   return field;
 }
 
-/// Returns the position behind the quote that ends the quoted text at `quote`, in which two quotes stand for one (RFC
+/// Returns the position after the quote that ends the quoted text at `quote`, in which two quotes stand for one (RFC
 /// 4180); null if it does not end before `end`.
 inline const char* end_of_quoted(const char* quote, const char* end) {
   for (const char* at = std::find(quote + 1, end, '"'); at != end; at = std::find(at + 2, end, '"'))

@@ -37,8 +37,8 @@ class LineSelection {
   /// Without a header `names` is empty. Throws BadInput for a missing column that is not optional.
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
-  /// Decides which columns of kind by_value hold numbers and which texts, by the first line of data and those behind
-  /// it.
+  /// Decides which columns of kind by_value hold numbers and which texts, by the first line of data and `behind`,
+  /// the lines after it.
   void settle_kinds(std::string_view line, Lines behind, char separator);
 
   /// Whether the condition is true for a line. read(fields) returns a number from the next field, and is called for the

@@ -77,7 +77,7 @@ class Lines {
 
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }                                         ///< of the line, from 1
-  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< behind the line
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< after the line
 
  private:
   const char* at_;
@@ -102,7 +102,7 @@ inline std::string_view take_word(std::string_view& text) {
 inline double end_of_lines(std::string_view first, Lines lines, double count) {
   std::size_t end = first.size() - lines.rest().size();
   for (; count > 0 && lines.next_with_content(); --count) {
-    if (lines.rest().empty() && first.back() != '\n') break;  // the line may continue behind `first`
+    if (lines.rest().empty() && first.back() != '\n') break;  // the line may continue after `first`
     end = first.size() - lines.rest().size();
   }
   return static_cast<double>(end) + 2 * count;

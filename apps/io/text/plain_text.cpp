@@ -71,7 +71,7 @@ std::size_t end_of_line_with(std::string_view text, std::string_view word, std::
 }
 
 /// Returns the end of the header, whose last line begins with `word` and may precede binary data. If the first line
-/// ends in CR alone, an LF behind the header belongs to the data.
+/// ends in CR alone, an LF after the header belongs to the data.
 std::size_t end_of_header(std::string_view bytes, std::string_view word, std::string_view& line) {
   const std::size_t end = end_of_line_with(bytes, word, line);
   const std::string_view first_end = bytes.substr(std::min(bytes.find_first_of("\r\n"), bytes.size()), 2);

@@ -16,7 +16,7 @@ namespace rbpa::app {
 std::string_view plain_text(std::string_view bytes, const std::string& name, std::string& room);
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room);
 
-/// Returns the text behind any byte-order marks of UTF-8.
+/// Returns the text after any byte-order marks of UTF-8.
 std::string_view without_mark(std::string_view text);
 
 /// Returns the normal form of a later piece of a text, which begins with a line, as size_of_lines() cuts it.

@@ -1,5 +1,5 @@
-// What:   the levels of a front: the sites that a transfer carries to the next level, and the level at which each face
-//         was inserted.
+// What:   the levels of a front, each of which ends with a transfer (Front::next_level()): the sites that a transfer
+//         carries to the next level, and the level at which each face was inserted. A site is the number of a point.
 // Law:    a transfer reads only the sites that the previous one carried, and those added or reopened since.
 // Source: Restricted BPA, section 6; it is an operation on the mesh alone.
 #pragma once

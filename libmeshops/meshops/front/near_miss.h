@@ -1,5 +1,9 @@
-// What: compile-time checks that find members of a policy or a visitor which have the name of an optional member but
-//       another signature, and would be ignored without an error.
+// What: compile-time checks that find members of a policy or a visitor which would be ignored without an error: they
+//       have the name of an optional member with another form, nearly the name of an event, or are events that the
+//       visitor does not receive.
+// Law:  each misses_…, a constant or a function, is true if there is such a member; misses_events() also if a class
+//       derived from FrontVisitor has no event. advance() (front/engine.h) asserts that all are false: otherwise the
+//       code that calls it does not compile.
 #pragma once
 
 #include <array>
@@ -55,7 +59,8 @@ constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFro
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
 
-/// A value of `false` is allowed, also for a policy without keys.
+/// Is true if the policy has a member rekeys_neighbors that is ignored. The value `false` is always allowed, also for a
+/// policy without a member key.
 template <typename Policy>
 constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
   requires !std::bool_constant<Policy::rekeys_neighbors>::value;

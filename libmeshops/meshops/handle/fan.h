@@ -6,8 +6,9 @@
 
 namespace meshops::detail {
 
-/// Lets every edge of the fan that `first` leaves start at `to`.
-/// Cost: the degree.
+/// Makes `to` the start of each halfedge by which the fan leaves its vertex. `first` is one of them; at a boundary
+/// vertex, the boundary halfedge.
+/// Cost: the number of edges of the fan.
 inline void move_fan(Connectivity& mesh, Halfedge first, Vertex to) {
   Halfedge out = first;
   do {

@@ -9,10 +9,12 @@
 
 namespace meshops::detail {
 
-/// Removes the vertices without triangles and renumbers the others, which keep their order and properties. The mesh
-/// keeps only its first `edges` edges and `faces` faces.
-/// Returns: the site of each remaining vertex. `vertices` cannot be used afterwards.
-/// Cost:    linear; small if only the last vertices are to be removed.
+/// Removes the vertices without triangles and renumbers the others, which keep their order and properties. Also removes
+/// the edges from number `edges` on and the faces from number `faces` on.
+/// Returns:     the site of each remaining vertex.
+/// Requires:    these edges and faces are unused.
+/// Invalidates: `vertices`, which has the old numbers.
+/// Cost:        linear; small if only the last vertices are to be removed.
 std::vector<Site> compact(Connectivity& mesh, const SiteVertices& vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops::detail

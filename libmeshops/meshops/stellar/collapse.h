@@ -25,8 +25,9 @@ MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh
 
 /// Merges the vertex v of h = v→w into w, which takes over the fan of v; the triangles beside h close.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces beside h are marked deleted. Every
-///              other halfedge from or to v becomes one from or to w. The edges from w to the apexes survive. If v has
-///              only two edges, two edges join w and the apex; the one on the right survives.
+///              other halfedge from or to v becomes one from or to w. The edges from w to the apexes survive, except
+///              if v is an inner vertex with only two edges: both apexes are one vertex, two edges join it to w, and
+///              only the one on the right of h survives.
 /// Requires:    collapse_blocker() is empty; the mesh has status.
 /// Throws:      ContractViolation, mesh untouched.
 /// Invalidates: the elements marked deleted.

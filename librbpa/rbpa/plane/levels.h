@@ -35,7 +35,7 @@ struct Level {
 struct EndedLevel {
   const Level& level;
   /// The front on the mesh. The first front.faces() faces of its mesh are those of the complex, with their final
-  /// numbers. The elements behind them, and behind the first front.edges() edges, are not yet in use. Vertices have no
+  /// numbers. The elements after them, and after the first front.edges() edges, are not yet in use. Vertices have no
   /// coordinates yet.
   const meshops::Front& front;
   std::span<const std::uint32_t> input_index;  ///< for each site of the front, its input point

@@ -45,19 +45,21 @@ struct Plateau {
 /// The upper bound of Plateau::alpha / Plateau::from.
 inline constexpr double plateau_settles = 2;
 
-/// Returns at most eight plateaus, the best first: long structured ones below the first long one in one piece; then
-/// that one, and the long structured ones above it; then all others. Each group is sorted by (ratio − 1) · share of
-/// points covered, descending. A plateau begins where at least half of the points are covered. The result is empty if
-/// there is no triangle.
+/// Returns at most eight plateaus, the best first. Let F be the long plateau of kind one_piece with the least `from`.
+/// First come the long structured plateaus below F; then F and the long structured ones above it; then all others. Each
+/// group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are not long and cover less
+/// than nine tenths of the points are last. A plateau begins where at least half of the points are covered. The result
+/// is empty if there is no triangle.
 ///
 /// The *change* of the shape grows by at most a tenth within a plateau. Ranges with a ratio below 1.25 are left out,
 /// unless there is no other. The change at alpha is the product P · H · ⁸√E of
 ///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
-///   E  the area of complex and holes, whose root lets it nearly double within a plateau.
+///   E  the area of complex and holes; by the eighth root, it may grow within a plateau by a factor of up to 2.1.
+/// Calls `go_on`, unless it is empty, every few milliseconds.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled when `go_on`
+///           returns false.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
                                        const std::function<bool()>& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks

@@ -111,7 +111,7 @@ TEST_CASE("text is the same by pieces and at once, compressed or not") {
   CHECK(about.degrees);
   REQUIRE(folder.run("/bin/gzip", "-k p.csv").code == 0);
   CHECK(same_bits(by_blocks({.path = folder.path("p.csv.gz")}), read_points(source).points));
-  // Two members, one behind the other.
+  // Two members, one after another.
   const std::string compressed = folder.content("p.csv.gz");
   folder.file("q.xy", "1 2\n3 4\n");
   REQUIRE(folder.run("/bin/gzip", "q.xy").code == 0);

@@ -29,9 +29,9 @@ struct LasRecord {
 struct LasFile {
   unsigned minor = 2, format = 0;
   double scale[3] = {0.01, 0.01, 0.01}, offset[3] = {0, 0, 0};
-  std::vector<LasRecord> records = {}, extended = {};  ///< before and behind the points
+  std::vector<LasRecord> records = {}, extended = {};  ///< before and after the points
   std::vector<LasPoint> points = {};
-  unsigned extra_bytes = 0;       ///< behind the fields of each record
+  unsigned extra_bytes = 0;       ///< after the fields of each record
   bool signature_counts = false;  ///< of version 1.0: the offset to point data is that of the signature
 };
 

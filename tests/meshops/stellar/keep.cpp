@@ -85,6 +85,6 @@ TEST_SUITE("keep") {
       CHECK(tally.lost > 0);
     }
     CHECK(edge_splits.kept > 0);
-    CHECK(edge_splits.lost == 0);  // the two triangles of an edge of a simplicial mesh have different apexes
+    CHECK(edge_splits.lost == 0);  // on a simplicial mesh both triangles of an edge have different apexes
   }
 }

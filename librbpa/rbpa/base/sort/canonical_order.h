@@ -5,7 +5,7 @@
 //
 //           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
 //
-//       In the end each bucket, which fits a cache, is sorted there and put behind the one before.
+//       In the end each bucket, which fits a cache, is sorted there and appended to the one before.
 // Cost: linear; as much memory as the triangles take, beside the result.
 #pragma once
 

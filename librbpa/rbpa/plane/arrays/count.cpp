@@ -79,7 +79,8 @@ class BoundarySides {
     meshops::require(is_closed, "count: expected as many boundary sides into each point as out of it");
   }
 
-  /// A side at a point, given by the point at its other end.
+  /// A boundary side that begins or ends at a point: its number, the point at its other end, and whether it begins
+  /// there.
   struct AtPoint {
     std::uint32_t side, other;
     bool goes_out;

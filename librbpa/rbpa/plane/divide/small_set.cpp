@@ -135,7 +135,7 @@ class SortedTriangles {
   std::unique_ptr<Found[]> found_;
   std::size_t size_ = 0;
   std::vector<std::uint32_t>
-      first_;  // for each point and behind all, where its triangles begin; until sort(): the number of those
+      first_;  // for each point, and after the last, where its triangles begin; until sort(): the number of those
 };             // of the point before
 
 }  // namespace

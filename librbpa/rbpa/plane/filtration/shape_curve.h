@@ -20,7 +20,7 @@ struct ShapeState {
   double hole_share;       ///< area of holes / area of triangles and holes
 };
 
-/// Returns a state for every step.
+/// Returns the state after each step, in order. Calls pulse() for each triangle.
 /// Requires: as plateaus().
 /// Throws:   as plateaus().
 std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse);

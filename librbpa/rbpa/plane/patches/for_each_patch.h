@@ -1,10 +1,12 @@
-// What: the solid alpha complex, patch by patch: those of tiles, then one of the triangles that tiles leave over.
+// What: computes the solid alpha complex patch by patch: a patch of triangles for each tile, then one patch with all
+//       triangles that are in no patch of a tile.
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
-// How:  1. Tiles are cut out of the sites in the window of doubles (tile/cut.h).
-//       2. A finder makes a patch of each, and marks the settled stars (patches/find_patch.h). If these are few, tiles
-//          are skipped (patches/skipped_tiles.h).
-//       3. A sink joins patches, one at a time where they depend on each other.
-//       4. Sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
+// How:  1. The sites in the window of doubles are cut into tiles (tile/cut.h).
+//       2. A finder makes the patch of each tile, and marks the sites whose stars are settled: all triangles of the
+//          complex around them are in patches (patches/find_patch.h). After tiles that settle few stars, some tiles are
+//          skipped (patches/skipped_tiles.h).
+//       3. A sink receives the patches and joins them; its step place() is called for one patch at a time, in order.
+//       4. The sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
 // Cost: linear if the density is even; at worst O(n log n).
 #pragma once
 

@@ -93,8 +93,8 @@ class LocalFront {
     across_[s] = other;
     across_[other] = s;
   }
-  /// Glues a side or adds it to the front. Which of both is unpredictable: both are computed, and one of them has no
-  /// effect.
+  /// Glues side s, which runs between two points, to the opposite side on the front, or adds s to the front if there is
+  /// none. A branch would be mispredicted often: instead both are computed, and one of them has no effect.
   template <typename Added>
   void glue_or_add(Index s, Index from, Index to, Added added) {
     // The side across runs from `to` to `from`: it is listed at the point where it ends.

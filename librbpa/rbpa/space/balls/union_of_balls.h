@@ -15,18 +15,26 @@
 
 namespace rbpa {
 
+/// Volume and surface area of a union of balls. The volume is in the unit of the coordinates to the third power, the
+/// area in that unit squared.
 struct BallUnion {
   double volume = 0, area = 0;
 };
 
-/// Computes volume and area of the union. Points may have any position; equal points count once.
-/// Requires: finite points; 0 < radius < infinity.
+/// Computes volume and area of the union. Points may have any position; equal points count once. `options.neighbors` is
+/// ignored.
+/// Requires: finite points; 0 < radius < infinity; if all points are in one plane, they are not so far apart, and
+///           the balls not so large, that points beyond all balls would overflow double.
 /// Throws:   InvalidInput that names the violated requirement; as solid().
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options = {});
 
-/// Computes the same from a triangulation that is already computed.
-/// Requires: the result of solid() at infinity, with neighbors and with tetrahedra, and its circumradii().
-/// Throws:   ContractViolation otherwise.
+/// Computes volume and area of the union from a triangulation that is already computed. `threads` is as in SolidOptions:
+/// 0 = all processors.
+/// Requires: 0 < radius < infinity; `delaunay` is the result of solid(points, infinity), with neighbors, and has
+///           tetrahedra; `radii` are its circumradii() of solid_radii.h.
+/// Throws:   InvalidInput when the radius is out of range; ContractViolation when there are no tetrahedra or no
+///           neighbors, or not as many radii as tetrahedra. The other requirements are not checked.
+/// Cost:     about linear in the tetrahedra.
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                                   double radius, unsigned threads = 0);
 

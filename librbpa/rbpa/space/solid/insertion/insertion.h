@@ -31,8 +31,9 @@ namespace rbpa::space {
 
 class Insertion {
  public:
-  /// Keeps the spans. Requires: finite, distinct points, fewer than 2^32 − 1; `scaled`: the same points multiplied as
-  /// in spread.h.
+  /// Vertex i + 1 is point order[i]. Keeps `points` and `scaled`, which must outlive this object.
+  /// Requires: `order` has indices of distinct, finite points, fewer than 2^32 − 1; `scaled` are the points multiplied
+  ///           by the power of two of `spread` (spread.h).
   Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
             std::span<const std::uint32_t> order);
 

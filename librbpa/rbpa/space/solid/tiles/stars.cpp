@@ -243,8 +243,9 @@ class StarSearch : public StarFinder, private ApexSearch {
   std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0;
 };
 
-/// Starts with the nearest point and the smallest triangle with it: the least ball of that triangle is empty, so that
-/// it has tetrahedra on both sides.
+/// Adds a first tetrahedron of the star. It starts with the edge to the nearest point and the triangles at that edge,
+/// those of least circumradius first: if the least ball of a triangle is empty, tetrahedra lie on both sides of it.
+/// Returns false if a few of these triangles have no tetrahedron that is proven to be empty.
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
   // All points around are used, finished or not.

@@ -19,8 +19,8 @@ struct DistinctPoints {
 
 DistinctPoints distinct_points(std::span<const Point3> points);
 
-/// Multiplies the points by a power of two so that their squares fit double. Returns its exponent; nothing where there
-/// is no such power.
+/// Multiplies the points by a power of two such that squares of their coordinates neither overflow nor underflow.
+/// Returns the exponent of the power; nothing, with the points unchanged, where there is no such power.
 std::optional<int> fit_double(std::vector<Point3>& points);
 
 }  // namespace rbpa::space

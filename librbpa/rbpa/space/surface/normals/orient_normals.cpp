@@ -47,7 +47,7 @@ class Seeds {
     for (Number i = 0; i < size; ++i)
       for (const Number j : points_.around(i)) sets.union_set(i, j);
 
-    std::vector<Number> component(size);  // for each root
+    std::vector<Number> component(size);  // for each root of `sets`, the number of its component of the graph
     std::vector<Extremes> extremes;
     for (Number i = 0; i < size; ++i)
       if (sets.find_set(i) == i) {

@@ -24,8 +24,10 @@ struct OrientationTree {
   std::vector<std::uint32_t> parent;  ///< of each point, and of the root itself
 };
 
-/// Orients the normals, one for each point of the neighborhoods, as estimate_normals() promises. Where `sides` has the
-/// outer side of points, as from outer_sides(), the tree begins at these points. Calls go_on(), if any, repeatedly.
+/// Turns the normals, one for each point of the neighborhoods, to one side, as estimate_normals() describes. `sides` is
+/// empty or has for each point its outer side, as outer_sides() returns it, or 0: the tree begins at the points whose
+/// side is not 0, and in a component of the graph without such points at an extreme point. Calls go_on(), if any,
+/// repeatedly. Returns the tree.
 template <typename Real>
 OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals,
                                const std::function<void()>& go_on, std::span<const std::int8_t> sides = {});

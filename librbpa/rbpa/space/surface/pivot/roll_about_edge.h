@@ -47,7 +47,8 @@ class EdgeRoll {
   Ball<Real> leaving(std::size_t p) const { return Ball<Real>(a_, points_[b_], points_[p], radius_); }
   Ball<Real> coming_to(std::size_t p) const { return Ball<Real>(points_[b_], a_, points_[p], radius_); }
 
-  /// Returns the first point in the ball, or none. Requires: the ball rests on p.
+  /// Returns the least position of a point that lies in the ball, other than p and b; `none` if there is no such
+  /// point. Requires: the ball rests on p.
   std::size_t holder(const Ball<Real>& ball, std::size_t p) const;
   /// Returns a point that the ball leaves into a free arc, or none.
   std::size_t first_left_free() const;

@@ -52,7 +52,7 @@ class CapUnion {
   std::size_t count() const { return count_; }
   const Neighbor& operator[](std::size_t i) const { return points_[i]; }
 
-  /// Returns whether no cap covers a center with an error of up to `error`.
+  /// Returns true only if the center is outside every cap, even if each of its coordinates is wrong by up to `error`.
   bool misses(const Vector& center, double error) const {
     for (std::size_t i = 0; i < count_; ++i) {
       const Neighbor& q = points_[i];

@@ -22,8 +22,8 @@ namespace rbpa::space {
 struct Rings {
   static constexpr Site end_of_cycle = 0xffffffff;
 
-  std::vector<Site> points;          // each cycle, followed by end_of_cycle
-  std::vector<std::uint32_t> first;  // for each site: the position of its first cycle in points; and the end
+  std::vector<Site> points;          // all cycles of the first site, then those of the next; end_of_cycle after each
+  std::vector<std::uint32_t> first;  // for each site, the position in `points` of its first cycle; then points.size()
   std::size_t rolled = 0;            // number of sites at which every edge was rolled about
 };
 
