@@ -47,8 +47,8 @@ struct EditReport {
 
 struct EditedMesh {
   MeshFile mesh;                         ///< without line numbers
-  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the file, the least of merged vertices
-  std::vector<std::size_t> face_was;     ///< number of each face in the file
+  std::vector<std::uint32_t> point_was;  ///< for each vertex, its number in the file; of merged vertices, the least
+  std::vector<std::size_t> face_was;     ///< for each face, its number in the file
   EditReport report;
 };
 

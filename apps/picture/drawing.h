@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// A drawing; all members are indices into `points`.
+/// A drawing of a complex or of polygons. Edges, curves and isolated points are indices into `points`.
 struct Drawing {
   std::span<const Point> points;
   std::vector<Edge> inner_edges;  ///< edges between two triangles; lower index first, sorted

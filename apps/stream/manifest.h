@@ -1,4 +1,4 @@
-// What: saves the progress of a run in a file of its scratch, so that another run can resume it.
+// What: saves the progress of a run in a file of its scratch folder, so that another run can resume it.
 // Law:  the file is written completely or not at all, and its entries about other files are correct.
 #pragma once
 

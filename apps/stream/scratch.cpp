@@ -168,7 +168,7 @@ bool Scratch::make(const StreamRequest& request) {
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
-    // Some files may be left from a run that was killed before it began.
+    // Files of these names are allowed: a run that was killed before it began may have left some of them.
     const auto is_other = [](const fs::directory_entry& entry) {
       const std::string name = entry.path().filename().string();
       return name != lock_name + 1 && name != created_name &&

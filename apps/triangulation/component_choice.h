@@ -15,7 +15,7 @@ enum class ShellChoice { all, outer, largest };
 /// The components to keep; by default all.
 struct ComponentChoice {
   ShellChoice shell = ShellChoice::all;     ///< for triangles that form closed shells
-  std::optional<std::size_t> largest = {};  ///< the most components, the largest by area first
+  std::optional<std::size_t> largest = {};  ///< maximum number of components: those of largest area are kept
   std::size_t least_triangles = 0;
   double least_area = 0;
 

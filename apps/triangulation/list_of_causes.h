@@ -1,4 +1,4 @@
-// What: formats counts by cause as text.
+// What: formats the number of cases of each cause as a text.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What: the types of numbers in binary files, and reading them.
+// What: the types of the numbers in binary files, and functions that read numbers of these types.
 #pragma once
 
 #include <bit>

@@ -59,7 +59,7 @@ class LasCloud final : public Cloud {
     }
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    if (!selection_ && is_settled_) facts_.expected = count_;  // all records are there
+    if (!selection_ && is_settled_) facts_.expected = count_;  // each record gives a point
     content_.skip(header_.begin);
   }
 

@@ -8,8 +8,8 @@
 
 namespace rbpa::app {
 
-/// Adds the files of a target that GDAL has made. Throws Failure if an old file of the same target would be left beside
-/// them.
+/// Adds the files that GDAL has made for a target to the files of the run. Throws Failure if an old file of the same
+/// target would remain beside them.
 void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
-// What: the part that verbs making a complex of points share: parsing the command line, reading points, choosing the
-//       radius, and the summary at the end.
+// What: the steps that all verbs which make a complex of points have in common: they parse the command line, read the
+//       points, choose the radius, and print a summary at the end.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ struct ComplexRequest {
 /// names the value.
 ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
-/// A run whose points are read.
+/// A run of such a verb, with its points and its radius.
 struct ComplexRun : Run {
   /// Reads the points and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);

@@ -137,7 +137,7 @@ void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Hal
   if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
 }
 
-/// Returns the halfedge of a dead edge that left `v`, as far as its records tell.
+/// Returns the halfedge of a deleted edge that started at `v`, by the records of the edge that are left in the mesh.
 Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
   return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
 }

@@ -45,9 +45,9 @@ struct Counting : boost::base_visitor<Counting> {
   Steps* step;
 };
 
-/// Homology, or homology modulo the boundary. In the latter, all points of the boundary count as one, so that a path
-/// between two of them is a loop. The generators come from the former, the cut from the latter; on a closed mesh they
-/// are the same.
+/// The homology that is computed: absolute, or relative to the boundary. Relative to the boundary, all its points count
+/// as one, so that a path between two of them is a loop. The generators come from absolute homology, the cut from
+/// relative homology; on a closed mesh both are the same.
 enum class Modulo { nothing, boundary };
 
 class TreeCotree {

@@ -56,12 +56,12 @@ std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, 
   return polygon;
 }
 
-/// Records that a corner is in this polygon; the first of several counts.
+/// Records that a point is a corner in this polygon, unless there is none. Of several polygons, the least number counts.
 void put(Number& of_point, std::uint32_t polygon) {
   if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }
 
-/// Completes points that are in no polygon so far: they may be in a filled hole, or repeat another point.
+/// Finds the polygons of points without one so far: those in holes that were filled, and duplicates of other points.
 void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
               const PolygonFilter& filter, std::span<const Point> points, Steps& step) {
   if (filter.min_hole_area > 0) {

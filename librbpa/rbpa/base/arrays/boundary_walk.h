@@ -1,4 +1,4 @@
-// What: walks along boundary sides of triangles in arrays.
+// What: walks along the boundary of a triangulation that is given as arrays of triangles and neighbors.
 // Law:  at a point where the complex touches itself (a pinch), a walk continues along the same fan of triangles.
 #pragma once
 

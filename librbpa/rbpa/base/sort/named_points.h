@@ -1,4 +1,4 @@
-// What: points with names, which are numbers.
+// What: points, each with a number by which the caller names it.
 #pragma once
 
 #include <cstddef>

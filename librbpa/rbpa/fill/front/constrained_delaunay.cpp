@@ -353,7 +353,7 @@ class Constrained {
   std::vector<std::uint32_t> star_;  // for each place, a triangle at it
   // state of the insertion of an edge:
   std::vector<Rim> left_, right_;
-  std::vector<std::uint32_t> slots_, taken_;  // removed triangles, in the order of their removal and ascending
+  std::vector<std::uint32_t> slots_, taken_;  // removed triangles: in the order of their removal; ascending
   std::size_t free_ = 0;                      // the first of these slots that is not used again
   std::map<Directed, Side> waiting_;
   std::vector<Side> queue_;

@@ -111,14 +111,14 @@ struct CutRings {
   std::vector<std::vector<std::size_t>> edge_of = {};
 };
 
-/// A builder of rings.
+/// Makes rings of the rings of an outline and the points on their edges.
 class Assembly {
  public:
   Assembly(const Outline& outline, const CutEdges& edges)
       : outline_(outline), edges_(edges), number_(outline.places.size(), no_index), first_(edges.size()) {}
 
-  /// Returns the rings on all places of the outline, unchanged, followed by those on edges, in the order in which the
-  /// rings pass them first.
+  /// Returns all rings. Their places are first all places of the outline, with unchanged numbers, then the points on
+  /// edges, in the order in which the rings pass them first.
   CutRings all() {
     std::iota(number_.begin(), number_.end(), Site{0});
     CutRings result{.places = outline_.places};
@@ -126,7 +126,7 @@ class Assembly {
     return result;
   }
 
-  /// Returns some rings, on their own places only.
+  /// Returns the rings with these numbers. Their places are only those that they pass.
   CutRings of(std::span<const std::size_t> rings) {
     CutRings result;
     for (const std::size_t r : rings) add(r, result);

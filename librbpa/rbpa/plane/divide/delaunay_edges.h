@@ -167,7 +167,7 @@ class DelaunayEdges {
     for (;;) {
       steps_.step(own.steps);
       const Chord<Real> base(at(edges_.dest(edge)), at(edges_.org(edge)));
-      // The first edge above at either end, and the edges that it cuts off.
+      // At either end of the base, the next edge above it is a candidate; edges that cannot be Delaunay are removed.
       const Edge back = sym(edge);
       Edge left = edges_.onext(back), right = edges_.oprev(edge);
       auto of_left = base.candidate(at(edges_.dest(left))), of_right = base.candidate(at(edges_.dest(right)));

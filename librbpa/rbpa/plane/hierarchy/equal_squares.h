@@ -24,7 +24,7 @@ struct Square {
 
   Real middle_x() const { return x + side / 2; }
   Real middle_y() const { return y + side / 2; }
-  /// Returns whether the quarters of the square are distinct as numbers.
+  /// Returns whether the square can be cut into quarters: its middle, rounded, is not on its lower or left side.
   bool can_be_cut() const { return middle_x() > x && middle_y() > y; }
 };
 
@@ -37,7 +37,7 @@ class EqualSquares {
     for (int i = 0; i < depth; ++i) side_ /= 2;
   }
 
-  /// Returns whether all squares are distinct as numbers.
+  /// Returns whether all squares remain distinct when their sides are rounded.
   bool are_apart() const { return columns_.are_apart() && rows_.are_apart(); }
 
   /// Counts points. Requires: are_apart(), and points in the square.

@@ -61,7 +61,7 @@ struct PartialState {
   std::vector<OpenComponent> open = {};
   std::vector<Chain> chains = {};            // by first edge
   std::vector<Pinch> pinches = {};           // by members
-  std::vector<CornerPolygon> held = {};      // finished, but pinches wait for them; in order
+  std::vector<CornerPolygon> held = {};      // finished, but in pinches whose first polygon is not known yet; in order
   std::vector<CornerPolygon> polygons = {};  // finished
 };
 

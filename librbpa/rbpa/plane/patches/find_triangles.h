@@ -29,7 +29,9 @@ struct ListSink {
   const std::function<bool(const Progress&)>& progress;
 };
 
-/// Finds the triangles. Requires: sites that are not all on one line.
+/// Puts all triangles of the solid alpha complex into `list`. Calls `progress`, unless it is empty, after each patch.
+/// Requires: sites that are not all on one line.
+/// Throws:   Cancelled when `progress` returns false.
 template <typename List>
 void find_triangles(const Sites& sites, const Radius& alpha, const std::function<bool(const Progress&)>& progress,
                     Threads& threads, List& list) {

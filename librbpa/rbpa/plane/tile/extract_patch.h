@@ -18,7 +18,7 @@ namespace rbpa {
 /// Memory that is reused from tile to tile; extract_patch.cpp defines its use.
 struct ExtractionWorkspace {
   std::vector<std::uint16_t> kept, others, marginal;  // numbers of triangles
-  std::vector<std::uint16_t> owned;                   // for each triangle: the tile owns its least corner
+  std::vector<std::uint16_t> owned;                   // for each triangle: 1 if the tile owns its least corner, else 0
   std::vector<std::uint16_t> number;                  // for each side: the entry of the side across
   std::vector<std::uint16_t> elsewhere;               // for each point: triangles around it that other tiles own
   std::vector<int> last,

@@ -37,19 +37,22 @@ struct SolidPlateau {
   friend bool operator==(const SolidPlateau&, const SolidPlateau&) = default;
 };
 
-/// Returns at most eight plateaus, the best first: long structured ones below the first long one in one piece; then
-/// that one, and the long structured ones above it; then all others. Each group is sorted by (ratio − 1) · share of
-/// points covered, descending. A plateau begins where at least half of the points are covered. The result is empty if
-/// there is no tetrahedron.
+/// Returns at most eight plateaus, the best first. Let F be the long plateau with the least `from` that is not structured.
+/// First come the long structured plateaus below F; then F and the long structured ones above it; then all others. Each
+/// group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are not long and cover less
+/// than nine tenths of the points are last. A plateau begins where at least half of the points are covered. The result
+/// is empty if there is no tetrahedron.
 ///
 /// The *change* of the shape grows by at most a tenth within a plateau. It is the product P · H · E^(1/12), as in
 /// rbpa/plane/plateaus.h:
 ///   P  Σ nᵢ², the greatest so far;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − void_share rises or falls;
 ///   E  the volume of tetrahedra and voids.
-/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii.
-/// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
-///           milliseconds, returns false. Empty: never called.
+/// Calls `go_on`, unless it is empty, every few milliseconds.
+/// Requires: `delaunay` is the result of solid() of these points at infinity, with neighbors; `radii` are the
+///           circumradii of its tetrahedra.
+/// Throws:   ContractViolation when points, tetrahedra and radii visibly do not belong together; Cancelled when `go_on`
+///           returns false.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
                                                   std::span<const double> radii,
                                                   const std::function<bool()>& go_on = {});

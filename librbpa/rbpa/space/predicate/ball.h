@@ -36,7 +36,7 @@ class Ball {
   static constexpr Real unit_roundoff =
       std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
 
-  /// Makes no ball at all.
+  /// Makes an object without a ball.
   Ball() = default;
   /// Requires: distinct points, a finite radius above 0.
   Ball(const Point3& a, const Point3& b, const Point3& c, double radius) : a_(a), b_(b), c_(c), radius_(radius) {

@@ -68,7 +68,8 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   });
 }
 
-/// Changes `no_ball_rests` to `hidden` where every ball contains another point, for wanted points in the subset.
+/// For each wanted point of `near` with the cause `no_ball_rests`: changes the cause to `hidden` if every ball that
+/// touches the point contains another point.
 void find_hidden(const space::NeighborhoodSubset& near, double radius, std::vector<UnusedCause>& causes,
                  const std::vector<std::uint8_t>& wanted, Steps& step) {
   Threads threads;

@@ -16,7 +16,7 @@ class EdgeTable {
       begin_[triangle[0]] += 2;
       ++begin_[triangle[1]];
     }
-    // An edge has at least two triangles.
+    // An edge is a side of at least two triangles, so that half of these counts bound the numbers of edges.
     std::size_t sum = 0;
     for (std::size_t& begin : begin_) {
       const std::size_t slots = begin == 0 ? 0 : std::bit_ceil(begin / 2 + 1);

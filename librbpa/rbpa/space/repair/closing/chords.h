@@ -32,8 +32,8 @@ class Chords {
 
   std::size_t size() const { return chords_.size(); }
   const Chord& operator[](std::size_t number) const { return chords_[number]; }
-  /// Returns whether every chord that is not forbidden is a candidate; is_complete(): whether no chord at all is
-  /// missing.
+  /// Returns whether every chord that is not forbidden is a candidate. is_complete() returns whether no chord at all is
+  /// missing, not even a forbidden one.
   bool are_all() const { return all_; }
   bool is_complete() const { return chords_.size() == (first_to_.size() - 1) * (first_to_.size() - 2) / 2; }
   /// Returns the number of the first chord whose low end is `corner`; for the corner after the last one, the number of
@@ -44,7 +44,7 @@ class Chords {
   /// Returns the place of a chord in the order by high, then low end; number_at() is the inverse.
   std::uint32_t place_to(std::size_t number) const { return place_to_[number]; }
   std::uint32_t number_at(std::size_t place) const { return numbers_[place]; }
-  /// The high end of each chord by number, and the low end by place.
+  /// Returns the high end of each chord, by its number. lows() returns the low end of each chord, by its place.
   const std::vector<std::uint32_t>& highs() const { return highs_; }
   const std::vector<std::uint32_t>& lows() const { return lows_; }
   /// Returns the number of a chord. Requires: it is among the chords.

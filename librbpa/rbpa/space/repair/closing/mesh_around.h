@@ -22,7 +22,7 @@ namespace rbpa::space {
 struct Faults {
   std::vector<Chord> taken;     ///< chords between points that an edge of the mesh joins already
   std::vector<Chord> crossing;  ///< chords that cross a triangle
-  /// Triangles that a side of a triangle of the mesh, or another new triangle, crosses
+  /// New triangles that a side of a triangle of the mesh, or another new triangle, crosses.
   std::vector<RimTriangle> triangles;
   bool none() const { return taken.empty() && crossing.empty() && triangles.empty(); }
 };
@@ -43,9 +43,9 @@ class MeshAround {
   std::optional<std::uint32_t> place_of(const Point3& p) const;
 
   std::span<const SimpleLoop> loops_;
-  std::vector<Point3> places_;                          // the points of the loops, sorted
-  std::vector<std::vector<std::uint32_t>> joined_;      // for each place: the places that an edge joins to it
-  std::vector<Corners> triangles_;                      // near the loops
+  std::vector<Point3> places_;                      // the points of the loops, sorted
+  std::vector<std::vector<std::uint32_t>> joined_;  // for each place: the places to which an edge of the mesh joins it
+  std::vector<Corners> triangles_;                  // those of the mesh that are near the loops
   std::vector<std::vector<std::uint32_t>> corners_at_;  // for each loop: the places of its corners
   BoxTree loop_tree_, triangle_tree_;
   std::vector<std::vector<Corners>> added_;  // for each loop

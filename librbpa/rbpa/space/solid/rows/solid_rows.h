@@ -16,10 +16,10 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra as a finder numbers the points: positively oriented corners, and across from each corner the number of
-/// the neighboring row, or Solid::none.
+/// Tetrahedra, one a row, with points as a finder numbers them. A row has the corners, positively oriented, and across
+/// from each corner the row of the neighboring tetrahedron, or Solid::none.
 struct SolidRows {
-  std::vector<Row> corners;             ///< the solid's neighbors reuse its memory
+  std::vector<Row> corners;             ///< its memory is reused for Solid::neighbors
   meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted
 };
 

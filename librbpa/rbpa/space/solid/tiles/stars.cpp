@@ -261,7 +261,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
                                                 [](const Spoke& a, const Spoke& b) { return a.square < b.square; }) -
                                spokes.begin());
   const Spoke p = spokes[nearest];
-  // Sorted by the squared circumradius of (v, p, q), up to a factor.
+  // The squared circumradius of each triangle (v, p, q), up to a common factor, and the number of q; sorted.
   std::vector<std::pair<double, std::size_t>> triangles;
   for (std::size_t k = 0; k < spokes.size(); ++k) {
     if (k == nearest) continue;

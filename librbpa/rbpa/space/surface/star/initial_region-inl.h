@@ -47,7 +47,8 @@ class InitialRegion {
     std::size_t about, left, next;
   };
 
-  /// Finds the corners and arcs. Returns whether every sign is certain.
+  /// Finds the corners of the region's boundary and the arcs between them. Returns false if a sign is not certain, or
+  /// there are fewer than 3 or more than `most` points.
   bool find(std::span<const Neighbor> points, double radius) {
     count_ = points.size();
     corner_count_ = 0;
