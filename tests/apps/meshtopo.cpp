@@ -1,4 +1,4 @@
-// Tests of the program meshtopo: its reports, in JSON and for people, its repairs, and the loops that generate homology.
+// Tests of the program meshtopo: its reports, in JSON and for people, its repairs, and its loops.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What: divides the input of a fuzz target: a byte of options, the ending of a file format, a line feed, and the bytes of
-//       the file. Formats that are added to the table of io/formats.h are fuzzed without a change here.
+// What: divides the input of a fuzz target: a byte of options, the ending of a file format, a line feed, and the bytes
+//       of the file. Formats that are added to the table of io/formats.h are fuzzed without a change here.
 #pragma once
 
 #include <initializer_list>

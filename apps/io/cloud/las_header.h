@@ -1,5 +1,5 @@
-// What: reads the public header block of a LAS file, versions 1.0 to 1.4: the number and the place of the point records,
-//       and their coordinate reference system.
+// What: reads the public header block of a LAS file, versions 1.0 to 1.4: the number and the place of the point
+//       records, and their coordinate reference system.
 // Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if it differs
 //       between the header and the file. All records that settle() counts lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.

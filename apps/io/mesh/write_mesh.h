@@ -19,8 +19,8 @@ namespace rbpa::app {
 
 /// Writes OFF, PLY (binary little-endian), OBJ or STL. STL is binary, in single precision, and has the triangles of
 /// for_each_fan_triangle() for larger faces. Throws, before anything is written, BadInput if a coordinate is too large
-/// for STL, and Failure if single precision does not keep the mesh. Requires: a format of Use::mesh; a position for every
-/// point of `soup`.
+/// for STL, and Failure if single precision does not keep the mesh. Requires: a format of Use::mesh; a position for
+/// every point of `soup`.
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                 const meshops::PolygonSoup& soup, const std::optional<Shift>& shift = std::nullopt);
 

@@ -133,8 +133,8 @@ void write_json(OutputFile& file, const SpaceRepresentatives& all) {
   file.write(write.is_empty() ? "]\n" : "\n]\n");
 }
 
-/// Writes the vertices of one group after another. All vertices of the file have consecutive numbers from 1, in the order
-/// in which the groups use them.
+/// Writes the vertices of one group after another. All vertices of the file have consecutive numbers from 1, in the
+/// order in which the groups use them.
 class Vertices {
  public:
   Vertices(OutputFile& file, std::span<const Point3> points) : file_(file), points_(points) {}

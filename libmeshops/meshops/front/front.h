@@ -43,7 +43,7 @@ struct DetachedTriangle {
 ///
 /// A *site* is the number of a point. A *fan* is a sequence of faces around a site, each adjacent to the next; each fan
 /// has a vertex of its own, which stands on the site. A *deferred* halfedge is active, but its turn comes only
-/// when no other one is active. A *frozen* one waits for the next *level*: next_level() ends a level and begins the next.
+/// when no other one is active. A *frozen* one waits for the next *level*, which next_level() begins.
 ///
 /// A mesh has at most one front, and a front is not copied. While it is in use, no other code may add elements to the
 /// mesh or remove some (garbage_collection(), add_face()). After finish(), only mesh(), edges(), faces(), sites(),

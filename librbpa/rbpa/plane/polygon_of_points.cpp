@@ -56,7 +56,7 @@ std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, 
   return polygon;
 }
 
-/// Records that a point is a corner in this polygon, unless there is none. Of several polygons, the least number counts.
+/// Records that a point is a corner in this polygon, if it is one. Of several polygons, the least number counts.
 void put(Number& of_point, std::uint32_t polygon) {
   if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }

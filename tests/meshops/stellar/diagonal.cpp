@@ -11,8 +11,8 @@ using namespace meshops::test;
 
 namespace {
 
-/// Visits the small meshes of laws.h after closing some of their boundary curves and removing some of their edges: their
-/// faces are polygons, some of which touch themselves.
+/// Visits the small meshes of laws.h after closing some of their boundary curves and removing some of their edges:
+/// their faces are polygons, some of which touch themselves.
 void on_polygons(const std::function<void(TestMesh&, Keep)>& visit) {
   std::mt19937 random(31);
   on_every_mesh([&](TestMesh& mesh, Keep keep) {

@@ -3,12 +3,12 @@
 //         divided by that of the new cell.
 // Law:    the set of neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors
 //         weighted by their shares is the point (Sibson's identity).
-// How:    the triangles whose circles contain the point form a polygon without points inside. The corners of the polygon
-//         are the natural neighbors. A walk goes around the polygon; at each corner it passes the polygon's triangles
-//         at this corner. Their circumcenters, and those of the two triangles that the point forms with the sides at
-//         the corner, bound the part of the new cell that is cut out of the corner's cell.
-//         Areas are computed in double if the result satisfies Sibson's identity to 1e-9, otherwise in twice the
-//         precision on the same condition, and otherwise in rational numbers.
+// How:    the triangles whose circles contain the point form a polygon without points inside. The corners of the
+//         polygon are the natural neighbors. A walk goes around the polygon; at each corner it passes the polygon's
+//         triangles at this corner. Their circumcenters, and those of the two triangles that the point forms with the
+//         sides at the corner, bound the part of the new cell that is cut out of the corner's cell. Areas are computed
+//         in double if the result satisfies Sibson's identity to 1e-9, otherwise in twice the precision on the same
+//         condition, and otherwise in rational numbers.
 // Cost:   linear in the triangles whose circles contain the point: four on average.
 // Source: R. Sibson, A vector identity for the Dirichlet tessellation (1980).
 #pragma once

@@ -6,7 +6,8 @@
 //          complex around them are in patches (patches/find_patch.h). After tiles that settle few stars, some tiles are
 //          skipped (patches/skipped_tiles.h).
 //       3. A sink receives the patches and joins them; its step place() is called for one patch at a time, in order.
-//       4. The sites whose stars are not settled, and those beyond the window, make the last patch (remainder/remainder.h).
+//       4. The sites whose stars are not settled, and those beyond the window, make the last patch
+//          (remainder/remainder.h).
 // Cost: linear if the density is even; at worst O(n log n).
 #pragma once
 

@@ -28,8 +28,8 @@ struct BallUnion {
 /// Throws:   InvalidInput that names the violated requirement; as solid().
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options = {});
 
-/// Computes volume and area of the union from a triangulation that is already computed. `threads` is as in SolidOptions:
-/// 0 = all processors.
+/// Computes volume and area of the union from a triangulation that is already computed. `threads` is as in
+/// SolidOptions: 0 = all processors.
 /// Requires: 0 < radius < infinity; `delaunay` is the result of solid(points, infinity), with neighbors, and has
 ///           tetrahedra; `radii` are its circumradii() of solid_radii.h.
 /// Throws:   InvalidInput when the radius is out of range; ContractViolation when there are no tetrahedra or no

@@ -37,11 +37,11 @@ struct SolidPlateau {
   friend bool operator==(const SolidPlateau&, const SolidPlateau&) = default;
 };
 
-/// Returns at most eight plateaus, the best first. Let F be the long plateau with the least `from` that is not structured.
-/// First come the long structured plateaus below F; then F and the long structured ones above it; then all others. Each
-/// group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are not long and cover less
-/// than nine tenths of the points are last. A plateau begins where at least half of the points are covered. The result
-/// is empty if there is no tetrahedron.
+/// Returns at most eight plateaus, the best first. Let F be the long plateau with the least `from` that is not
+/// structured. First come the long structured plateaus below F; then F and the long structured ones above it; then all
+/// others. Each group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are not long
+/// and cover less than nine tenths of the points are last. A plateau begins where at least half of the points are
+/// covered. The result is empty if there is no tetrahedron.
 ///
 /// The *change* of the shape grows by at most a tenth within a plateau. It is the product P · H · E^(1/12), as in
 /// rbpa/plane/plateaus.h:

@@ -1,6 +1,6 @@
 // What: makes a surface of points in space watertight, and proves it: each side has a neighbor, and no triangles cross.
-// How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and looks
-//       for curves that stay open and for crossing_triangles().
+// How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and
+//       looks for curves that stay open and for crossing_triangles().
 // Law:  the result depends on the points and the triangles only, not on any order or number of threads. The check is
 //       exact.
 // Cost: that of close_surface(), of refine_filling() on request, and of crossing_triangles().
@@ -27,8 +27,8 @@ inline constexpr std::size_t most_crossing_pairs = 1000;
 struct WatertightOptions {
   /// For each component of the surface, whether it may stay; empty: all may.
   std::vector<bool> kept = {};
-  /// The final position of each point, by which fillings are refined and checked; empty: the given points. The originals
-  /// of points that scale_space() moved differ from those by which holes are filled.
+  /// The final position of each point, by which fillings are refined and checked; empty: the given points. The
+  /// originals of points that scale_space() moved differ from those by which holes are filled.
   std::span<const Point3> places = {};
   bool refine = false;  ///< refines the fillings
 };

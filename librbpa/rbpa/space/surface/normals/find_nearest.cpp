@@ -132,8 +132,8 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
     places.push_back(k);
   };
   for (std::size_t k = 0; k < std::min<std::size_t>(2, chosen.size()); ++k) choose(k);
-  // Squared spacing · number of points / squared radius of the disc. Points so far apart leave few gaps in the disc, and
-  // few more than that number find room.
+  // Squared spacing · number of points / squared radius of the disc. Points so far apart leave few gaps in the disc,
+  // and few more than that number find room.
   constexpr Real spread = 2.56;
   Real least = spread * nearest.square(nearest.size() - 1) / static_cast<Real>(chosen.size());
   for (; places.size() < chosen.size(); least /= 4)
