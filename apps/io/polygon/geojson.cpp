@@ -371,7 +371,7 @@ class Events {
   PointFile file_ = {};
   std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.texts[0]
   std::vector<Frame> frames_ = {};
-  Slot passed_over_ = Slot::ignored;  // the content that is ignored but for names and numbers
+  Slot passed_over_ = Slot::ignored;  // the content that is ignored, except its names and numbers
   std::size_t depth_ = 0;             // open brackets in it; 0: nothing is ignored
   std::string inner_key_ = {};
   std::map<std::string, std::size_t> property_numbers_ = {};

@@ -39,7 +39,7 @@ struct OutputArguments {
   std::optional<std::string> stats;
 };
 
-/// Returns the paths that are present.
+/// Returns the paths of those reports that are requested.
 std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
 
 /// Returns the files to write with their formats: by the ending, else as --output-format says. For the full complex

@@ -47,8 +47,8 @@ struct DetachedTriangle {
 ///
 /// A mesh has at most one front, and a front is not copied. While it is in use, no other code may add elements to the
 /// mesh or remove some (garbage_collection(), add_face()). After finish(), only mesh(), edges(), faces(), sites(),
-/// frozen() and level() may be called. Every other member checks both and throws ContractViolation, which names the
-/// cause.
+/// frozen() and level() may be called. Every other member checks both and throws a ContractViolation
+/// that names the cause.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.

@@ -20,7 +20,7 @@ namespace rbpa {
 
 struct Covering {
   double share = 1;  ///< share of the distinct points, 0 < share ≤ 1
-  /// Number of solid components that may hold them; absent: any
+  /// Maximum number of solid components that together have this share; absent: any number.
   std::optional<std::size_t> max_components = std::nullopt;
 };
 

@@ -1,4 +1,5 @@
-// What: nests the user's rings, noded, or tells why and where they are no rings of polygons.
+// What: finds which of the given rings, after noding, lies in which; or reports why and where they cannot be the rings
+//       of polygons.
 #pragma once
 
 #include <cstdint>

@@ -79,8 +79,7 @@ class BoundarySides {
     meshops::require(is_closed, "count: expected as many boundary sides into each point as out of it");
   }
 
-  /// A boundary side that begins or ends at a point: its number, the point at its other end, and whether it begins
-  /// there.
+  /// A boundary side at a point: its number, the point at its other end, and whether it leaves the point.
   struct AtPoint {
     std::uint32_t side, other;
     bool goes_out;

@@ -25,8 +25,8 @@
 
 namespace rbpa {
 
-/// A counter of steps that calls working() once in many of them, in one thread at a time, and never again after it has
-/// thrown.
+/// A counter of steps that calls working() once in many steps, in one thread at a time. After working() has thrown, it
+/// is not called again, and other threads throw the same.
 class DivisionSteps {
  public:
   explicit DivisionSteps(const std::function<void()>& working) : working_(working) {}

@@ -21,8 +21,8 @@ struct BallUnion {
   double volume = 0, area = 0;
 };
 
-/// Computes volume and area of the union. Points may have any position; equal points count once. `options.neighbors` is
-/// ignored.
+/// Computes volume and area of the union. Points may have any position; equal points count once.
+/// Ignores options.neighbors.
 /// Requires: finite points; 0 < radius < infinity; if all points are in one plane, they are not so far apart, and
 ///           the balls not so large, that points beyond all balls would overflow double.
 /// Throws:   InvalidInput that names the violated requirement; as solid().
