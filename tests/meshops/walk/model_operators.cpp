@@ -210,8 +210,7 @@ std::string collapse(Model& model, int h) {
   if (right >= 0) model.set_face(right, {});
   model.erase_edge(h);
   if (left >= 0 && right >= 0 && l[2] == (r[1] ^ 1)) {
-    // Besides the edge of h, v has one edge, which is removed. Of the two edges from w to the apex, the right one
-    // stays.
+    // v has one other edge, which is removed. Of the two edges from w to the apex, the one on the right of h stays.
     model.erase_edge(l[2]);
     model.replace(l[1] ^ 1, r[2]);
     if (l[1] != (r[2] ^ 1)) model.erase_edge(l[1]);
