@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
 #include "plane/level_report.h"
@@ -99,4 +100,3 @@ void run_mesh(const MeshArguments& arguments) {
 }
 
 }  // namespace rbpa::app
-#include "io/interrupt.h"
