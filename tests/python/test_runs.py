@@ -62,7 +62,7 @@ LONG_RUNS = {
     "read_points": lambda: rbpa.read_points(FILE),
     "report": MESH.report,
     "estimate_normals": lambda: rbpa.estimate_normals(BALL),
-    "full_complex": lambda: rbpa.solid(BALL[:30_000] * np.linspace(0.5, 1, 30_000)[:, None], 0.05).full(),
+    "full_complex": lambda: rbpa.solid(BALL[:30_000] * np.linspace(0.5, 1, 30_000)[:, None], 0.05).full,
     "fill_holes": lambda: SKEW.fill_holes(rims=True),
     "surface": lambda: rbpa.surface(BALL[:30_000], BALL[:30_000], 0.03),
     "vertex_neighbor_vertices": lambda: rbpa._core.vertex_neighbors(TRIANGULATION.simplices, len(MANY)),

@@ -52,7 +52,7 @@ def test_components_are_kept_and_unused_points_are_listed():
 
 def test_methods_that_need_the_ball_and_invalid_surfaces_are_refused(tmp_path):
     made = rbpa.surface_of(CORNERS, OPEN)
-    for call in (made.repairs, made.outer_shells):
+    for call in (made.suggested_repairs, made.outer_shells):
         with pytest.raises(rbpa.InvalidInput, match="given"):
             call()
     made.save(tmp_path / "box.ply")

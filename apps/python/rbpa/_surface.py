@@ -264,7 +264,7 @@ class Surface(Result):
             Components of the surface were dropped or holes filled, or its triangles were given.
         """
         if self._kept_from is not None or self._filled_from is not None or self.given is not None:
-            raise InvalidInput("repairs: found a surface that was changed or given, expected an unchanged result of surface()")
+            raise InvalidInput("suggested_repairs: found a surface that was changed or given, expected an unchanged result of surface()")
         result: list[Optional[SurfaceRepair]] = [None] * len(self.holes)
         if self.normals is None or not result:
             return result
