@@ -135,7 +135,8 @@ std::vector<Triangle> glued_by_place(std::span<const Point3> points, std::span<c
     const auto last = std::find_if(first, sides.end(),
                                    [&](const SideInSpace& s) { return s.low != first->low || s.high != first->high; });
     if (last - first == 2 && first[0].opens != first[1].opens) glue(first[0], first[1]);
-    if (last - first > 2) EdgeTurn(points, std::span(first, last)).for_each_pair(glue);
+    if (last - first > 2)
+      EdgeTurn(points, std::span<SideInSpace>(&*first, static_cast<std::size_t>(last - first))).for_each_pair(glue);
     first = last;
   }
   return neighbors;
