@@ -50,7 +50,7 @@ TEST_SUITE("formats") {
     REQUIRE(folder.rbpa("mesh p.xy --alpha inf -o m.off -o m.ply -o m.obj -q").code == 0);
     CHECK(read(folder.path("m.off"), Format::off) == points);
     CHECK(read(folder.path("m.ply"), Format::ply) == points);
-    // So each file gives the same mesh.
+    // Each file gives the same mesh.
     REQUIRE(folder.rbpa("mesh m.off --alpha inf -o again.ply -q").code == 0);
     CHECK(folder.content("again.ply") == folder.content("m.ply"));
     REQUIRE(folder.rbpa("mesh m.ply --alpha inf -o again.obj -q").code == 0);

@@ -422,10 +422,9 @@ std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request)
 }  // namespace
 
 /// Reads a table in text, one point per line. Every line is a point, a comment ('#'), blank, or the one header; other
-/// lines are refused by their number, or left out and counted. The separator is the first of comma, semicolon, tab and
-/// blanks that the first line of data contains; but if every comma stands inside a number, as in "1,5;2,5", it is a
-/// decimal sign. Fields may be in double quotes (not with blanks as separator). All lines have the same number of
-/// columns. In a line that the condition excludes, only the condition's columns are read.
+/// lines are refused by their number, or left out and counted. The separator is that of choose_separator()
+/// (table_separator.h). Fields may be in double quotes (not with blanks as separator). All lines have the same number
+/// of columns. In a line that the condition excludes, only the condition's columns are read.
 const CloudFormat table_reader = {
     .open = open_table, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
 

@@ -22,7 +22,7 @@ bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const
 double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 /// Returns whether q is inside the perturbed sphere through a, b, c, d; nothing where their differences are not
-/// integers of a fixed width (fixed_width.h). Requires: five distinct points; orientation(a, b, c, d) > 0.
+/// integers of a fixed width (fixed_width_vectors.h). Requires: five distinct points; orientation(a, b, c, d) > 0.
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                       const Point3& q);
 

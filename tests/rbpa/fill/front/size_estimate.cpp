@@ -31,7 +31,7 @@ TEST_CASE("input that needs more triangles than possible is refused before the s
   CHECK(refusal(thin, {square()}, {.size = 1e-9}).find("would be made") != std::string::npos);
   // A boundary that stays whole has no more triangles than points.
   CHECK(refusal(thin, {square()}, {.size = 1e-9, .keep_boundary = true}) == "");
-  // That point needs few triangles where sizes grow from it.
+  // The tiny size at one point needs few triangles, as sizes grow from there.
   CHECK(refusal(unit, {square()}, {.size = 1, .sizes = tiny}) == "");
 }
 
