@@ -32,7 +32,7 @@ draw lidar_ahn_delft_west 240 delft_auto auto
 draw lidar_ahn_delft_west 240 delft plateau
 draw geo_us_zipcodes 560 zipcodes_auto auto
 draw geo_us_zipcodes 560 zipcodes plateau
-for each in lidar_autzen_trim:autzen lidar_confidence3d:cliff shape_skimage_horse_fill:horse \
+for each in lidar_autzen_trim:autzen lidar_certainty3d:cliff shape_skimage_horse_fill:horse \
   shape_manifold_bigsponge:sponge mol_2xhe_xy:molecule geo_lightning_a:lightning shape_smap_dstorm:dstorm \
   shape_hdbscan_clusterable:clusterable shape_poly2tri_nazca_monkey:monkey; do
   draw "${each%:*}" 280 "${each#*:}" plateau

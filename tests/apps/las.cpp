@@ -447,7 +447,7 @@ TEST_SUITE("las") {
       std::string crs;
     };
     for (const Real& real : {Real{"las_autzen_thin.las", 10653, ""}, Real{"las_mvk_thin.las", 6280, ""},
-                             Real{"las_confidence3d.las", 10126, "EPSG:2229"}, Real{"las_extrabytes.las", 1065, ""},
+                             Real{"las_certainty3d.las", 10126, "EPSG:2229"}, Real{"las_extrabytes.las", 1065, ""},
                              Real{"las_v10_pf0.las", 1, "EPSG:26915"}, Real{"las_v12_pf2.las", 1, "EPSG:26915"},
                              Real{"las_v14_pf6.las", 1000, "EPSG:2903"}}) {
       CAPTURE(real.name);
@@ -456,8 +456,8 @@ TEST_SUITE("las") {
       CHECK((found.crs ? found.crs->text() : "") == real.crs);
     }
     // Points that others wrote as text agree.
-    CHECK(file("las_confidence3d.las").points ==
-          read_points({.path = RBPA_TEST_DATA "/lidar_confidence3d.xy", .format = Format::text}).points);
+    CHECK(file("las_certainty3d.las").points ==
+          read_points({.path = RBPA_TEST_DATA "/lidar_certainty3d.xy", .format = Format::text}).points);
     CHECK_THROWS_AS(file("las_garbage_vlr_count.las"), BadInput);  // which lacks a part of its last point
   }
 
