@@ -35,7 +35,7 @@ void check_positive(const std::string& what, double value) {
 void check_sizes(const FillOptions& options) {
   if (std::isinf(options.size) && options.size > 0) {
     if (options.grade || !options.sizes.empty())
-      throw InvalidInput("size: found inf, at which no point is added, and " +
+      throw InvalidInput("size: found inf, at which no point is added, together with " +
                          std::string(options.grade ? "a grade" : "sizes at points") + ", expected one of them");
     return;
   }

@@ -157,9 +157,9 @@ TEST_SUITE("solid box") {
     CHECK(outcome.err.find("a.pdb: atoms reach over 12.2 x 0 x 0, more than the box of 10 x 10 x 10") !=
           std::string::npos);
     CHECK(outcome.err.find("alpha is inf") == std::string::npos);
-    CHECK(
-        outcome.err.find("a ball of half of the box's least side, 10, has no point inside: expected more points in the "
-                         "box; voids and counts at --alpha 1.5 need all tetrahedra") != std::string::npos);
+    CHECK(outcome.err.find("a ball with a radius of half of the box's least side, 10, has no point inside: expected "
+                           "more points in the "
+                           "box; voids and counts at --alpha 1.5 need all tetrahedra") != std::string::npos);
     outcome = folder.rbpa("solid a.pdb --alpha 3 --box 10 --where \"resname == 'DPP'\" --voids v.json");
     CHECK(outcome.code == 3);
     CHECK(outcome.err.ends_with("rbpa: a.pdb: 0 atoms selected, but a box needs at least one\n"));

@@ -37,7 +37,9 @@ namespace detail {
 
 /// Returns why elements of the mesh cannot be deleted, or nullptr when they can.
 inline const char* status_refusal(const Connectivity& mesh) {
-  return has_status(mesh) ? nullptr : "the mesh needs status of every kind to mark what is deleted";
+  return has_status(mesh)
+             ? nullptr
+             : "the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)";
 }
 
 }  // namespace detail

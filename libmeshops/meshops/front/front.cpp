@@ -33,7 +33,8 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
       supply_(1),
       keeps_handles_(true),
       waiting_(mesh) {
-  require(has_status(mesh), "Front: the mesh needs status of every kind to mark what is deleted");
+  require(has_status(mesh),
+          "Front: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
   guard_.count_elements();

@@ -31,7 +31,7 @@ std::string describe(const Refusal& refusal) {
     case RefusalKind::not_at_front:
       return "no side of face " + index + " is on the boundary";
     case RefusalKind::no_status:
-      return "the mesh needs status of every kind to mark what is deleted";
+      return "the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)";
     case RefusalKind::triangle_there:
       return "face " + index + " on " + site + " and site " + std::to_string(refusal.to) + " is that triangle already";
   }

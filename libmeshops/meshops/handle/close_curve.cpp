@@ -31,7 +31,7 @@ bool is_passed_again(const Connectivity& mesh, Halfedge h) {
 }
 
 const char* reason_against_opening(const Connectivity& mesh, Face f) {
-  if (!mesh.has_face_status()) return "the mesh needs face status to mark what is deleted";
+  if (!mesh.has_face_status()) return "the mesh needs face status to mark what is deleted (request_face_status())";
   if (!is_live(mesh, f)) return "no such face";
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;

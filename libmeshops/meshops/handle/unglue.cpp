@@ -149,7 +149,8 @@ UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
 }
 
 UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
-  require(has_status(mesh), "unglue: the mesh needs status of every kind to know what is deleted");
+  require(has_status(mesh),
+          "unglue: the mesh needs status of every kind to know what is deleted (request_vertex_status() and so on)");
   const Halfedge h = effect.survivor;
   require_ungluable("unglue", mesh, h);
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));

@@ -28,7 +28,8 @@ std::vector<Halfedge> sides_of(const Connectivity& mesh, Face f) {
 }  // namespace
 
 History::History(Connectivity& mesh) : mesh_(mesh) {
-  require(has_status(mesh), "History: the mesh needs status of every kind to mark what is deleted");
+  require(has_status(mesh),
+          "History: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
 }
 
 Halfedge History::create_triangle() {
@@ -213,7 +214,7 @@ void History::redo() {
 }
 
 void History::undo_to(std::size_t steps) {
-  require(steps <= done_.size(), "History: there are fewer steps than should be left");
+  require(steps <= done_.size(), "History: there are fewer steps than are to be left");
   while (done_.size() > steps) undo();
 }
 

@@ -100,7 +100,7 @@ std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& sou
 
 PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex) {
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
-          "soup_of: not one point for each vertex");
+          "soup_of: expected a point for each vertex");
   PolygonSoup soup;
   soup.points = point_of_vertex.empty() ? mesh.n_vertices() : 0;
   for (const std::uint32_t p : point_of_vertex) soup.points = std::max<std::size_t>(soup.points, p + std::size_t{1});

@@ -159,7 +159,7 @@ TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uin
 
 TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, const GoOn& go_on) {
   require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
-          "report: not one point for each vertex");
+          "report: expected a point for each vertex");
   Steps step(go_on);
   if (has_several_fans_anywhere(mesh, step)) return report_of_fans(mesh, point_of_vertex, go_on);
   return MeshReporter(mesh, point_of_vertex, step)();

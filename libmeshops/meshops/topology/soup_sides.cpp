@@ -135,7 +135,7 @@ void require_readable(const PolygonSoup& soup) {
   require_parted(soup);
   constexpr std::size_t limit = std::size_t{1} << 30U;
   require(soup.corners.size() < limit && soup.points < limit && soup.faces() < limit,
-          "a soup has 2^30 corners, points or faces, or more");
+          "a soup has 2^30 or more corners, points or faces, expected fewer");
 }
 
 }  // namespace

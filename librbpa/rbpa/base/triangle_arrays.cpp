@@ -31,16 +31,16 @@ bool is_triangle(const Triangle& corners, std::size_t points) {
 
 void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on) {
   meshops::require(arrays.triangles.size() == arrays.neighbors.size(),
-                   "triangles and neighbors: expected the same number of each");
+                   "triangles and neighbors differ in length, expected a row of neighbors for each triangle");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
     if (t % 65536 == 0 && go_on && !go_on()) throw Cancelled();
     if (!is_triangle(arrays.triangles[t], points))
-      throw meshops::ContractViolation("triangle " + std::to_string(t) + ": expected three different indices of the " +
-                                       std::to_string(points) + " points");
+      throw meshops::ContractViolation("triangle " + std::to_string(t) +
+                                       ": expected three different indices of points, below " + std::to_string(points));
     for (std::size_t k = 0; k < 3; ++k)
       if (!is_linked(arrays, t, k))
         throw meshops::ContractViolation("triangle " + std::to_string(t) + ": neighbor " + std::to_string(k) +
-                                         " is not the triangle across that side");
+                                         " is not the triangle across the side opposite corner " + std::to_string(k));
   }
 }
 

@@ -112,8 +112,8 @@ double value_in(const std::array<Point, 3>& at, const std::array<double, 3>& val
 std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
                                       std::span<const std::size_t> groups, const std::function<bool()>& go_on) {
   if (values.size() > filling.boundary_points)
-    throw InvalidInput("values: found " + std::to_string(values.size()) +
-                       ", expected one for each point given to fill()");
+    throw InvalidInput("values: found " + std::to_string(values.size()) + ", expected at most " +
+                       std::to_string(filling.boundary_points) + ", one for each point given to fill()");
   Steps step(go_on);
   std::vector<double> value(values.begin(), values.end());
   value.resize(filling.points.size(), std::numeric_limits<double>::quiet_NaN());

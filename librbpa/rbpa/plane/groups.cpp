@@ -32,19 +32,23 @@ Groups groups_of(std::span<const std::uint32_t> labels, std::size_t count) {
 void check(std::span<const Point> points, const Groups& groups) {
   check_number(points.size());
   const auto refuse = [](const std::string& what) { throw InvalidInput("groups: " + what); };
-  if (groups.offsets.empty() || groups.offsets[0] != 0) refuse("found no offset 0 at the beginning, expected one");
+  if (groups.offsets.empty() || groups.offsets[0] != 0)
+    refuse("the first offset is not 0, expected offsets from 0 to the number of members");
   if (groups.offsets.back() != groups.members.size())
-    refuse("found " + std::to_string(groups.members.size()) + " members, expected as many as the last offset, " +
-           std::to_string(groups.offsets.back()));
+    refuse("the last offset is " + std::to_string(groups.offsets.back()) + ", expected " +
+           std::to_string(groups.members.size()) + ", the number of members");
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string name = "offset " + std::to_string(g + 1);
-    if (groups.offsets[g + 1] < groups.offsets[g]) refuse("found a lesser " + name + ", expected ascending offsets");
-    if (groups.offsets[g + 1] > groups.members.size()) refuse("found " + name + " behind the last member");
+    if (groups.offsets[g + 1] < groups.offsets[g])
+      refuse(name + " is less than the one before, expected ascending offsets");
+    if (groups.offsets[g + 1] > groups.members.size())
+      refuse(name + " is " + std::to_string(groups.offsets[g + 1]) + ", expected at most " +
+             std::to_string(groups.members.size()) + ", the number of members");
     const std::span<const std::uint32_t> members = groups[g];
     for (std::size_t k = 0; k < members.size(); ++k)
       if (members[k] >= points.size() || (k > 0 && members[k] <= members[k - 1]))
         refuse("found member " + std::to_string(members[k]) + " in group " + std::to_string(g) +
-               ", expected indices of the " + std::to_string(points.size()) + " points, ascending");
+               ", expected indices of points, below " + std::to_string(points.size()) + " and ascending");
   }
 }
 

@@ -12,7 +12,7 @@ namespace rbpa {
 std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy) {
   const std::size_t triangles = hierarchy.levels.empty() ? 0 : hierarchy.levels.back().triangles;
   meshops::require(triangles == hierarchy.complex.mesh.n_faces(),
-                   "level_topology: the levels do not end with the triangles of the complex");
+                   "level_topology: the levels have other triangles than the complex, in number");
   const OwnedTriangles faces = linked_faces(hierarchy.complex.mesh);
   Growth growth(faces, hierarchy.complex.mesh.n_vertices(), hierarchy.complex.input_index);
   std::vector<ComplexCounts> counts;

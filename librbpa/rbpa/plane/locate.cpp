@@ -116,7 +116,7 @@ class Locator::Impl {
       : points_(points), of_(delaunay), sites_(points, threads, ask), at_site_(sites_.size(), 0) {
     if (of_.triangles.empty()) return;
     meshops::require(is_triangulation_of_all(sites_.size(), of_),
-                     "locator: the triangles are not all of the Delaunay triangulation of the points");
+                     "locator: the triangles are not the whole Delaunay triangulation of the points");
     std::vector<std::uint32_t> at_point(points.size(), 0);
     for (std::uint32_t t = 0; t < of_.triangles.size(); ++t)
       for (const std::uint32_t corner : of_.triangles[t]) at_point[corner] = t;

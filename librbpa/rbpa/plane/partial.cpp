@@ -60,14 +60,14 @@ std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners) {
 WholeComplex finish(Partial&& partial) {
   const PartialState& state = partial.state();
   if (const std::optional<Point> place = state.cover.missing())
-    throw InvalidInput("regions do not cover the plane: none contains the points from (" + text(place->x) + ", " +
-                       text(place->y) + ") on");
+    throw InvalidInput("the regions do not cover the plane: none contains the area with the lower left corner (" +
+                       text(place->x) + ", " + text(place->y) + ")");
   if (!state.shared.empty()) {
     const SharedTriangle& triangle = state.shared[0];
     const auto& [a, b, c] = triangle.corners;
     throw InvalidInput("triangle " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) +
-                       " is known to the regions of " + std::to_string(triangle.owned) +
-                       " of its corners, expected 3: halos were not complete, or points differ");
+                       " was found in the regions of " + std::to_string(triangle.owned) +
+                       " of its corners, expected all 3: halos were not complete, or points differ");
   }
   return {.counts = state.counts, .polygons = take_settled(partial)};
 }

@@ -19,7 +19,8 @@ namespace rbpa {
 namespace {
 
 void check(const Covering& covering) {
-  meshops::require(covering.share > 0 && covering.share <= 1, "smallest_covering: a share is above 0 and at most 1");
+  meshops::require(covering.share > 0 && covering.share <= 1,
+                   "smallest_covering: expected a share above 0, and at most 1");
 }
 
 /// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(covered points, sizes

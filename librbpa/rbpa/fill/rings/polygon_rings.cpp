@@ -109,7 +109,8 @@ std::vector<std::size_t> groups_of(const PolygonRings& rings, std::span<const st
                                    std::size_t polygons) {
   if (begins.empty()) return std::vector<std::size_t>(rings.roles.size(), 0);
   if (begins[0] != 0 || begins.back() > polygons || !std::is_sorted(begins.begin(), begins.end()))
-    throw InvalidInput("groups: found other numbers, expected the first polygon of each group, ascending from 0");
+    throw InvalidInput("groups: found numbers that do not ascend from 0 to at most " + std::to_string(polygons) +
+                       ", expected the number of the first polygon of each group");
   std::vector<std::size_t> groups;
   for (const RingRole& role : rings.roles)
     groups.push_back(

@@ -38,7 +38,7 @@ using Side = std::array<std::uint32_t, 2>;
 std::vector<Side> boundary_of(const AlphaComplex& complex, Steps& step) {
   if (!complex.boundary.empty()) return complex.boundary;
   meshops::require(complex.neighbors.size() == complex.triangles.size(),
-                   "count: expected the boundary, or the neighbors of every triangle");
+                   "count: the complex has no boundary, expected it, or the neighbors of every triangle");
   return boundary_sides(complex, [&] { step(); });
 }
 
@@ -76,7 +76,9 @@ class BoundarySides {
 
  private:
   static void require_closed(bool is_closed) {
-    meshops::require(is_closed, "count: expected as many boundary sides into each point as out of it");
+    meshops::require(
+        is_closed,
+        "count: the boundary is not closed, expected at each point as many sides that begin there as that end there");
   }
 
   /// A boundary side at a point: its number, the point at its other end, and whether it leaves the point.

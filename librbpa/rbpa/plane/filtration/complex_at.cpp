@@ -10,7 +10,7 @@
 namespace rbpa {
 
 AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha) {
-  meshops::require(alpha > 0, "complex_at: alpha is a radius above 0, or infinity");
+  meshops::require(alpha > 0, "complex_at: expected alpha above 0, or infinity");
   require_same(filtration, of.triangulation(), "complex_at");
   return complex_at(of, std::span<const double>(filtration.triangle_alpha), alpha);
 }

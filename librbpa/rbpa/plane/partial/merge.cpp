@@ -133,8 +133,8 @@ Partial merge(Partial&& a, Partial&& b) {
     throw InvalidInput("alpha is " + text(a.alpha()) + " and " + text(b.alpha()) + ", expected the same");
   Cover cover = a.state().cover + b.state().cover;
   if (const std::optional<Point> twice = cover.wrong())
-    throw InvalidInput("both sets of regions contain the points from (" + text(twice->x) + ", " + text(twice->y) +
-                       ") on, expected disjoint regions");
+    throw InvalidInput("both sets of regions contain the area with the lower left corner (" + text(twice->x) + ", " +
+                       text(twice->y) + "), expected disjoint regions");
 
   PartialState state = std::move(a.state()), other = std::move(b.state());
   number_behind(state, other);

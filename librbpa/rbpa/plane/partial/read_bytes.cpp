@@ -30,12 +30,15 @@ void check_frame(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < header || word_at(bytes, 0) != partial_format::magic)
     refuse("found " + std::to_string(bytes.size()) + " bytes that do not begin with RBPAPART");
   if (const std::uint64_t version = word_at(bytes, word); version != partial_format::version)
-    refuse("version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
+    refuse("found version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
   if (const std::uint64_t size = word_at(bytes, 2 * word); size != bytes.size())
-    refuse(std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) + ", as its header says");
-  if (bytes.size() % word != 0 || bytes.size() < header + word) refuse("its size is not a multiple of 8 bytes");
+    refuse("found " + std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) +
+           ", as its header says");
+  if (bytes.size() % word != 0 || bytes.size() < header + word)
+    refuse("found " + std::to_string(bytes.size()) + " bytes, expected a multiple of 8");
   const std::size_t end = bytes.size() - word;
-  if (crc64(bytes.first(end)) != word_at(bytes, end)) refuse("the checksum differs: the bytes were changed");
+  if (crc64(bytes.first(end)) != word_at(bytes, end))
+    refuse("found another checksum than that of its bytes, which were changed");
 }
 
 /// Reads words one by one, and never beyond the end.
@@ -44,21 +47,21 @@ class Reader {
   Reader(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
 
   std::uint64_t number() {
-    if (left() == 0) refuse("it ends early, at byte " + std::to_string(at_));
+    if (left() == 0) refuse("found its end at byte " + std::to_string(at_) + ", expected more");
     const std::uint64_t value = word_at(bytes_, at_);
     at_ += word;
     return value;
   }
   std::uint32_t small(const char* what) {
     const std::uint64_t value = number();
-    if (value > std::numeric_limits<std::uint32_t>::max()) wrong(what, value);
+    if (value > std::numeric_limits<std::uint32_t>::max()) wrong(what, value, "a number below 2^32");
     return static_cast<std::uint32_t>(value);
   }
   double real() { return std::bit_cast<double>(number()); }
   /// Reads the number of items of at least `words` words each; refuses more than fit into the rest.
   std::size_t count(const char* what, std::size_t words) {
     const std::uint64_t value = number();
-    if (value > left() / words) wrong(what, value);
+    if (value > left() / words) wrong(what, value, "no more than fit into the rest of the bytes");
     return static_cast<std::size_t>(value);
   }
   Point point() {
@@ -86,7 +89,8 @@ class Reader {
       digit = std::bit_cast<std::int64_t>(number());
       const bool is_last = &digit == &digits.back();
       if (is_last ? digit != 0 && digit != -1 : digit < 0 || digit > 0xffffffff)
-        wrong("as a digit", static_cast<std::uint64_t>(digit));
+        wrong("as a digit of a sum", static_cast<std::uint64_t>(digit),
+              is_last ? "0 or -1, as the last one" : "a number below 2^32");
     }
     return ExactSum::of(digits);
   }
@@ -96,7 +100,7 @@ class Reader {
     sums.names = names();
     const ExactSum twice_area = sum(), lengths = sum();
     const std::uint64_t infinite = number();
-    if (infinite > 1) wrong("as a flag", infinite);
+    if (infinite > 1) wrong("as a flag", infinite, "0 or 1");
     sums.measure = BoundaryMeasure(twice_area, LengthSum::of(lengths, infinite == 1));
     return sums;
   }
@@ -113,13 +117,13 @@ class Reader {
     return polygon;
   }
   void end() const {
-    if (left() != 0) refuse(std::to_string(left()) + " words after its end");
+    if (left() != 0) refuse("found " + std::to_string(8 * left()) + " bytes after its end, expected none");
   }
 
  private:
-  [[noreturn]] void wrong(const char* what, std::uint64_t value) const {
-    refuse(std::to_string(value) + " " + what + " at byte " + std::to_string(at_ - word) +
-           ", expected a smaller number");
+  [[noreturn]] void wrong(const char* what, std::uint64_t value, const char* expected) const {
+    refuse("found " + std::to_string(value) + " " + what + " at byte " + std::to_string(at_ - word) + ", expected " +
+           expected);
   }
   std::size_t left() const { return (bytes_.size() - at_) / word; }
 
@@ -137,11 +141,12 @@ PartialCounts read_counts(Reader& reader) {
 }
 
 std::vector<Quadrant> read_quadrants(Reader& reader) {
-  std::vector<Quadrant> quadrants(reader.count("corners of the cover", 3));
+  std::vector<Quadrant> quadrants(reader.count("corners of regions", 3));
   for (Quadrant& quadrant : quadrants) {
     quadrant.at = reader.point();
     const auto weight = std::bit_cast<std::int64_t>(reader.number());
-    if (std::abs(static_cast<double>(weight)) > 2) refuse("a corner of the cover has weight " + std::to_string(weight));
+    if (std::abs(static_cast<double>(weight)) > 2)
+      refuse("found a corner of a region with weight " + std::to_string(weight) + ", expected -2 to 2");
     quadrant.weight = static_cast<int>(weight);
   }
   return quadrants;
@@ -153,12 +158,13 @@ void read_rim(Reader& reader, PartialState& state) {
     for (std::uint64_t& corner : triangle.corners) corner = reader.number();
     const std::uint64_t both = reader.number();
     triangle.owned = static_cast<std::uint32_t>(both & 3U);
-    if (both >> 34U != 0) refuse("a shared triangle of component " + std::to_string(both >> 2U));
+    if (both >> 34U != 0)
+      refuse("found a shared triangle of component " + std::to_string(both >> 2U) + ", expected a number below 2^32");
     triangle.component = static_cast<std::uint32_t>(both >> 2U);
   }
   state.open.resize(reader.count("open components", 6));
   for (OpenComponent& component : state.open) {
-    component.group = reader.small("as a group");
+    component.group = reader.small("as the group of a component");
     component.points = reader.number();
     component.least = reader.point();
     component.rings.resize(reader.count("rings", 1));

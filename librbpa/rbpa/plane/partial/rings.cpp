@@ -19,7 +19,8 @@ void begin_with_least(CornerRing& ring) {
 }
 
 void add_ring(OpenComponent& component, CornerRing&& ring) {
-  if (ring.size() < 3) throw InvalidInput("a boundary ring of " + std::to_string(ring.size()) + " points, expected 3");
+  if (ring.size() < 3)
+    throw InvalidInput("a boundary ring of " + std::to_string(ring.size()) + " points, expected at least 3");
   begin_with_least(ring);
   component.least = std::min(component.least, ring[0].at);
   component.rings.push_back(std::move(ring));

@@ -182,7 +182,8 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
       more.push_back(p);
     if (!std::isfinite(high.x + far) || !std::isfinite(high.y + far) || !std::isfinite(high.z + far))
       throw InvalidInput(
-          "the points are in a plane, and are too far apart, or the balls too large, to add points beyond them");
+          "all points are in a plane, and are so far apart, or the balls so large, that points beyond them would not "
+          "be finite");
     delaunay = solid(more, infinity, with_neighbors);
   }
   const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);

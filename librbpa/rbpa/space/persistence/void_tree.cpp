@@ -112,14 +112,14 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
 std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                     double alpha, const Surface& boundary, std::span<const SolidVoid> voids) {
   meshops::require(radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
-                   "nodes_of: expected the triangulation of the tree, and its radii");
+                   "nodes_of: the tetrahedra, radii and nodes differ in number, expected those that made the tree");
   // One triangle of each void, turned outward from the tetrahedron in it, as boundaries are seen from within voids.
   std::map<Triangle, std::size_t> void_at;
   std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the least corner of such a triangle
   for (std::size_t i = 0; i < voids.size(); ++i) {
     const auto& [a, b, c] = boundary.triangles[voids[i].triangles.front()];
     const Triangle face = from_least({a, c, b});
-    meshops::require(face[0] < is_least.size(), "nodes_of: expected voids of these points");
+    meshops::require(face[0] < is_least.size(), "nodes_of: a void has a corner that no tetrahedron has");
     void_at.emplace(face, i);
     is_least[face[0]] = true;
   }
@@ -133,7 +133,8 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
     }
   }
   for (const std::uint32_t node : nodes)
-    meshops::require(node != VoidTree::none, "nodes_of: expected voids at this alpha, with the walls of the tree");
+    meshops::require(node != VoidTree::none,
+                     "nodes_of: a void is not in the tree, expected the alpha and the walls of the voids");
   return nodes;
 }
 

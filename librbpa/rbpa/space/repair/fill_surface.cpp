@@ -17,7 +17,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint32_t triangle, std::uint32_t point) {
   const Triangle& corners = surface.triangles[triangle];
   const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
-  meshops::require(k < 3, "fill_holes: expected curves of this surface");
+  meshops::require(
+      k < 3, "fill_holes: an edge of a curve begins at no corner of its triangle, expected curves of the surface");
   return fans.triangles[triangle][k];
 }
 
@@ -30,14 +31,15 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
   std::vector<Point3> places;
   places.reserve(fans.point.size());
   for (const std::uint32_t point : fans.point) {
-    meshops::require(point < points.size(), "fill_holes: expected a surface of these points");
+    meshops::require(point < points.size(), "fill_holes: the surface has a corner that is no point");
     places.push_back(points[point]);
   }
   std::vector<std::vector<std::uint32_t>> loops;
   for (const Hole& curve : curves) {
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (const RimEdge& edge : curve.edges) {
-      meshops::require(edge.triangle < surface.triangles.size(), "fill_holes: expected curves of this surface");
+      meshops::require(edge.triangle < surface.triangles.size(),
+                       "fill_holes: a curve has a triangle that the surface does not have");
       loop.push_back(vertex_at(surface, fans, edge.triangle, edge.from));
     }
   }

@@ -40,7 +40,8 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
 std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const meshops::BoundaryCurve& curve) {
   std::vector<std::uint32_t> loop;
   for (const meshops::Halfedge h : curve) {
-    meshops::require(meshops::is_live(mesh, h) && mesh.is_boundary(h), "fill_holes: expected curves of this mesh");
+    meshops::require(meshops::is_live(mesh, h) && mesh.is_boundary(h),
+                     "fill_holes: a curve has a halfedge that is not on the boundary of the mesh");
     loop.push_back(static_cast<std::uint32_t>(mesh.from_vertex_handle(h).idx()));
   }
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -68,13 +69,14 @@ void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
 
 FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                       std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options) {
-  meshops::require(places.size() >= mesh.n_vertices(), "fill_holes: expected a place for each vertex");
+  meshops::require(places.size() >= mesh.n_vertices(), "fill_holes: there are fewer places than vertices");
   const std::vector<Triangle> triangles = triangles_of(mesh);
   std::vector<std::vector<std::uint32_t>> loops;
   for (const meshops::BoundaryCurve& curve : curves) loops.push_back(loop_of(mesh, curve));
   auto sorted = loops;
   std::sort(sorted.begin(), sorted.end());
-  meshops::require(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(), "fill_holes: found a curve twice");
+  meshops::require(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(),
+                   "fill_holes: a curve is given twice, expected once");
   HoleFilling filling = fill_holes(places, triangles, loops, options);
 
   // Vertices that are merged stand on one site of a front.
@@ -83,8 +85,9 @@ FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> place
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) site_of[triangles[t][k]] = filling.triangles[t][k];
   FilledMesh filled{std::move(filling.loops), {}};
-  meshops::require(meshops::has_status(mesh),
-                   "fill_holes: the mesh needs status of every kind to mark what is deleted");
+  meshops::require(
+      meshops::has_status(mesh),
+      "fill_holes: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
   zip(mesh, site_of);
   meshops::Front front(mesh, site_of);
   for (std::size_t t = triangles.size(); t < filling.triangles.size(); ++t) {

@@ -57,7 +57,7 @@ class Fans {
   Fans(std::span<const Point3> points, const Surface& surface, const meshops::GoOn& go_on)
       : surface_(surface), fans_(split_fans(surface, go_on)) {
     for (const std::uint32_t point : fans_.point) {
-      meshops::require(point < points.size(), "refine_filling: expected a surface of these points");
+      meshops::require(point < points.size(), "refine_filling: the surface has a corner that is no point");
       places_.push_back(points[point]);
     }
     at_ = TrianglesAt(fans_.triangles, size());
@@ -327,7 +327,8 @@ class Refining {
         add(triangle, i);
       }
     }
-    meshops::require(point.size() < std::size_t{1} << 31U, "refine_filling: expected fewer points");
+    meshops::require(point.size() < std::size_t{1} << 31U,
+                     "refine_filling: there would be 2^31 points or more, expected fewer");
     space::LinkedTriangles linked = space::linked_triangles(triangles, point, step);
     result.surface.triangles = std::move(linked.triangles);
     result.surface.neighbors = std::move(linked.neighbors);
@@ -375,7 +376,8 @@ class Refining {
 RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
                               const SurfaceOptions& options) {
   space::check_points(points);
-  meshops::require(is_new.size() == surface.triangles.size(), "refine_filling: expected a flag for each triangle");
+  meshops::require(is_new.size() == surface.triangles.size(),
+                   "refine_filling: is_new differs in length from the triangles");
   return Refining(points, surface, is_new, options).run();
 }
 
@@ -392,7 +394,7 @@ std::vector<Point3> normals_between(std::span<const Point3> normals, std::span<c
     Point3 sum = {0, 0, 0}, first = {0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
       meshops::require(corners[k] < normals.size() + added.size(),
-                       "normals_between: expected points with lower numbers");
+                       "normals_between: a point lies between points that come after it, expected earlier ones");
       const Point3& n = corners[k] < normals.size() ? normals[corners[k]] : added[corners[k] - normals.size()];
       const double length = std::hypot(n.x, n.y, n.z);
       const Point3 unit = {n.x / length, n.y / length, n.z / length};

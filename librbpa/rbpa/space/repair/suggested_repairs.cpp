@@ -140,7 +140,7 @@ class LargerBall {
     const auto t = static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), corners) - all.begin());
     for (std::size_t k = 0; k < 3; ++k)
       if (corners[(k + 2) % 3] == from && corners[(k + 1) % 3] == to) return {t, k};
-    throw meshops::ContractViolation("suggested_repairs: expected holes of this surface");
+    throw meshops::ContractViolation("suggested_repairs: a hole has an edge that is no side of its triangle");
   }
 
   static double least_radius_of(const std::vector<Triangle>& triangles, const std::vector<Point3>& points,
@@ -358,10 +358,10 @@ std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, s
   space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
   for (const Hole& hole : holes) {
-    meshops::require(!hole.edges.empty(), "suggested_repairs: expected holes of this surface");
+    meshops::require(!hole.edges.empty(), "suggested_repairs: a hole has no edge");
     for (const RimEdge& edge : hole.edges)
       meshops::require(edge.triangle < surface.triangles.size() && edge.from < points.size() && edge.to < points.size(),
-                       "suggested_repairs: expected holes of this surface");
+                       "suggested_repairs: an edge of a hole has a point or a triangle that does not exist");
   }
   return Repairs(points, normals, radii, surface, holes, options).run();
 }

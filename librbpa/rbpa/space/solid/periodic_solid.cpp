@@ -152,8 +152,8 @@ PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, 
   }
   if (last < alpha && !complete)
     throw InvalidInput(
-        "a ball of half of the box's least side, " + text(std::min({torus.box().x, torus.box().y, torus.box().z})) +
-        ", has no point inside: expected " +
+        "a ball with a radius of half of the box's least side, " +
+        text(std::min({torus.box().x, torus.box().y, torus.box().z})) + ", has no point inside: expected " +
         (std::isfinite(alpha) ? "alpha below that half, not " + text(alpha) + ", or " : "") + "more points in the box");
   if (!options.neighbors) found.neighbors = {};
   return found;

@@ -77,7 +77,8 @@ class OpenFaces {
   /// Passes the tetrahedra around an edge, starting at the triangle. Every neighbor is checked to share its face before
   /// it is entered; so no two tetrahedra have the same next one, and the walk ends.
   void glue(std::uint32_t i, std::uint32_t j) {
-    constexpr const char* not_shared = "solid_boundary: expected neighbors that share a face";
+    constexpr const char* not_shared =
+        "solid_boundary: expected neighbors[t][k] to be the tetrahedron across the face opposite corner k of t";
     const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];
     // In each tetrahedron: the corners across from the faces through which the walk enters and leaves.
     std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
@@ -132,7 +133,8 @@ Surface glued_outside(std::span<const Point3> points, const Surface& boundary) {
 BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary) {
   if (boundary.triangles.empty()) return {};
   for (const Triangle& t : boundary.triangles)
-    meshops::require(std::max({t[0], t[1], t[2]}) < points.size(), "measure: expected a boundary of these points");
+    meshops::require(std::max({t[0], t[1], t[2]}) < points.size(),
+                     "measure: a triangle of the boundary has a corner that is no point");
   std::vector<std::uint32_t> all(boundary.triangles.size());
   std::iota(all.begin(), all.end(), std::uint32_t{0});
   const space::ClosedMeasures of = space::Measures(points).of(boundary.triangles, all);

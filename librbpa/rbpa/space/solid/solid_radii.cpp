@@ -31,7 +31,7 @@ void require_radii(const Solid& solid, std::span<const double> radii) {
 }
 
 void require_share(double share) {
-  meshops::require(share > 0 && share <= 1, "min_alpha, auto_alpha: a share is above 0 and at most 1");
+  meshops::require(share > 0 && share <= 1, "min_alpha, auto_alpha: expected a share above 0, and at most 1");
 }
 
 /// Returns the least count with count / all ≥ share, divided in double.

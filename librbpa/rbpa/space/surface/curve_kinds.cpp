@@ -70,7 +70,7 @@ std::vector<bool> islands(const SurfaceComponents& components) {
 
 std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
                                 const HoleChoice& choice) {
-  meshops::require(kinds.size() == curves.size(), "chosen_curves: expected the kind of each curve");
+  meshops::require(kinds.size() == curves.size(), "chosen_curves: expected as many kinds as curves");
   std::vector<Hole> chosen;
   for (std::size_t i = 0; i < curves.size(); ++i)
     if (choice.has(curves[i], kinds[i])) chosen.push_back(curves[i]);
@@ -80,10 +80,12 @@ std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const Cu
 std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                    std::span<const Hole> curves) {
   for (const Hole& curve : curves) {
-    meshops::require(!curve.edges.empty(), "curve_kinds: expected curves with edges");
+    meshops::require(!curve.edges.empty(), "curve_kinds: a curve has no edge");
     for (const RimEdge& edge : curve.edges)
-      meshops::require(edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size(),
-                       "curve_kinds: expected curves of a surface of these points, and its components");
+      meshops::require(
+          edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size(),
+          "curve_kinds: an edge of a curve has a point or a triangle that does not exist, expected points, components "
+          "and curves of one surface");
   }
   const auto component_of = [&](std::size_t i) { return components.number[curves[i].edges.front().triangle]; };
   std::vector<std::size_t> order(curves.size());

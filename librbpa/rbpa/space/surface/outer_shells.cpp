@@ -102,10 +102,10 @@ void for_each_enclosed(std::span<const Point3> points, const Surface& shells, co
 
 void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
   meshops::require(components.number.size() == surface.triangles.size(),
-                   "outer_shells: expected the components of this surface");
+                   "outer_shells: the components are not those of the surface");
   require_linked(space::arrays_of(surface), points.size());
   for (const std::uint32_t c : components.number)
-    meshops::require(c < components.all.size(), "outer_shells: expected the components of this surface");
+    meshops::require(c < components.all.size(), "outer_shells: the components are not those of the surface");
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
 std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
                                   const std::function<bool()>& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
-  meshops::require(are_of(components, surface), "genus_of: expected the components of this surface");
+  meshops::require(are_of(components, surface), "genus_of: the components are not those of the surface");
   std::vector<std::size_t> genus;  // at first the number of vertices
   genus.resize(components.all.size(), 0);
   Steps step(go_on);
@@ -147,7 +147,7 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
 
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
   meshops::require(are_of(components, surface) && kept.size() == components.all.size(),
-                   "keep_components: expected the components of this surface, and for each of them whether it is kept");
+                   "keep_components: expected the components of the surface, and for each of them whether it is kept");
   std::vector<bool> triangles;
   triangles.reserve(surface.triangles.size());
   for (const std::uint32_t c : components.number) triangles.push_back(kept[c]);

@@ -237,12 +237,14 @@ TEST_CASE("wrong labels, offsets, members and radii are refused") {
   CHECK_THROWS_WITH_AS(rbpa::groups_of(labels, 2), "point 1 has label 5, expected one of 2 groups, numbered from 0",
                        rbpa::InvalidInput);
   CHECK(rbpa::groups_of({}, 0).size() == 0);
-  CHECK(refusal(points, {{0, 2}, {0, 1, 2}}) == "groups: found 3 members, expected as many as the last offset, 2");
-  CHECK(refusal(points, {{1, 3}, {0, 1, 2}}) == "groups: found no offset 0 at the beginning, expected one");
-  CHECK(refusal(points, {{0, 3, 2, 3}, {0, 1, 2}}) == "groups: found a lesser offset 2, expected ascending offsets");
-  CHECK(refusal(points, {{0, 9, 3}, {0, 1, 2}}) == "groups: found offset 1 behind the last member");
+  CHECK(refusal(points, {{0, 2}, {0, 1, 2}}) == "groups: the last offset is 2, expected 3, the number of members");
+  CHECK(refusal(points, {{1, 3}, {0, 1, 2}}) ==
+        "groups: the first offset is not 0, expected offsets from 0 to the number of members");
+  CHECK(refusal(points, {{0, 3, 2, 3}, {0, 1, 2}}) ==
+        "groups: offset 2 is less than the one before, expected ascending offsets");
+  CHECK(refusal(points, {{0, 9, 3}, {0, 1, 2}}) == "groups: offset 1 is 9, expected at most 3, the number of members");
   CHECK(refusal(points, {{0, 3}, {0, 1, 3}}) ==
-        "groups: found member 3 in group 0, expected indices of the 3 points, ascending");
+        "groups: found member 3 in group 0, expected indices of points, below 3 and ascending");
   CHECK(refusal(points, {{0, 3}, {0, 2, 1}}).starts_with("groups: found member 1 in group 0"));
   const double two[] = {1, 2}, zero[] = {0};
   CHECK(refusal(points, {{0, 1, 2, 3}, {0, 1, 2}}, {.given = two}) ==

@@ -308,7 +308,8 @@ TEST_CASE("wrong input of a periodic solid is refused, and a run can be cancelle
   CHECK(refusal(points, {4, 0, 4}, 1).find("a side of the box is 0") == 0);
   CHECK(refusal({{0, infinity, 0}}, {4, 4, 4}, 1).find("point 0") != std::string::npos);
   CHECK(refusal(points, {4, 4, 4}, 2)
-            .find("a ball of half of the box's least side, 4, has no point inside: expected alpha below that half, not "
+            .find("a ball with a radius of half of the box's least side, 4, has no point inside: expected alpha below "
+                  "that half, not "
                   "2") == 0);
   CHECK(refusal({}, {4, 4, 4}, 1).empty());
   CHECK(rbpa::periodic_solid({}, {4, 4, 4}, 1).simplices.empty());

@@ -50,7 +50,8 @@ class EdgeTable {
 }  // namespace
 
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step) {
-  constexpr const char* not_shared = "a triangulation: expected neighbors that share a face";
+  constexpr const char* not_shared =
+      "the triangulation: expected neighbors[t][k] to be the tetrahedron across the face opposite corner k of t";
   const auto& [simplices, neighbors, duplicates, isolated, distinct] = delaunay;
   NumberedTriangles triangles;
   triangles.of.resize(simplices.size());

@@ -46,14 +46,14 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
   meshops::require(
       std::adjacent_find(sides.begin(), sides.end(),
                          [](const TriangleSide& s, const TriangleSide& t) { return key(s) == key(t); }) == sides.end(),
-      "boundary_loops: expected at most one side from a vertex to another");
+      "boundary_loops: two triangles have a side in the same direction, expected triangles oriented alike");
   std::uint32_t vertices = 0;
   for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
   std::vector<std::uint32_t> next(vertices, none);  // along the boundary, with the triangles to the right
   for (const TriangleSide& side : sides) {
     step(2);
     if (find(sides, side.to, side.from) != sides.end()) continue;
-    meshops::require(next[side.to] == none, "boundary_loops: expected one fan of triangles at each vertex");
+    meshops::require(next[side.to] == none, "boundary_loops: several boundary curves pass a vertex, expected one");
     next[side.to] = side.from;
   }
   std::vector<std::vector<std::uint32_t>> loops;
@@ -74,9 +74,9 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
   for (const auto& t : triangles) vertices = std::max({vertices, t[0] + 1, t[1] + 1, t[2] + 1});
   std::vector<bool> is_wanted(vertices, false);
   for (const auto& loop : loops) {
-    meshops::require(!loop.empty(), "fill_holes: found an empty loop");
+    meshops::require(!loop.empty(), "fill_holes: a loop is empty, expected its vertices");
     for (const std::uint32_t vertex : loop) {
-      meshops::require(vertex < vertices, "fill_holes: expected loops of vertices of these triangles");
+      meshops::require(vertex < vertices, "fill_holes: a loop has a vertex that no triangle has");
       is_wanted[vertex] = true;
     }
   }
@@ -90,9 +90,9 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
       const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
       const auto side = find(sides, to, from);
       meshops::require(side != sides.end() && find(sides, from, to) == sides.end(),
-                       "fill_holes: expected loops along the boundary, with the triangles to the right");
+                       "fill_holes: a loop has an edge that is not a boundary side with its triangle to the right");
       const auto number = static_cast<std::size_t>(side - sides.begin());
-      meshops::require(!is_used[number], "fill_holes: expected each boundary side in one loop at most");
+      meshops::require(!is_used[number], "fill_holes: loops pass a boundary side twice, expected once");
       is_used[number] = true;
       across.push_back(side->across);
     }

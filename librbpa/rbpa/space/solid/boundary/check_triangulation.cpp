@@ -14,7 +14,7 @@ void check_triangulation(const std::string& function, std::span<const Point3> po
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    (function + ": the triangulation has no neighbors").c_str());
   meshops::require(corner_bound<4>(delaunay.simplices) <= points.size(),
-                   (function + ": expected the points of the triangulation").c_str());
+                   (function + ": a tetrahedron has a corner that is no point").c_str());
 }
 
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,

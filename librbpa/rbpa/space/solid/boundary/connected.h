@@ -15,7 +15,8 @@
 
 namespace rbpa::space {
 
-inline constexpr const char* not_its_boundary = "expected a solid of these points with neighbors, and its boundary";
+inline constexpr const char* not_its_boundary =
+    "the boundary is not that of the solid, or the solid has no neighbors: expected solid_boundary(solid)";
 
 /// Throws ContractViolation unless the boundary is closed, linked, has only corners below `points`, and each of its
 /// triangles names a tetrahedron of the solid.
