@@ -201,6 +201,40 @@ TEST_SUITE("first lines") {
           "t.txt: found 2 lines and no point, expected at least one (t.txt:1: found 'a', expected two numbers)");
   }
 
+  TEST_CASE("a header alone is refused in every table, unless a line says that there are no points") {
+    struct Table {
+      std::string header, found;
+      Format format = Format::text;
+    };
+    const std::string line = R"({"type": "FeatureCollection", "features": []})";
+    for (const Table& table : std::vector<Table>{{"x y z", "x y z"},
+                                                 {"x,y,z\n\n# a comment", "x,y,z"},
+                                                 {"\n// a comment\na;b;c", "a;b;c"},
+                                                 {"sep=;\nx;y;z", "x;y;z"},
+                                                 {"x y z nx ny nz", "x y z nx ny nz", Format::xyzn},
+                                                 {"x y z r g b", "x y z r g b", Format::xyzrgb},
+                                                 {"x y z intensity", "x y z intensity", Format::pts}}) {
+      CAPTURE(table.header);
+      const std::string at = table.header == table.found || table.header.starts_with("x,") ? "t.txt:1"
+                             : table.header.starts_with("sep")                             ? "t.txt:2"
+                                                                                           : "t.txt:3";
+      const std::string expected =
+          at + ": found '" + table.found + "' and no line behind it, expected lines of points behind a header";
+      CHECK(refusal([&] { plane(table.header + "\n", {.format = table.format}); }) == expected);
+      CHECK(refusal([&] { plane(table.header, {.format = table.format}); }) == expected);
+      CHECK(refusal([&] { space(table.header + "\n", {}, table.format); }) == expected);
+      CHECK(refusal([&] { plane(table.header + "\n", {.format = table.format, .skip_invalid = true}); }) == expected);
+    }
+    CHECK(plane("x y z intensity\n0\n", {.format = Format::pts}).points.empty());
+    CHECK(refusal([&] { plane(line + "\n"); }) ==
+          "t.txt:1: found '" + line + "' and no line behind it, expected lines of points behind a header");
+    CHECK(refusal([&] { plane("geometry\n"); }).starts_with("t.txt:1: found 'geometry' and no line behind it"));
+    CHECK(plane("# x y\n").points.empty());
+    const Folder folder;
+    folder.file("j.xy", line + "\n");
+    CHECK(folder.rbpa("info - --format xy < j.xy").code == 3);
+  }
+
   TEST_CASE("a column of geometries has any name, or none") {
     for (const std::string header : {"", "device,position,time\n"}) {
       const std::string text =

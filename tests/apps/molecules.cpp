@@ -281,6 +281,14 @@ TEST_SUITE("molecules") {
     CHECK(of_pdb("CRYST1    0.000    0.000    0.000  90.00  90.00  90.00 P 1           1").fault ==
           "CRYST1 with '0.000' as a length");
     CHECK(of_cif("?", "90").fault == "_cell with '' as a length");
+    const std::string loop =
+        "loop_\n_cell.entry_id\n_cell.length_a\n_cell.length_b\n_cell.length_c\n_cell.angle_alpha\n_cell.angle_beta\n"
+        "_cell.angle_gamma\n";
+    const std::string row = "X 55.865 56.886(3)\n80.993 90 90.00 90\n";
+    CHECK(read("data_x\n" + loop + row + cif_atom, Format::cif).cell.sides == sides);
+    CHECK(read("data_x" + cif_atom + loop + row, Format::cif).cell.sides == sides);
+    CHECK(read("data_x\n" + loop + row + "Y 1 2 3 90 90 90\n" + cif_atom, Format::cif).cell.sides == sides);
+    CHECK(read("data_x" + cif_atom + "data_y\n" + loop + row, Format::cif).cell.fault.empty());
     CHECK(of_pdb("REMARK").fault.empty());
     CHECK(!of_pdb("REMARK").sides);
   }

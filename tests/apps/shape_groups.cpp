@@ -163,7 +163,7 @@ TEST_SUITE("shape groups") {
 
   TEST_CASE("a table without points has no groups, and texts of any bytes are names") {
     const Folder folder;
-    folder.file("p.csv", "x,y,g\n");
+    folder.file("p.csv", "# x,y,g\n");
     CHECK(folder.rbpa("shape p.csv --group-by g --alpha 1 -o s.csv -q").code == 0);
     CHECK(folder.content("s.csv") == "group,points,alpha,area,perimeter,polygons,problem,geometry\n");
     folder.file("l.csv", "x,y,g\n0,0,K\xf6ln\n1,0,K\xf6ln\n0,1,K\xf6ln\n3,3,\"a \"\"b\"\"\"\n");
@@ -247,7 +247,7 @@ TEST_SUITE("shape groups") {
     const Folder folder;
     folder.file("b.csv", "x,y,animal\n0,0,ox\n1,0,ox\n");
     folder.file("a.csv", "x,y,animal\n0,1,ox\n5,5,elk\n6,5,elk\n5,6,elk\n");
-    folder.file("empty.csv", "x,y,animal\n");
+    folder.file("empty.csv", "# x,y,animal\n");
     Outcome outcome = folder.rbpa("shape b.csv a.csv empty.csv --group-by-file --alpha inf -o s.csv");
     CHECK(outcome.err ==
           "rbpa: 3 files: 2 groups without a polygon: the first is 'b.csv', fewer than three distinct points (2)\n"

@@ -89,22 +89,24 @@ class CifAtoms final : public AtomSource {
     }
   }
 
-  /// Reads the names of a loop; returns whether they are items of atoms.
+  /// Reads the names of a loop; returns whether they are items of atoms. Reads the first row of a loop of the cell.
   bool read_names() {
     bool is_of_atoms = false;
+    std::vector<std::string_view> of_cell;
     for (tokens_.next(); tokens_.kind() == Kind::name; tokens_.next()) {
       columns_.push_back(item_of(tokens_.text(), "_atom_site"));
+      of_cell.push_back(item_of(tokens_.text(), "_cell"));
       is_of_atoms = is_of_atoms || !columns_.back().empty();
     }
-    if (!is_of_atoms) columns_.clear();
-    return is_of_atoms;
+    if (is_of_atoms) return true;
+    columns_.clear();
+    for (std::size_t i = 0; i < of_cell.size() && tokens_.is_value(); ++i, tokens_.next()) take_of_cell(of_cell[i]);
+    return false;
   }
 
   /// Reads a name and its value.
   void read_pair(std::string_view item) {
-    constexpr std::array<std::string_view, 6> of_cell = {"length_a",    "length_b",   "length_c",
-                                                         "angle_alpha", "angle_beta", "angle_gamma"};
-    const std::string_view of = item_of(tokens_.text(), "_cell");
+    const std::string_view of_cell = item_of(tokens_.text(), "_cell");
     tokens_.next();
     if (!tokens_.is_value()) return;
     if (!item.empty()) {
@@ -112,9 +114,16 @@ class CifAtoms final : public AtomSource {
       values_.push_back(tokens_.text());
       row_line_ = tokens_.line();
     }
-    for (std::size_t k = 0; k < of_cell.size() && (first_block_ == 0 || block_ == first_block_); ++k)
-      if (same_letters(of, of_cell[k])) cell_values_[k] = without_uncertainty(tokens_.text());
+    take_of_cell(of_cell);
     tokens_.next();
+  }
+
+  /// Takes the current value, if `item` is a length or an angle of the cell.
+  void take_of_cell(std::string_view item) {
+    constexpr std::array<std::string_view, 6> items = {"length_a",    "length_b",   "length_c",
+                                                       "angle_alpha", "angle_beta", "angle_gamma"};
+    for (std::size_t k = 0; k < items.size() && (first_block_ == 0 || block_ == first_block_); ++k)
+      if (same_letters(item, items[k])) cell_values_[k] = without_uncertainty(tokens_.text());
   }
 
   bool begin_rows() {

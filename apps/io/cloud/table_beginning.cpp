@@ -31,6 +31,9 @@ class Starter {
       lay_out(said);
     else if (is_by_name(request_.columns))
       bad_input(lines_.name(), "no header line", "one with the column names");
+    if (!start_.has_line && start_.layout.header && !start_.announced)
+      bad_input(at_line(lines_.name(), start_.first_line), in_quotes(start_.header) + " and no line behind it",
+                "lines of points behind a header");
     return std::move(start_);
   }
 

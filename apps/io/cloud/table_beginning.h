@@ -30,7 +30,8 @@ struct TableStart {
   std::optional<AnnouncedPoints> announced = std::nullopt;
 };
 
-/// Goes to the first line of data, and finds the columns of `selection`. Throws BadInput.
+/// Goes to the first line of data, and finds the columns of `selection`. Throws BadInput, also for a header that no
+/// line follows, unless a line says that there are 0 points.
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
                        std::vector<std::string>& warnings);
 
