@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/descriptor.h"
 #include "io/bytes/gunzip.h"
 #include "io/failure.h"

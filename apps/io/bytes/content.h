@@ -6,12 +6,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rbpa::app {
+
+/// Stands for the size of a compressed file, which is unknown until its end is decompressed.
+constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2;
 
 class Content {
  public:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -28,58 +29,20 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   bad_input(name, reason, expected);
 }
 
-/// The greatest length of a header, and of bytes after the data, which readers of uncompressed files ignore.
-constexpr std::size_t slack = std::size_t{1} << 20U;
-
 /// Memory that reading needs for each byte: four bytes of text ("0 0" and a line end) become a point of 16, and stay.
 constexpr double bytes_for_each = 5;
 
-/// Limits the decompressed size to what the header claims and to what fits into memory.
-class DecompressionLimit {
- public:
-  DecompressionLimit(const std::string& name, const Claim& claim, const std::string& way_out)
-      : name_(name), claim_(claim), way_out_(way_out), next_(claim.size == nullptr ? any_size : slack) {}
-
-  /// Checks the bytes that are decompressed so far. Throws BadInput if they are more than their header claims, or if
-  /// memory would not suffice for them and for the points read from them.
-  void require(std::string_view decompressed) {
-    const auto size = static_cast<double>(decompressed.size());
-    if (size > most_)
-      bad_input(name_, "more than " + bytes_text(most_) + " decompressed",
-                "at most a fifth of the " + bytes_text(bytes_for_each * most_) +
-                    " of available memory, as reading takes several times as much" + way_out_);
-    if (size <= next_) return;
-    const double claimed = claimed_by(decompressed);
-    if (size > claimed + slack)
-      bad_input(name_, "more than " + counted(static_cast<std::size_t>(claimed) + slack, "byte") + " decompressed",
-                counted(static_cast<std::size_t>(claimed), "byte") + " as the header claims, or at most " +
-                    std::to_string(slack) + " more" + std::string(claim_.hint));
-    next_ = std::max(claimed + slack, 2 * size);
-  }
-
- private:
-  /// Returns the size that the header claims. Adds to the message about a faulty header how much was decompressed,
-  /// since more of the file may follow.
-  double claimed_by(std::string_view decompressed) const {
-    try {
-      return claim_.size(decompressed, name_);
-    } catch (const BadInput& refusal) {
-      throw BadInput(std::string(refusal.what()) + " (in the first " + counted(decompressed.size(), "byte") +
-                     " decompressed)");
-    }
-  }
-
-  const std::string& name_;
-  const Claim& claim_;
-  const std::string& way_out_;
-  double most_ = available_memory().value_or(any_size) / bytes_for_each;  // the greatest size that fits into memory
-  double next_;                                                           // the size at which the claim is computed
-};
+/// Throws BadInput if `text` has a zero byte, except in UTF-16, which its reader refuses with a better message.
+void require_text(std::string_view text, const std::string& name) {
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string_view::npos && !text.starts_with("\xFF\xFE") && !text.starts_with("\xFE\xFF"))
+    bad_input(name, "a zero byte at byte " + std::to_string(zero),
+              "text (in the first " + counted(text.size(), "byte") + " decompressed)");
+}
 
 }  // namespace
 
-InputBytes::InputBytes(const std::string& name, const std::string& expected, const Claim& claim,
-                       const std::string& way_out)
+InputBytes::InputBytes(const std::string& name, const std::string& expected, const Decompression& how)
     : name_(name == "-" ? "standard input" : name) {
   const Descriptor file(name == "-" ? STDIN_FILENO : open_for_reading(name, expected));
   const struct stat status = status_of(file.number(), name_);
@@ -89,15 +52,18 @@ InputBytes::InputBytes(const std::string& name, const std::string& expected, con
   } else {
     read_all(file.number());
   }
-  if (is_gzip(bytes()) && claim.may_be_compressed) decompress(claim, way_out);
+  if (is_gzip(bytes()) && how.is_wanted) decompress(how);
 }
 
-void InputBytes::decompress(const Claim& claim, const std::string& way_out) {
+void InputBytes::decompress(const Decompression& how) {
   constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+  constexpr std::size_t always = 64 * at_once, greatest_ratio = 1000;
+  const double available = available_memory().value_or(std::numeric_limits<double>::infinity());
   const std::unique_ptr<char, Free> all = std::move(data_);
   std::string_view compressed(all.get(), size_);
   room_ = size_ = 0;
-  DecompressionLimit limit(name_, claim, way_out);
+  const std::size_t compressed_size = compressed.size();
+  bool is_checked = !how.is_of_text;
   Gunzip gunzip(name_);
   while (!compressed.empty() || !gunzip.is_between_members()) {
     stop_if_interrupted();
@@ -105,7 +71,16 @@ void InputBytes::decompress(const Claim& claim, const std::string& way_out) {
       bad_input(name_, counted(compressed.size(), "byte") + " behind the compressed data", "the end of the file");
     if (room_ - size_ < at_once) make_room(std::max(2 * room_, size_ + at_once));
     size_ += gunzip.inflate(compressed, data_.get() + size_, at_once);
-    limit.require(bytes());
+    if (bytes_for_each * static_cast<double>(size_) > available)
+      bad_input(name_, "more than " + bytes_text(available / bytes_for_each) + " decompressed",
+                "at most a fifth of the " + bytes_text(available) +
+                    " of available memory, as reading takes several times as much" + how.way_out);
+    if (size_ > always && size_ / greatest_ratio > compressed_size - compressed.size())
+      bad_input(name_,
+                "more than " + bytes_text(static_cast<double>(size_)) + " decompressed from " +
+                    counted(compressed_size - compressed.size(), "byte"),
+                "at most " + std::to_string(greatest_ratio) + " times as much (gunzip decompresses it)");
+    if (!is_checked && size_ > at_once) require_text(bytes(), name_), is_checked = true;
   }
 }
 

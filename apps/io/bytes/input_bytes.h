@@ -7,19 +7,23 @@
 #include <string>
 #include <string_view>
 
-#include "io/bytes/claim.h"
-
 namespace rbpa::app {
+
+/// How a file that begins like a gzip file is read.
+struct Decompression {
+  bool is_wanted = true;     ///< false: the file is read as it is
+  bool is_of_text = false;   ///< refuse zero bytes, of which a few kilobytes would become a line of gigabytes
+  std::string way_out = {};  ///< end of the message that the limit is exceeded
+};
 
 /// The bytes of a file. They are read, not mapped: shortening a mapped file kills the processes that read it.
 class InputBytes {
  public:
-  /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file unless the claim excludes that. The
-  /// claim of the header and the memory limit the decompressed size. In messages, `expected` says what the file should
-  /// hold, and `way_out` follows the message that memory does not suffice. Throws BadInput if there is no such file or
-  /// if a regular file changes while it is read; Failure if reading fails; Cancelled.
-  InputBytes(const std::string& name, const std::string& expected, const Claim& claim = {},
-             const std::string& way_out = "");
+  /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file: at most to a fifth of the available
+  /// memory, and beyond 64 MiB at most to 1000 times its compressed size, which only long runs of one byte exceed. In
+  /// messages, `expected` says what the file should hold. Throws BadInput if there is no such file, if it decompresses
+  /// to more, or if a regular file changes while it is read; Failure if reading fails; Cancelled.
+  InputBytes(const std::string& name, const std::string& expected, const Decompression& how = {});
 
   std::string_view bytes() const { return {data_.get(), size_}; }
   /// Returns the name for messages.
@@ -34,7 +38,7 @@ class InputBytes {
   bool read_some(int descriptor);
   void read_all(int descriptor);
   void read_file(int descriptor);
-  void decompress(const Claim& claim, const std::string& way_out);
+  void decompress(const Decompression& how);
 
   std::string name_;
   std::unique_ptr<char, Free> data_;

@@ -103,7 +103,7 @@ std::optional<ArrayShape> parse_shape(std::string_view text) {
 std::string shapes(std::span<const std::size_t> fits) {
   std::string text;
   for (const std::size_t columns : fits) text += (text.empty() ? "(n, " : " or (n, ") + std::to_string(columns) + ")";
-  return text.empty() ? "(n, columns)" : text;
+  return text;
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
   if (!number) bad_input(name, "numbers of type " + in_quotes(descr), "float32, float64 or integers");
   const std::string_view shape_text = value_of(header.text, "shape");
   const std::optional<ArrayShape> shape = parse_shape(shape_text);
-  if (!shape || (!fits.empty() && std::find(fits.begin(), fits.end(), shape->columns) == fits.end()))
+  if (!shape || std::find(fits.begin(), fits.end(), shape->columns) == fits.end())
     bad_input(name, "shape " + in_quotes(shape_text), shapes(fits));
   const std::string_view order = value_of(header.text, "fortran_order");
   if (order != "True" && order != "False") bad_input(name, "fortran_order " + in_quotes(order), "True or False");

@@ -22,14 +22,13 @@ struct NpyLayout {
 
   std::size_t item() const { return size_of(type); }
   std::size_t row() const { return item() * columns; }
-  double end() const { return static_cast<double>(data) + static_cast<double>(rows) * static_cast<double>(row()); }
 };
 
 /// Reads the layout of a file of `size` bytes that begins with `bytes`, which must hold its whole header. Accepts
-/// float32, float64 and integers of either byte order, and a number of columns among `fits`; an empty `fits` accepts
-/// any. Throws BadInput otherwise, also if the file is too short for its shape.
+/// float32, float64 and integers of either byte order, and a number of columns among `fits`. Throws BadInput otherwise,
+/// also if the file is too short for its shape.
 NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name,
-                          std::span<const std::size_t> fits = {});
+                          std::span<const std::size_t> fits);
 
 /// Returns the bytes before the numbers, of version 1. `type` is NumPy's name, such as "<u4". `columns` is the text of
 /// the shape after the number of rows: ", 3" for three columns, "," for a one-dimensional array.

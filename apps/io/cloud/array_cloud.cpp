@@ -109,10 +109,6 @@ std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
   return std::make_unique<ArrayCloud>(std::move(content), array, request, true);
 }
 
-double claimed_npy_size(std::string_view first, const std::string& name) {
-  return read_npy_layout(first, unknown_size, name).end();
-}
-
 }  // namespace
 
 /// Reads raw numbers: pairs x, y of little-endian float64 and nothing else.
@@ -120,6 +116,6 @@ const CloudFormat raw_reader = {.open = open_raw, .streams = true, .has_signatur
 
 /// Reads an array of NumPy: of shape (n, 2) or (n, 3); in space of shape (n, 3) or (n, 6), whose last three columns are
 /// normals. Ignores bytes behind the array, as NumPy does.
-const CloudFormat npy_reader = {.open = open_npy, .claim = claimed_npy_size, .streams = true};
+const CloudFormat npy_reader = {.open = open_npy, .streams = true};
 
 }  // namespace rbpa::app

@@ -7,23 +7,9 @@
 #include <utility>
 
 #include "io/bytes/number.h"
-#include "io/cloud/images.h"
 #include "io/failure.h"
-#include "io/text/signature.h"
 
 namespace rbpa::app {
-namespace {
-
-/// Returns the claim of the format that the content shows, or any_size if that claims nothing.
-double claimed_by_content(std::string_view first, const std::string& name) {
-  const std::string_view known = ending_of_content(first);
-  std::optional<Format> format = find_format(Use::space, known);
-  if (!format) format = find_format(Use::points, known);
-  const Claim claim = format ? claim_of(*format) : Claim();
-  return claim.size == nullptr ? any_size : claim.size(first, name);
-}
-
-}  // namespace
 
 const CloudFormat* cloud_format(Format format) {
   const auto found = std::find_if(std::begin(format_table), std::end(format_table), [format](const FormatRow& row) {
@@ -59,16 +45,10 @@ std::string with_fields(Use use, std::vector<std::string> others) {
       use, [](const CloudFormat& reader) { return reader.fields != nullptr; }, std::move(others));
 }
 
-double claimed_text_size(std::string_view first, const std::string& name) {
-  const std::size_t zero = first.find('\0');
-  if (zero != std::string_view::npos && !first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF"))
-    bad_input(name, "a zero byte at byte " + std::to_string(zero), "text");
-  return any_size;
-}
-
-bool may_be_compressed(Format format, std::string_view path) {
+Decompression decompression_of(Format format, std::string_view path, std::string way_out) {
   const CloudFormat* known = cloud_format(format);
-  return known == nullptr || known->has_signature || is_gzip_name(path);
+  return {known == nullptr || known->has_signature || is_gzip_name(path), known != nullptr && known->is_text,
+          std::move(way_out)};
 }
 
 std::optional<FieldNames> fields_of(Format format) {
@@ -76,15 +56,6 @@ std::optional<FieldNames> fields_of(Format format) {
   const CloudFormat* known = cloud_format(format);
   if (known == nullptr || known->fields == nullptr) return std::nullopt;
   return known->fields();
-}
-
-Claim claim_of(Format format, bool skip_invalid) {
-  if (format == Format::las && skip_invalid) return {};
-  if (format == Format::pgm) return {claimed_pgm_size};
-  if (format == Format::by_content) return skip_invalid ? Claim() : Claim{claimed_by_content};
-  const CloudFormat* known = cloud_format(format);
-  return {known == nullptr ? nullptr : known->claim,
-          format == Format::las ? " (--skip-invalid reads what is there)" : ""};
 }
 
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name) {

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/content.h"
+#include "io/bytes/input_bytes.h"
 #include "io/bytes/scalar.h"
 #include "io/formats.h"
 #include "io/point_file.h"
@@ -127,11 +127,11 @@ std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index);
 struct CloudFormat {
   /// Opens a file. Throws BadInput, and WrongUsage if two requested columns are one.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);
-  double (*claim)(std::string_view first, const std::string& name) = nullptr;  ///< Claim::size
   FieldNames (*fields)() = nullptr;  ///< fields that CloudRequest::where may name; null if points have no fields
   bool streams = false;              ///< reads a file piece by piece; otherwise it has to be in memory
   bool skips_invalid = false;        ///< CloudRequest::skip_invalid has a meaning
   bool is_molecule = false;          ///< points are atoms, perhaps with a cell
+  bool is_text = false;              ///< has no zero bytes
   bool has_signature = true;         ///< false: raw numbers, which are decompressed only if the name ends in .gz
 };
 
@@ -148,21 +148,15 @@ std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit
 /// Returns the formats of a use whose points have fields, and `others`, as readable().
 std::string with_fields(Use use, std::vector<std::string> others = {});
 
-/// Returns any_size, as text claims no size, for CloudFormat::claim. Refuses zero bytes, of which a few kilobytes would
-/// become a line of gigabytes, except in UTF-16, which its reader refuses with a better message.
-double claimed_text_size(std::string_view first, const std::string& name);
-
 /// Returns the rule for number properties of PLY and fields of PCD: any name.
 FieldNames names_of_properties();
 
 /// Returns the fields that `--where` may name; nothing if points of the format have no fields.
 std::optional<FieldNames> fields_of(Format format);
 
-/// Returns the claim of the size that a compressed file of the format makes, a file of points or of a mesh.
-Claim claim_of(Format format, bool skip_invalid = false);
-
-/// Whether a file that begins like a gzip file is decompressed. False for raw numbers, which may begin so by chance.
-bool may_be_compressed(Format format, std::string_view path);
+/// Returns how a file of points or of a mesh is decompressed: raw numbers, which may begin like a gzip file by chance,
+/// only if the name says so.
+Decompression decompression_of(Format format, std::string_view path, std::string way_out = "");
 
 /// Throws BadInput unless all coordinates and normals are finite; the block's first point is point `first` of its file.
 void require_finite(const CloudBlock& block, std::size_t first, const std::string& name);

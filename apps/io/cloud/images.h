@@ -50,9 +50,6 @@ std::vector<Point> foreground_points(const Shades& image, const std::optional<Fo
 /// too short for the size it claims; Cancelled.
 std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule);
 
-/// Returns the size that a PGM header claims, for Claim::size: the bytes of all pixels, or of as many shortest numbers.
-double claimed_pgm_size(std::string_view first, const std::string& name);
-
 /// Reads a PNG image of any kind: gray, color or palette, 1 to 16 bits, interlaced or not. Uses the values as stored,
 /// without gamma; the gray value of a color is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
 /// opaque is clear. Throws BadInput naming the file, before the pixels are allocated if no file of this size can hold

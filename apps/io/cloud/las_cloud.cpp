@@ -182,6 +182,6 @@ std::unique_ptr<Cloud> open_las(Content content, const CloudRequest& request) {
 
 /// Reads LAS 1.0 to 1.4, point formats 0 to 10, with red, green and blue unless all points are black.
 const CloudFormat las_reader = {
-    .open = open_las, .claim = claimed_las_size, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
+    .open = open_las, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
 
 }  // namespace rbpa::app

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/units.h"
@@ -94,17 +93,6 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   header.count = {claimed, std::min(whole, left / header.length), header.length};
 }
 
-/// Returns the offset of the end of the extended variable length records, as far as their headers, which have their
-/// lengths, are in `first`.
-double end_of_extended(std::string_view first, std::size_t begin, std::size_t records) {
-  constexpr double header_size = 60;
-  auto end = static_cast<double>(begin);
-  for (; records > 0 && end + header_size <= static_cast<double>(first.size()); --records)
-    end +=
-        header_size + static_cast<double>(las_value<std::uint64_t>(first.data() + static_cast<std::size_t>(end) + 20));
-  return end + header_size * static_cast<double>(records);
-}
-
 }  // namespace
 
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name) {
@@ -142,14 +130,6 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   if (header.minor >= 3 && header.size >= has_waveforms) header.waveforms = las_value<std::uint64_t>(at + 227);
   find_points(header, bytes, size, name);
   return header;
-}
-
-double claimed_las_size(std::string_view first, const std::string& name) {
-  const LasHeader header = read_las_header(first, unknown_size, name);
-  const double points = static_cast<double>(header.begin) +
-                        static_cast<double>(header.count.sought(false)) * static_cast<double>(header.length);
-  const double waveforms = header.waveforms == 0 ? 0 : end_of_extended(first, header.waveforms, 1);
-  return std::max({points, waveforms, end_of_extended(first, header.extended_begin, header.extended_records)});
 }
 
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {

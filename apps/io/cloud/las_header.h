@@ -14,7 +14,6 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/scalar.h"
 #include "io/crs.h"
 
@@ -67,10 +66,6 @@ struct LasHeader {
 /// signature of version 1.0, all before its points and two bytes more. Throws BadInput naming the fault if the file
 /// cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
-
-/// Returns the size that a LAS header claims, for Claim::size: up to the end of the points and of the records after
-/// them that the header names.
-double claimed_las_size(std::string_view first, const std::string& name);
 
 /// Throws BadInput if the scale or the offset of x, y or z (axis 0, 1, 2) gives no coordinates. read_las_header()
 /// checks x and y; z matters only if it is requested.

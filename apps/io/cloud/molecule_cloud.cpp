@@ -216,9 +216,7 @@ std::string_view without_uncertainty(std::string_view number) {
 
 /// Read the atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and
 /// HETATM, and PDBx/mmCIF's _atom_site, with atom_columns as their fields. Requires: content in memory.
-const CloudFormat pdb_reader = {
-    .open = open_pdb, .claim = claimed_text_size, .fields = names_of_atoms, .is_molecule = true};
-const CloudFormat cif_reader = {
-    .open = open_cif, .claim = claimed_text_size, .fields = names_of_atoms, .is_molecule = true};
+const CloudFormat pdb_reader = {.open = open_pdb, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
+const CloudFormat cif_reader = {.open = open_cif, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
 
 }  // namespace rbpa::app

@@ -170,6 +170,6 @@ std::unique_ptr<Cloud> open_obj(Content content, const CloudRequest&) {
 /// Reads the lines "v" of OBJ, with colors if they have six numbers or more, and "vn". A vertex has the normal that the
 /// corners of faces give it. If faces name no normals, and there are equally many vertices and normals, they belong
 /// together in their order. If neither gives every vertex a normal, there are none.
-const CloudFormat obj_reader = {.open = open_obj, .claim = claimed_text_size};
+const CloudFormat obj_reader = {.open = open_obj, .is_text = true};
 
 }  // namespace rbpa::app

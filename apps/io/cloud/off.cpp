@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
 #include "io/cloud/element_cloud.h"
 #include "io/failure.h"
-#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -32,7 +30,7 @@ struct Keyword {
 
 }  // namespace
 
-OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name) {
+OffHeader read_off_header(std::string_view text, const std::string& name) {
   Lines lines(text);
   if (!lines.next_with_content()) bad_input(name, "no OFF header", "an ASCII .off file");
   std::string_view rest = lines.line();
@@ -56,7 +54,7 @@ OffHeader read_off_header(std::string_view text, std::size_t size, const std::st
   const std::size_t line = lines.number();
   if (!rest.empty() && rest.front() != '#')
     lines = Lines(text.substr(static_cast<std::size_t>(rest.data() - text.data())), line - 1);
-  const std::size_t left = size - (text.size() - lines.rest().size());
+  const std::size_t left = lines.rest().size();
   const OffHeader header{.normals = keyword.known && keyword.normals,
                          .colors = keyword.known && keyword.colors,
                          .vertices = *vertices,
@@ -77,13 +75,6 @@ PlyHeader OffHeader::elements(std::size_t numbers) const {
   return {.elements = {std::move(vertex), std::move(face)}, .lines = lines.number(), .data = lines.rest()};
 }
 
-double claimed_off_size(std::string_view first, const std::string& name) {
-  std::string room;
-  first = plain_text(first, name, Format::off, room);
-  const OffHeader header = read_off_header(first, unknown_size, name);
-  return end_of_lines(first, header.lines, static_cast<double>(header.vertices) + static_cast<double>(header.faces));
-}
-
 namespace {
 
 /// Returns the number of coordinates of a vertex, by the first: 3, or in the plane also 2.
@@ -98,7 +89,7 @@ std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
 
 std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
   const std::string_view text = content.ahead();
-  const OffHeader off = read_off_header(text, text.size(), content.name());
+  const OffHeader off = read_off_header(text, content.name());
   PointLayout layout{.has_room = true};
   layout.facts.normals = request.in_space && off.normals;
   layout.colors_behind = request.in_space && off.colors;
@@ -113,6 +104,6 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
 }  // namespace
 
 /// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF. Does not read the faces.
-const CloudFormat off_reader = {.open = open_off, .claim = claimed_off_size};
+const CloudFormat off_reader = {.open = open_off};
 
 }  // namespace rbpa::app

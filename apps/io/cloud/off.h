@@ -22,11 +22,8 @@ struct OffHeader {
 };
 
 /// Reads a header: OFF with any of the prefixes ST, C, N, or none; then the counts, in the same line or in the next.
-/// The vertices may follow the counts in their line. `text` begins a file of `size` bytes and holds the whole header.
-/// Throws BadInput naming the line, also if the file is too short for so many vertices of at least two coordinates.
-OffHeader read_off_header(std::string_view text, std::size_t size, const std::string& name);
-
-/// Returns the size that an OFF header claims, for Claim::size: that of the shortest lines of its vertices and faces.
-double claimed_off_size(std::string_view first, const std::string& name);
+/// The vertices may follow the counts in their line. Throws BadInput naming the line, also if the file is too short for
+/// so many vertices of at least two coordinates.
+OffHeader read_off_header(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -11,7 +11,6 @@
 #include "io/cloud/element_cloud.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
-#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -31,9 +30,7 @@ struct PcdHeader {
 
 class PcdHeaderReader {
  public:
-  /// Reads the header of a file of `size` bytes, which begins with `bytes`.
-  PcdHeaderReader(std::string_view bytes, std::size_t size, const std::string& name)
-      : lines_(bytes), missing_(size - bytes.size()), ends_within_line_(!bytes.ends_with('\n')), name_(name) {}
+  PcdHeaderReader(std::string_view bytes, const std::string& name) : lines_(bytes), name_(name) {}
 
   PcdHeader read() {
     while (header_.data.data() == nullptr) {
@@ -90,8 +87,6 @@ class PcdHeaderReader {
   }
 
   void take_data(std::string_view kind) {
-    // A cut-off "binary" may be the beginning of "binary_compressed".
-    if (missing_ > 0 && ends_within_line_ && lines_.rest().empty()) refuse_end();
     is_compressed_ = kind == "binary_compressed";
     if (kind != "ascii" && kind != "binary" && !is_compressed_) refuse("ascii, binary or binary_compressed");
     if (kind != "ascii") header_.binary = std::endian::little;
@@ -144,14 +139,12 @@ class PcdHeaderReader {
 
   /// Throws BadInput if the file is too short for its points. In text each number takes two characters, the last one.
   void require_room() const {
-    const std::size_t left = header_.data.size() + missing_;
+    const std::size_t left = header_.data.size();
     const std::size_t room = header_.binary ? left / points_.least_size() : (left + 1) / (2 * points_.least_words());
     if (points_.count > room) bad_input(name_, counted(left, "byte") + " of data", announced(points_));
   }
 
   Lines lines_;
-  std::size_t missing_;
-  bool ends_within_line_;
   const std::string& name_;
   PlyHeader header_{};
   bool is_compressed_ = false;
@@ -218,7 +211,7 @@ std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
 }
 
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
-  auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.ahead().size(), content.name()).read();
+  auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.name()).read();
   PointLayout layout = lay_out(header.elements.front(), request, content.name());
   if (is_compressed) {
     layout.decompressed = decompress(header, content.name());
@@ -228,19 +221,10 @@ std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
   return open_elements(std::move(content), std::move(header), std::move(layout), request);
 }
 
-double claimed_pcd_size(std::string_view first, const std::string& name) {
-  std::string room;
-  first = plain_text(first, name, Format::pcd, room);
-  const auto [header, is_compressed] = PcdHeaderReader(first, unknown_size, name).read();
-  if (!is_compressed) return claimed_size(header, first);
-  const auto before = static_cast<double>(first.size() - header.data.size() + CompressedSizes::room);
-  return header.data.size() < CompressedSizes::room ? before : before + CompressedSizes(header.data).compressed;
-}
-
 }  // namespace
 
 /// Reads PCD, the Point Cloud Library's format, versions 0.5 to 0.7, ASCII or binary, compressed or not: x, y, z;
 /// normal_x, normal_y, normal_z if all three are there; rgb or rgba.
-const CloudFormat pcd_reader = {.open = open_pcd, .claim = claimed_pcd_size, .fields = names_of_properties};
+const CloudFormat pcd_reader = {.open = open_pcd, .fields = names_of_properties};
 
 }  // namespace rbpa::app

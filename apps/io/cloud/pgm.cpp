@@ -2,7 +2,6 @@
 #include <array>
 #include <limits>
 
-#include "io/bytes/claim.h"
 #include "io/cloud/images.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -72,11 +71,6 @@ class Numbers {
     if (!value || *value < least || *value > greatest) bad_input(at_line(name_, line_), in_quotes(word), expected);
     rest_.remove_prefix(word.size());
     return *value;
-  }
-  /// Skips the next word. Returns false, and stays at the end, if the word may continue after the text.
-  bool pass() {
-    rest_.remove_prefix(next_word().size());
-    return !rest_.empty();
   }
   std::string_view rest() const { return rest_; }
   /// Returns the text after the single blank or line end that must come next.
@@ -169,14 +163,6 @@ void read_bytes(Shades& image, const Pgm& pgm, double threshold, const std::stri
 }
 
 }  // namespace
-
-double claimed_pgm_size(std::string_view first, const std::string& name) {
-  Pgm pgm = read_header(first, name);
-  if (!pgm.text) return static_cast<double>(first.size() - pgm.data.size() + pgm.size());
-  std::size_t left = pgm.pixels(), end = first.size() - pgm.data.size();
-  for (; left > 0 && pgm.numbers.pass(); --left) end = first.size() - pgm.numbers.rest().size();
-  return static_cast<double>(end + 2 * left);
-}
 
 std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& name, const PixelRule& rule) {
   Pgm pgm = read_header(bytes, name);

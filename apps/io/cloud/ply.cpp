@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "io/bytes/claim.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
-#include "io/text/plain_text.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -148,54 +146,6 @@ std::size_t find_number(const PlyElement& element, std::string_view property, st
   if (const std::optional<std::size_t> place = number_place(element, property)) return *place;
   bad_input(at_line(name, element.line), "vertices without " + in_quotes(property),
             "number properties " + std::string(wanted));
-}
-
-namespace {
-
-/// Returns the offset in `data` of the end of the element that begins at `at`; nothing if the length of one of its
-/// lists is not in `data`.
-std::optional<double> end_of_element(const PlyElement& element, double at, std::string_view data, std::endian order) {
-  for (const PlyProperty& property : element.properties) {
-    auto values = static_cast<double>(property.count);
-    if (property.count_type) {
-      const double length = at;
-      at += static_cast<double>(size_of(*property.count_type));
-      if (at > static_cast<double>(data.size())) return std::nullopt;
-      values = load_number(*property.count_type, data.data() + static_cast<std::size_t>(length), order);
-    }
-    at += std::max(values, 0.0) * static_cast<double>(size_of(property.type));
-  }
-  return at;
-}
-
-double end_of_elements(const PlyHeader& header) {
-  double at = 0;
-  for (const PlyElement& element : header.elements) {
-    std::size_t left = element.count;
-    for (; element.has_lists() && left > 0; --left) {
-      if (left % 16384 == 0) stop_if_interrupted();
-      const std::optional<double> end = end_of_element(element, at, header.data, *header.binary);
-      if (!end) break;
-      at = *end;
-    }
-    at += static_cast<double>(left) * static_cast<double>(element.least_size());
-  }
-  return at;
-}
-
-}  // namespace
-
-double claimed_ply_size(std::string_view first, const std::string& name) {
-  std::string room;
-  first = plain_text(first, name, Format::ply, room);
-  return claimed_size(read_ply_header(first, name), first);
-}
-
-double claimed_size(const PlyHeader& header, std::string_view first) {
-  if (header.binary) return static_cast<double>(first.size() - header.data.size()) + end_of_elements(header);
-  double lines = 0;
-  for (const PlyElement& element : header.elements) lines += static_cast<double>(element.count);
-  return end_of_lines(first, Lines(header.data), lines);
 }
 
 void PlyBinary::require_room(const PlyElement& element) const {

@@ -68,12 +68,6 @@ std::vector<std::size_t> number_places(const PlyElement& element, std::span<cons
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name);
 
-/// Return the size in bytes that a header claims, for Claim::size: that of all elements, or of their shortest lines in
-/// text; lists of a binary file count with their lengths as far as they are in `first`. `header` is the header of
-/// `first`.
-double claimed_size(const PlyHeader& header, std::string_view first);
-double claimed_ply_size(std::string_view first, const std::string& name);
-
 /// A pass over the data of a binary file.
 class PlyBinary {
  public:

@@ -51,6 +51,6 @@ std::unique_ptr<Cloud> open_ply(Content content, const CloudRequest& request) {
 /// Reads the element "vertex" of PLY: x, y, z; nx, ny, nz if all three are there; and red, green, blue (of type uchar)
 /// if all three are there. Ignores everything else, but a binary file must hold it, so that a truncated file is
 /// noticed.
-const CloudFormat ply_reader = {.open = open_ply, .claim = claimed_ply_size, .fields = names_of_properties};
+const CloudFormat ply_reader = {.open = open_ply, .fields = names_of_properties};
 
 }  // namespace rbpa::app

@@ -17,8 +17,8 @@ class CloudBlocks final : public PointBlocks {
  public:
   explicit CloudBlocks(const PointSource& source)
       : source_(source),
-        cloud_(open_plane_cloud(Content::of_file(source.path, may_be_compressed(source.format, source.path)), source)) {
-  }
+        cloud_(open_plane_cloud(Content::of_file(source.path, decompression_of(source.format, source.path).is_wanted),
+                                source)) {}
 
   bool next(std::vector<Point>& block) override {
     block.clear();

@@ -114,10 +114,9 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
 PointFile read_points(const PointSource& source) {
   if (source.format == Format::ogr)
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
-  Claim claim = claim_of(source.format, source.skip_invalid);
-  claim.may_be_compressed = may_be_compressed(source.format, source.path);
-  const InputBytes input(source.path, "a file of points", claim,
-                         " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)");
+  const InputBytes input(source.path, "a file of points",
+                         decompression_of(source.format, source.path,
+                                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)"));
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);

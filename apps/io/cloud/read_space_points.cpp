@@ -76,9 +76,7 @@ void require_directions(const SpacePoints& file, const std::string& name) {
 }  // namespace
 
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
-  Claim claim = claim_of(format, request.skip_invalid);
-  claim.may_be_compressed = may_be_compressed(format, path);
-  const InputBytes input(path, "a file of points", claim);
+  const InputBytes input(path, "a file of points", decompression_of(format, path));
   if (format == Format::by_content) {
     format = format_of_content(Use::space, input.bytes(), input.name(), Format::text);
     require_readable(format, request.columns.has_value(), request.skip_invalid, false, request.where);

@@ -426,23 +426,24 @@ std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request)
 /// (table_separator.h). Fields may be in double quotes (not with blanks as separator). All lines have the same number
 /// of columns. In a line that the condition excludes, only the condition's columns are read.
 const CloudFormat table_reader = {
-    .open = open_table, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+    .open = open_table, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
 
 /// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first
 /// line of such a table may be the number of points; exactly as many must follow, unless invalid ones are skipped.
 const CloudFormat pts_reader = {
-    .open = open_pts, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+    .open = open_pts, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
 
 /// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
 const CloudFormat xyzn_reader = {
-    .open = open_xyzn, .claim = claimed_text_size, .fields = names_of_columns, .streams = true, .skips_invalid = true};
+    .open = open_xyzn, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
 
 /// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1, or from 0 to 255
 /// if one of the file is greater than 1.
 const CloudFormat xyzrgb_reader = {.open = open_xyzrgb,
-                                   .claim = claimed_text_size,
+
                                    .fields = names_of_columns,
                                    .streams = true,
-                                   .skips_invalid = true};
+                                   .skips_invalid = true,
+                                   .is_text = true};
 
 }  // namespace rbpa::app

@@ -6,7 +6,7 @@
 namespace rbpa::app {
 
 MeshFile read_off_mesh(std::string_view text, const std::string& name) {
-  const OffHeader off = read_off_header(text, text.size(), name);
+  const OffHeader off = read_off_header(text, name);
   const PlyHeader header = off.elements(off.normals ? 6 : 3);
   const PlyElement &vertex = header.elements.front(), &face = header.elements.back();
   PlyText data(header, name);

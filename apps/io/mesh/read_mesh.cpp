@@ -28,8 +28,7 @@ MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
 }  // namespace
 
 MeshFile read_mesh(const MeshSource& source) {
-  const InputBytes input(source.path, "a mesh file",
-                         source.format == Format::stl ? Claim{claimed_stl_size} : claim_of(source.format));
+  const InputBytes input(source.path, "a mesh file", decompression_of(source.format, source.path));
   const bool is_known = source.format != Format::by_content || input.bytes().empty();
   return mesh_in(input.bytes(), input.name(),
                  is_known ? source.format : format_of_content(Use::mesh, input.bytes(), input.name(), std::nullopt));

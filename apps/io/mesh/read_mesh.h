@@ -71,7 +71,4 @@ MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 /// Returns the mesh that read_stl_mesh() would read from a file of these triangles.
 MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Returns the size that a binary STL header claims, for Claim::size: that of all facets. ASCII claims no size.
-double claimed_stl_size(std::string_view first, const std::string& name);
-
 }  // namespace rbpa::app

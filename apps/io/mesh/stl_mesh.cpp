@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/bytes/claim.h"
 #include "io/bytes/number.h"
 #include "io/bytes/scalar.h"
 #include "io/failure.h"
@@ -212,11 +211,6 @@ MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::arra
   }
   mesh.soup.points = mesh.positions.size();
   return mesh;
-}
-
-double claimed_stl_size(std::string_view first, const std::string&) {
-  if (!is_binary(first) || first.size() < header_size) return any_size;
-  return static_cast<double>(header_size + facet_size * announced_facets(first));
 }
 
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name) {

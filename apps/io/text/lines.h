@@ -97,15 +97,4 @@ inline std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// Returns the offset in `first`, which `lines` reads, of the end of the next `count` lines with content; each line
-/// that is not there counts as two bytes.
-inline double end_of_lines(std::string_view first, Lines lines, double count) {
-  std::size_t end = first.size() - lines.rest().size();
-  for (; count > 0 && lines.next_with_content(); --count) {
-    if (lines.rest().empty() && first.back() != '\n') break;  // the line may continue after `first`
-    end = first.size() - lines.rest().size();
-  }
-  return static_cast<double>(end) + 2 * count;
-}
-
 }  // namespace rbpa::app
