@@ -5,7 +5,7 @@
 // Cost:   about linear in the triangles, n log n in the boundary.
 // Note:   independent of OpenMesh; filling_mesh.h makes a halfedge mesh of the result.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front
-//         mesh generation method revisited (1994); docs/explanation/plane.md, sections 36 and 37.
+//         mesh generation method revisited (1994); docs/explanation/plane.md, sections 26 and 27.
 #pragma once
 
 #include <span>

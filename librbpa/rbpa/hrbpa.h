@@ -1,6 +1,6 @@
 // What:   the solid alpha complex from the bottom up: restricted ball pivoting with radii α₀, 2α₀, 4α₀ … up to alpha.
 // Law:    the triangles are those of rbpa(); after each level the mesh is exactly the complex of its radius.
-// Cost:   depends on the number of points that take part on each level: docs/explanation/plane.md, sections 19 to 21.
+// Cost:   depends on the number of points that take part on each level: docs/explanation/plane.md, sections 16 and 17.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6.
 #pragma once
 

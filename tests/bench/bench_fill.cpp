@@ -1,5 +1,5 @@
-// Measures the tables of docs/explanation/plane.md, section 38: fill() against CGAL's Delaunay refinement, and inputs
-// on which fronts get slow.
+// Measures fill() against CGAL's Delaunay refinement, and inputs on which fronts get slow (docs/explanation/plane.md,
+// section 28).
 //   bench_fill [--runs=N] [--points=N]      3 runs of each in turn, of up to 1,000,000 triangles
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,5 @@
-// Measures the tables of docs/explanation/plane.md, sections 19 to 21: hrbpa() against rbpa(), CGAL and the paper's
-// RBPA, and the effect of the leaf
-// capacity.
+// Measures hrbpa() against rbpa(), CGAL and the paper's RBPA, and the effect of the leaf capacity
+// (docs/explanation/plane.md, section 17).
 //   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <cmath>
 #include <cstdio>

@@ -1,8 +1,7 @@
 // What:   the ball of radius α among points of the plane: it pivots on an edge, and it rolls around a point.
 // Law:    exact; each answer is a function of the set of points alone, not of their order or of a mesh.
 // Cost:   one look at V_p, the points in nine cells of side 2α.
-// Source: Restricted BPA, section 3.1, "Geometric step", and section 3.2; rolling: docs/explanation/plane.md, section
-//         28.
+// Source: Restricted BPA, sections 3.1, "Geometric step", and 3.2; rolling: docs/explanation/paper.md, section 3.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with
 // its center left. Signs decide at which of two points it arrives first, without any angle or root
-// (docs/explanation/paper.md, section 3); the next point is the first of all within 2α of v.
+// (docs/explanation/paper.md, section 5); the next point is the first of all within 2α of v.
 #include "rbpa/paper/circle.h"
 
 namespace rbpa::paper {
@@ -26,8 +26,7 @@ bool Ball::met_before(Site v, Site from, Site q, Site p) const {
   return P::orientation(at(v), at(q), at(p)) > 0;
 }
 
-/// Returns whether q is inside the ball that arrives at p. The angle at q decides: docs/explanation/plane.md, section
-/// 31.
+/// Returns whether q is inside the ball that arrives at p, by the angle at q (docs/explanation/paper.md, section 6).
 bool Ball::in_arriving_ball(Site v, Site p, Site q) const {
   const int side = P::orientation(at(v), at(p), at(q));
   const int cosine = P::dot_sign(at(q), at(v), at(p));

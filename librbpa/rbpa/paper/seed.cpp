@@ -5,7 +5,7 @@
 //   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; a pivot finds out
 //      whether it has one on its left. That is a seed.
 //   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
-// docs/explanation/plane.md, section 32 proves that this finds every triangle.
+// docs/explanation/paper.md, section 7 proves that this finds every triangle.
 #include "rbpa/paper/pivoting.h"
 
 namespace rbpa::paper {

@@ -3,7 +3,7 @@
 //         up to that of the triangles. A function of the set of points and alpha: triangles and vertices in any order
 //         give the same polygons in the same order.
 // Cost:   linear in the complex, n log n in the boundary.
-// Source: docs/explanation/plane.md, sections 33 to 35.
+// Source: docs/explanation/plane.md, sections 23 to 25.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 //         plane is merged, finish() returns what rbpa(), count() and outline_polygons() compute for all points.
 // Cost:   that of alpha_complex(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
 //         kept in memory.
-// Source: docs/explanation/plane.md, sections 22 to 27.
+// Source: docs/explanation/plane.md, sections 18 to 22.
 #pragma once
 
 #include <array>

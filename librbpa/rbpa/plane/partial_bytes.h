@@ -1,6 +1,6 @@
 // What:   writes a Partial as bytes, and reads them on any machine.
 // Law:    the bytes do not depend on the order in which regions were merged; truncated or changed bytes are refused.
-// Source: docs/explanation/plane.md, section 27, has the format.
+// Source: docs/explanation/plane.md, section 22, has the format.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // Law:    disjoint regions share no item of the complex: a triangle belongs to the region that contains its
 //         lexicographically least corner, an edge to the one that contains its lesser end, a vertex to the one that
 //         contains it.
-// Source: docs/explanation/plane.md, sections 22 to 27.
+// Source: docs/explanation/plane.md, sections 18 to 22.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 //         … alpha that admits it.
 // Law:    the triangles are those of alpha_complex(), the levels those of hrbpa() (hrbpa.h).
 // Cost:   that of alpha_complex(), plus a quadtree and a comparison of the circumradius for each triangle.
-// Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/explanation/plane.md, sections 19 to 21.
+// Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/explanation/plane.md, sections 16 and 17.
 // Note:   independent of OpenMesh.
 #pragma once
 

@@ -4,7 +4,7 @@
 //       piece, h is bounded by its slope. Their errors are at most a tenth if 2¹⁷ pieces, and 64 for each edge and
 //       triangle, suffice for that. If not, as in slivers, the lower bounds of the pieces are added up, and the
 //       estimate may be far too low. fill() makes between half and three times as many triangles if sizes change little
-//       within one triangle (docs/explanation/plane.md, section 38); short edges of the boundary that no grade respects
+//       within one triangle (docs/explanation/plane.md, section 28); short edges of the boundary that no grade respects
 //       make more.
 // Cost: that of the constrained Delaunay triangulations, and a query of the field for each edge, triangle and piece.
 #pragma once

@@ -4,7 +4,7 @@
 //         circle. All decisions are exact.
 // Why:    a walk through it from an edge visits the corners visible from that edge, and no others. Long edges that lie
 //         close hide nearly all near points from each other, and a search by boxes would visit all of these
-//         (docs/explanation/plane.md, section 36).
+//         (docs/explanation/plane.md, section 26).
 // Cost:   n log n to build, for a front of n edges. Adding or removing a triangle costs the triangles that it crosses,
 //         and their flips; removing a corner costs k log k for k triangles around it. A search costs the triangles
 //         visited.

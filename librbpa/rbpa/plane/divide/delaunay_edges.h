@@ -7,7 +7,7 @@
 //         3. merge halves, from the edge below both hulls up to the one above: merge().
 //         Halves of many points are given to two threads.
 // Cost:   as divide_and_conquer.h; 76 bytes a point.
-// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 15.
+// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 14.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 //         alone; the time bound holds for every point set.
 // Cost:   O(n log n) in the worst case; about n log log n comparisons of circles for points scattered evenly. 76 bytes
 //         a point besides places and result.
-// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 15.
+// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 14.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // What:   two orders of points, and the division of points into halves.
 // Law:    if one set comes before another in either order, a line separates them.
 // Cost:   linear, and neither part is less than an eighth of the whole.
-// Source: docs/explanation/plane.md, section 15.
+// Source: docs/explanation/plane.md, section 14.
 #pragma once
 
 #include <algorithm>

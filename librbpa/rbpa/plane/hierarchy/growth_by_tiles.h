@@ -5,7 +5,7 @@
 // How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
 //         are added to the mesh on their level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
-// Source: docs/explanation/plane.md, sections 19 to 21.
+// Source: docs/explanation/plane.md, sections 16 and 17.
 #pragma once
 
 #include <cstddef>

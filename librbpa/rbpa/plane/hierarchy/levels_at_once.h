@@ -6,7 +6,7 @@
 //         is closed; an edge exists from the first level of its triangles on.
 // Cost:   that of rbpa(), a comparison of the circumradius for each triangle, and, unless all triangles are of the
 //         first level, two passes over the mesh.
-// Source: docs/explanation/plane.md, sections 19 to 21.
+// Source: docs/explanation/plane.md, sections 16 and 17.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What: the layout of a Partial in bytes: words of 8, little-endian (docs/explanation/plane.md, section 27).
+// What: the layout of a Partial in bytes: words of 8, little-endian (docs/explanation/plane.md, section 22).
 #pragma once
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 // How:    a star is settled when every triangle of the complex around its site is in some patch. A missing triangle has
 //         no settled corner, and is in the Delaunay triangulation of those sites and their neighbors.
 // Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
-// Source: docs/explanation/plane.md, sections 12 to 15.
+// Source: docs/explanation/plane.md, sections 12 to 14.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // What: splits a boundary curve that passes points several times into rings that pass each point once.
 // Law:  every edge of the curve is on exactly one ring, in its direction. For curves of solid complexes the rings are
 //       the boundaries of the connected pieces of the outside, whatever the first point of the curve is
-//       (docs/explanation/plane.md, section 33).
+//       (docs/explanation/plane.md, section 23).
 #pragma once
 
 #include <cstddef>
