@@ -29,7 +29,8 @@ class Threads {
   class Call<Result(Arguments...)> {
    public:
     template <typename Function>
-    Call(Function&& function)  // NOLINT(google-explicit-constructor): a lambda is passed
+    // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload): a lambda is passed, no Call
+    Call(Function&& function)
         requires(!std::is_same_v<std::remove_cvref_t<Function>, Call>)
         : function_(&function), call_([](const void* f, Arguments... arguments) -> Result {
             using Called = std::remove_reference_t<Function>;

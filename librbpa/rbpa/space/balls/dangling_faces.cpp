@@ -56,7 +56,7 @@ DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaun
         result.triangles.push_back(ascending(delaunay.simplices[t], k));
   std::sort(result.triangles.begin(), result.triangles.end());
 
-  const space::Stars stars(cells);
+  const space::PointStars stars(cells);
   std::vector<std::uint8_t> has_edge(stars.bound(), 0);
   space::for_each_edge(
       cells, stars, threads,

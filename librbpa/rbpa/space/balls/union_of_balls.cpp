@@ -118,7 +118,7 @@ class Union {
       const Row& row = delaunay_.simplices[at.tetrahedron];
       outside -= dihedral_angle(direction, unit(edge(a, row[k])), unit(edge(a, row[l])));
     }
-    sum.add(-outside, space::two_balls(length(along)));
+    sum.add(-outside, space::two_balls(norm(along)));
   }
 
   /// Returns the vector from a to b, in units of the radius.
@@ -139,7 +139,7 @@ class Union {
   Threads& threads_;
   space::Triangulated cells_;
   space::FacesWithin faces_;
-  space::Stars stars_;
+  space::PointStars stars_;
 };
 
 void check_radius(double radius) {

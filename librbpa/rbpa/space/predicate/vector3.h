@@ -22,6 +22,14 @@ Vector3<Real> from(const Point3& a, const Point3& b) {
   return {Real(b.x) - Real(a.x), Real(b.y) - Real(a.y), Real(b.z) - Real(a.z)};
 }
 template <typename Real>
+Vector3<Real> plus(const Vector3<Real>& u, const Vector3<Real>& v) {
+  return {u.x + v.x, u.y + v.y, u.z + v.z};
+}
+template <typename Real>
+Vector3<Real> minus(const Vector3<Real>& u, const Vector3<Real>& v) {
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+template <typename Real>
 Real dot(const Vector3<Real>& u, const Vector3<Real>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }

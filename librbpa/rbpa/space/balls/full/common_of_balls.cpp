@@ -13,7 +13,7 @@ Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.
 }  // namespace
 
 Vector unit(const Vector& v) {
-  const double size = length(v);
+  const double size = norm(v);
   return size > 0 ? 1 / size * v : v;
 }
 
@@ -23,7 +23,7 @@ double solid_angle(const Vector& a, const Vector& b, const Vector& c) {
 
 double dihedral_angle(const Vector& edge, const Vector& a, const Vector& b) {
   const Vector to_a = unit(cross(edge, a)), to_b = unit(cross(edge, b));
-  return std::atan2(length(cross(to_a, to_b)), dot(to_a, to_b)) / (2 * pi);
+  return std::atan2(norm(cross(to_a, to_b)), dot(to_a, to_b)) / (2 * pi);
 }
 
 Measure two_balls(double distance) {
@@ -34,7 +34,7 @@ Measure two_balls(double distance) {
 // The three spheres meet in two points. The tetrahedron of the centers and one of these points has shares of one ball
 // each, less shares of two balls, plus half of the intersection of three.
 Measure three_balls(const Vector& u, const Vector& v) {
-  const double lu = length(u), lv = length(v);
+  const double lu = norm(u), lv = norm(v);
   const Vector eu = unit(u), ev = unit(v), n = cross(eu, ev), ew = unit(v - u);
   const double nn = dot(n, n);
   if (!(nn > 0)) return two_balls(std::max(lu, lv));  // two of the three are at one point
@@ -52,7 +52,7 @@ Measure three_balls(const Vector& u, const Vector& v) {
   };
   add(lu, dihedral_angle(eu, ev, from_o));
   add(lv, dihedral_angle(ev, eu, from_o));
-  add(length(v - u), dihedral_angle(ew, -1 * eu, from_u));
+  add(norm(v - u), dihedral_angle(ew, -1 * eu, from_u));
   return {std::max(2 * common.volume, 0.0), std::max(2 * common.area, 0.0)};
 }
 

@@ -13,8 +13,8 @@ namespace rbpa::space {
 using Vector = Vector3<double>;
 
 inline Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-// Also accurate for points that nearly coincide
-inline double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
+/// Returns the length of a vector, also of a very short or long one whose square a double does not hold.
+inline double norm(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 Vector unit(const Vector& v);
 
 /// Returns the solid angle at a corner whose edges have the directions of three unit vectors, as a fraction of the

@@ -40,9 +40,9 @@ inline std::array<std::size_t, 2> others(const EdgeAt& at) {
 bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha);
 
 /// The tetrahedra at each point.
-class Stars {
+class PointStars {
  public:
-  explicit Stars(const Triangulated& delaunay) {
+  explicit PointStars(const Triangulated& delaunay) {
     if (!delaunay.vertices.empty())
       for (auto row : delaunay.simplices) {
         for (std::uint32_t& corner : row) corner = delaunay.point(corner);
@@ -111,7 +111,7 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
 /// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, from any thread; then join(a, b), one call at
 /// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled where `go_on` returns false.
 template <typename IsMeant, typename Join>
-void for_each_edge(const Triangulated& delaunay, const Stars& stars, Threads& threads, const IsMeant& is_meant,
+void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Threads& threads, const IsMeant& is_meant,
                    const Join& join, const std::function<bool()>& go_on = {}) {
   constexpr std::size_t points_at_a_time = 1u << 10;
   struct Workspace {
@@ -146,7 +146,7 @@ struct EdgeCounts {
 template <typename HasEdge>
 EdgeCounts count_edges(const Triangulated& delaunay, Threads& threads, const HasEdge& has_edge,
                        const std::function<bool()>& go_on = {}) {
-  const Stars stars(delaunay);
+  const PointStars stars(delaunay);
   meshops::DisjointSets sets(stars.bound());
   std::vector<bool> is_end(stars.bound(), false);
   EdgeCounts counts;

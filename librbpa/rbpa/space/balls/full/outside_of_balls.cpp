@@ -32,7 +32,7 @@ class Share {
   double of_two(const EdgeAt& at) const {
     const auto [k, l] = others(at);
     const auto& from = edges_[at.from];
-    return dihedral_angle(unit(from[at.to]), unit(from[k]), unit(from[l])) * two_balls(length(from[at.to])).volume;
+    return dihedral_angle(unit(from[at.to]), unit(from[k]), unit(from[l])) * two_balls(norm(from[at.to])).volume;
   }
   double of_three(std::size_t across) const {
     const auto& [a, b, c] = outer_faces[across];
@@ -63,7 +63,7 @@ std::vector<double> outside_of_balls(const Triangulated& space, std::span<const 
     return std::any_of(ring.begin(), ring.end(), is_at_wall) || is_edge_alone(space, ring, alpha);
   };
   for_each_edge(
-      space, Stars(space), threads,
+      space, PointStars(space), threads,
       [&](std::uint32_t, std::uint32_t, std::span<const EdgeAt> ring) {
         if (is_in_complex(ring))
           for (const EdgeAt& at : ring) has_edge[slot(at.tetrahedron, at.from, at.to)] = 1;

@@ -14,8 +14,6 @@ namespace rbpa::space {
 
 using Vector = Vector3<double>;
 
-inline Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
-inline Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
 inline Vector times(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 

@@ -10,12 +10,6 @@
 namespace rbpa::space {
 
 inline Vector3<double> scaled(const Vector3<double>& u, double s) { return {u.x * s, u.y * s, u.z * s}; }
-inline Vector3<double> plus(const Vector3<double>& u, const Vector3<double>& v) {
-  return {u.x + v.x, u.y + v.y, u.z + v.z};
-}
-inline Vector3<double> minus(const Vector3<double>& u, const Vector3<double>& v) {
-  return {u.x - v.x, u.y - v.y, u.z - v.z};
-}
 
 /// A point other than v. A ball that touches v, with its center at c relative to v, contains the point if and only if c
 /// · at > power.
