@@ -46,6 +46,11 @@ inline std::span<const Triple> triples_of(const Indices& array, const char* name
   return {reinterpret_cast<const Triple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
+/// Views a contiguous float64 array as numbers. The array must outlive the span.
+inline std::span<const double> line_of(const Doubles& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
 using Quadruple = std::array<std::uint32_t, 4>;
 inline std::span<const Quadruple> quadruples_of(const Indices& array, const char* name) {
   if (array.ndim() != 2 || array.shape(1) != 4)

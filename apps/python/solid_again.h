@@ -1,7 +1,6 @@
 // What: rebuilds a solid, and the radii of its tetrahedra, from Python's arrays.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -17,10 +16,6 @@ inline Solid solid_again(const Indices& simplices, const Indices& neighbors) {
   again.simplices = rows_of(quadruples_of(simplices, "simplices"));
   again.neighbors = rows_of(quadruples_of(neighbors, "neighbors"));
   return again;
-}
-
-inline std::span<const double> line_of(const Doubles& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 }  // namespace rbpa::python

@@ -8,7 +8,6 @@
 #include "python/module.h"
 #include "python/surface_input.h"
 #include "python/watched.h"
-#include "rbpa/space/surface/auto_radii.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/outliers.h"
 #include "rbpa/space/surface/scale_space.h"
@@ -39,13 +38,6 @@ std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps,
   return {rows<double>(std::move(made.points)), made.steps};
 }
 
-Doubles chosen_radii(const Doubles& points, unsigned threads, const py::object& progress) {
-  const auto input = points3_of(points, "points");
-  return line<double>(watched(input.size(), progress, [&](Watch& watch) {
-    return auto_radii(input, {.threads = threads, .progress = watch.progress()});
-  }));
-}
-
 /// Returns the input indices of outliers, and the median of the points' distances.
 std::tuple<Indices, double> standing_alone(const Doubles& points, double factor, std::size_t neighbors,
                                            unsigned threads, const py::object& progress) {
@@ -65,7 +57,6 @@ void bind_space_points(py::module_& module) {
              arg("threads"), arg("progress"));
   module.def("scale_space", &moved, arg("points").noconvert(), arg("steps"), arg("neighbors"), arg("threads"),
              arg("progress"));
-  module.def("auto_radii", &chosen_radii, arg("points").noconvert(), arg("threads"), arg("progress"));
   module.def("outliers", &standing_alone, arg("points").noconvert(), arg("factor"), arg("neighbors"), arg("threads"),
              arg("progress"));
 }

@@ -20,13 +20,12 @@
 #include "python/surface_input.h"
 #include "python/watched.h"
 #include "rbpa/space/repair/fill_holes.h"
-#include "rbpa/space/repair/refine_filling.h"
+#include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/outer_shells.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_components.h"
-#include "rbpa/space/surface/surface_levels.h"
 #include "rbpa/space/surface/surface_mesh.h"
 #include "rbpa/space/surface/surface_of.h"
 
@@ -66,20 +65,30 @@ py::dict as_dict(FilledSurface& made) {
   return result;
 }
 
-py::dict surface_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, unsigned threads,
-                    const py::object& progress) {
-  const SurfaceInput input(points, normals, radii);
-  if (input.radii.empty()) throw py::value_error("radii: expected one or more");
-  Surface made = watched(input.points.size(), progress, [&](Watch& watch) {
-    const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
-    return input.has_normals ? surface(input.points, input.normals, input.radii, options)
-                             : exposed_triangles(input.points, input.radii.front(), options);
+/// Returns the surface of points by the given normals, by estimated ones, or without any; with the radii, and with the
+/// normals if they are estimated.
+py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool estimates, const Doubles& radii,
+                       double most_radius, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const std::span<const double> wanted = line_of(radii);
+  Reconstruction made = watched(input.size(), progress, [&](Watch& watch) {
+    return reconstruct({input.begin(), input.end()}, {.normals = {vectors.begin(), vectors.end()},
+                                                      .source = normals     ? NormalSource::given
+                                                                : estimates ? NormalSource::estimate
+                                                                            : NormalSource::none,
+                                                      .radii = {wanted.begin(), wanted.end()},
+                                                      .most_radius = most_radius,
+                                                      .threads = threads,
+                                                      .progress = watch.progress()});
   });
   static_assert(static_cast<std::uint32_t>(-1) == Surface::none);
-  made.levels.resize(made.triangles.size());  // empty for one radius: all triangles are of level 0
-  py::dict result = as_dict(made);
-  result["levels"] = line<std::int32_t>(std::move(made.levels));
-  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  made.surface.levels.resize(made.surface.triangles.size());  // empty for one radius: all triangles are of level 0
+  py::dict result = as_dict(made.surface);
+  result["levels"] = line<std::int32_t>(std::move(made.surface.levels));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.surface.duplicates));
+  result["radii"] = line<double>(std::move(made.radii));
+  if (estimates) result["normals"] = rows<double>(std::move(made.normals));
   return result;
 }
 
@@ -136,14 +145,24 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   return result;
 }
 
-/// Returns for each component whether it is an outer shell.
-std::vector<bool> outer_of(const Doubles& points, double radius, const Indices& triangles, const Indices& neighbors) {
+/// Returns for each component whether it is one of the largest, is not too small, and, if there is a radius, is an outer
+/// shell.
+std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const Indices& neighbors,
+                          std::optional<double> radius, std::optional<std::size_t> largest, std::size_t least_triangles,
+                          double least_area) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
-    const Surface shells = of_links(links);
+    const Surface surface = of_links(links);
     const std::function<bool()> go_on = watch.until_stopped();
-    return outer_shells(input, radius, shells, surface_components(input, shells, go_on), go_on);
+    const SurfaceComponents components = surface_components(input, surface, go_on);
+    std::vector<bool> outer;
+    if (radius) outer = outer_shells(input, *radius, surface, components, go_on);
+    return kept_components(components, outer,
+                           {.shell = radius ? ShellChoice::outer : ShellChoice::all,
+                            .largest = largest,
+                            .least_triangles = least_triangles,
+                            .least_area = least_area});
   });
 }
 
@@ -254,13 +273,13 @@ void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const 
 
 void bind_surface(py::module_& module) {
   using py::arg;
-  module.def("surface", &surface_of, arg("points").noconvert(), arg("normals").noconvert(), arg("radii").noconvert(),
-             arg("threads"), arg("progress"));
+  module.def("reconstruct", &reconstructed, arg("points").noconvert(), arg("normals").noconvert(), arg("estimates"),
+             arg("radii").noconvert(), arg("most_radius"), arg("threads"), arg("progress"));
   module.def("surface_of", &surface_of_triangles, arg("points").noconvert(), arg("triangles").noconvert());
   module.def("surface_components", &components_of, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert());
-  module.def("outer_shells", &outer_of, arg("points").noconvert(), arg("radius"), arg("triangles").noconvert(),
-             arg("neighbors").noconvert());
+  module.def("kept_components", &kept_of, arg("points").noconvert(), arg("triangles").noconvert(),
+             arg("neighbors").noconvert(), arg("radius"), arg("largest"), arg("least_triangles"), arg("least_area"));
   module.def("fill_holes", &filled, arg("points").noconvert(), arg("triangles").noconvert(),
              arg("neighbors").noconvert(), arg("most_edges"), arg("most_length"), arg("rims"), arg("threads"));
   module.def("make_watertight", &watertight, arg("points").noconvert(), arg("triangles").noconvert(),

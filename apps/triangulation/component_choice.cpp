@@ -1,6 +1,8 @@
 #include "triangulation/component_choice.h"
 
 #include <charconv>
+#include <optional>
+#include <string_view>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -45,21 +47,6 @@ void parse_drop_small(const std::string& text, ComponentChoice& choice) {
   }
   throw WrongUsage("--drop-small: found " + in_quotes(text) +
                    ", expected a number of triangles, such as 50, or an area, such as area=2.5");
-}
-
-std::vector<bool> kept_components(const SurfaceComponents& components, const std::vector<bool>& outer,
-                                  const ComponentChoice& choice) {
-  std::size_t left = choice.largest.value_or(components.all.size());
-  if (choice.shell == ShellChoice::largest) left = 1;
-  std::vector<bool> kept;
-  for (std::size_t c = 0; c < components.all.size(); ++c) {  // components are sorted by descending area
-    const SurfaceComponent& component = components.all[c];
-    const bool is_wanted = (choice.shell == ShellChoice::all || outer[c]) &&
-                           component.triangles >= choice.least_triangles && component.area >= choice.least_area;
-    kept.push_back(is_wanted && left > 0);
-    left -= kept.back();
-  }
-  return kept;
 }
 
 }  // namespace rbpa::app

@@ -37,12 +37,12 @@ FillingCounts count(std::span<const HoleFill> holes) {
   return counts;
 }
 
-void count_refined(std::span<const Point3> points, const FilledSurface& filled, const AddedPoints& added,
-                   FillingCounts& counts) {
+void count_refined(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                   const std::vector<bool>& is_new, const AddedPoints& added, FillingCounts& counts) {
   std::vector<double> areas;
-  for (std::size_t t = 0; t < filled.is_new.size(); ++t) {
-    if (!filled.is_new[t]) continue;
-    const auto& [i, j, k] = filled.surface.triangles[t];
+  for (std::size_t t = 0; t < is_new.size(); ++t) {
+    if (!is_new[t]) continue;
+    const auto& [i, j, k] = triangles[t];
     const Point3 &a = points[i], &b = points[j], &c = points[k];
     const Point3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
     areas.push_back(std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2);

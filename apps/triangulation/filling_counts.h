@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <numeric>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "rbpa/space/repair/refine_filling.h"
 
@@ -31,8 +33,8 @@ struct FillingCounts {
 FillingCounts count(std::span<const HoleFill> holes);
 
 /// Counts refined fillings instead: their triangles, the area of these, and the added points.
-void count_refined(std::span<const Point3> points, const FilledSurface& filled, const AddedPoints& added,
-                   FillingCounts& counts);
+void count_refined(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                   const std::vector<bool>& is_new, const AddedPoints& added, FillingCounts& counts);
 
 /// Returns "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
 std::string filled_text(const FillingCounts& counts);

@@ -15,6 +15,7 @@
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/mesh_holes.h"
+#include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/suggested_repairs.h"
 #include "rbpa/space/repair/watertight.h"

@@ -79,22 +79,21 @@ def surface(
         raise InvalidInput(f"max_radius: found {shown(max_radius)}, expected a number > 0")
     if max_radius < math.inf and not automatic:
         raise InvalidInput(f"max_radius: found radius={shown(radius)}, expected radius='auto'")
-    radii = np.unique(np.minimum(_core.auto_radii(array, workers, progress), max_radius)) if automatic else _as_radii(radius)
-    vectors: Optional[Floats]
-    if normals is None or (isinstance(normals, str) and normals == "estimate"):
-        vectors = _core.estimate_normals(array, 16, None, workers, progress)[0]
-        freeze(vectors)
-    elif isinstance(normals, str):
+    radii = np.zeros(0) if automatic else _as_radii(radius)
+    estimates = normals is None or (isinstance(normals, str) and normals == "estimate")
+    vectors: Optional[Floats] = None
+    if isinstance(normals, str) and not estimates:
         if normals != "none":
             raise InvalidInput(f"normals: found {shown(normals)}, expected an array of shape (n, 3), 'estimate' or 'none'")
-        if automatic:
-            radii = radii[-1:]
-        elif len(radii) != 1:
+        if len(radii) > 1:
             raise InvalidInput(f"radius: found {len(radii)} radii with normals='none', expected one")
-        vectors = None
-    else:
+    elif not estimates:
         vectors = as_points(aligned(normals, index_of(points), "normals"), "normals", columns=3)
-    return Surface(array, vectors, radii, _core.surface(array, vectors, _not_empty(radii), workers, progress))
+    made = _core.reconstruct(array, vectors, estimates, radii, float(max_radius), workers, progress)
+    if estimates:
+        vectors = made.pop("normals")
+        freeze(vectors)
+    return Surface(array, vectors, made.pop("radii"), made)
 
 
 def surface_of(
@@ -344,14 +343,21 @@ class Surface(Result):
             part._kept_from = (self, kept)
         return part
 
+    def _keep_chosen(
+        self, radius: Optional[float] = None, largest: Optional[int] = None, triangles: int = 0, area: float = 0.0
+    ) -> Surface:
+        self._require_unchanged()
+        return self.keep(
+            _core.kept_components(self.points, self.triangles, self.neighbors, radius, largest, triangles, area)
+        )
+
     def keep_largest(self, count: int = 1) -> Surface:
         """Returns the surface of the `count` components with the largest areas."""
-        largest = as_count(count, "count", 1)
-        return self.keep([i < largest for i in range(len(self.components))])
+        return self._keep_chosen(largest=as_count(count, "count", 1))
 
     def drop_small(self, *, triangles: int = 0, area: float = 0.0) -> Surface:
         """Returns the surface of the components with at least `triangles` triangles and at least the area `area`."""
-        return self.keep([len(c.triangles) >= triangles and c.area >= area for c in self.components])
+        return self._keep_chosen(triangles=max(0, math.ceil(triangles)), area=float(area))
 
     def outer_shells(self) -> Surface:
         """Returns the closed shells of a surface with normals="none" that the ball touches from the outside of
@@ -360,9 +366,7 @@ class Surface(Result):
             raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:
             raise InvalidInput("outer_shells: found components of a surface, expected the whole surface (take its outer shells first)")
-        self._require_unchanged()
-        radius = float(_not_empty(self.radii)[0])
-        return self.keep(_core.outer_shells(self.points, radius, self.triangles, self.neighbors))
+        return self._keep_chosen(radius=float(_not_empty(self.radii)[0]))
 
     def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_], points: Floats, normals: Optional[Floats]) -> Surface:
         """Returns the surface of these points with new triangles, and without those that are not kept."""

@@ -36,29 +36,32 @@ void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
       sides[static_cast<std::size_t>(of.facts.kinds[i])].push_back({edge.from, edge.to});
   std::vector<std::uint32_t> unused;
   for (const UnusedPoint& point : of.facts.unused) unused.push_back(point.index);
-  write_surface_png(file, {of.points, of.surface.triangles, sides[0], sides[1], sides[2], unused, of.colors, of.filled},
-                    width);
+  write_surface_png(
+      file, {of.seen, of.facts.surface.triangles, sides[0], sides[1], sides[2], unused, of.colors, of.facts.filled},
+      width);
 }
 
 }  // namespace
 
 void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
+  const std::vector<Point3>& points = facts.points;
+  const auto& triangles = facts.surface.triangles;
   // An .npy file has triangles in canonical order, whatever the order of other files.
   if (format == Format::npy)
-    return write_surface(file, format, {.vertices = points, .triangles = surface.triangles, .index = index});
+    return write_surface(file, format, {.vertices = points, .triangles = triangles, .index = index});
   SpaceMesh mesh{.vertices = points,
-                 .triangles = surface.triangles,
-                 .normals = normals,
+                 .triangles = triangles,
+                 .normals = facts.normals,
                  .colors = colors,
-                 .confidence = confidence,
+                 .confidence = facts.confidence,
                  .shift = shift,
                  .index = index};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
   const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file shares the vertices
   if (splits || compact) {
-    if (!splits) used = without_unused(surface.triangles, points.size());
+    if (!splits) used = without_unused(triangles, points.size());
     const SplitFans& of = splits ? fans : used;
     own.emplace(mesh, of.triangles, of.point, splits);
     mesh = own->mesh();
@@ -85,8 +88,8 @@ std::vector<std::array<std::uint8_t, 3>> colors_of(std::span<const double> confi
 
 void SurfaceFiles::write_curves(OutputFile& file) const {
   std::vector<std::array<double, 3>> positions;
-  positions.reserve(points.size());
-  for (const Point3& p : points) positions.push_back({p.x, p.y, p.z});
+  positions.reserve(facts.points.size());
+  for (const Point3& p : facts.points) positions.push_back({p.x, p.y, p.z});
   std::vector<Polyline> loops;
   std::vector<std::string_view> groups;
   for (std::size_t kind = 0; kind < kind_names.size(); ++kind)

@@ -12,22 +12,17 @@
 #include "io/mesh/single_precision.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/surface/split_fans.h"
-#include "rbpa/space/surface/surface.h"
 #include "space/surface_report.h"
 
 namespace rbpa::app {
 
 /// A view of the data to write; owns nothing.
 struct SurfaceFiles {
-  std::span<const Point3> points;
-  std::span<const Point3> normals;                      ///< empty, or one for each point
+  const SurfaceFacts& facts;                            ///< its reconstruction, and whether vertices are fans
+  const SplitFans& fans;                                ///< of the surface
+  std::span<const std::uint32_t> order;                 ///< of triangles in mesh files; empty: that of the surface
+  std::span<const Point3> seen;                         ///< places of the points in pictures
   std::span<const std::array<std::uint8_t, 3>> colors;  ///< empty, or one for each point
-  std::span<const double> confidence;  ///< confidence of estimated normals; empty, or one for each point
-  const Surface& surface;
-  const SplitFans& fans;                 ///< of the surface
-  std::span<const std::uint32_t> order;  ///< of triangles in mesh files; empty: that of the surface
-  const SurfaceFacts& facts;             ///< its holes and unused points, and whether vertices are fans
-  const std::vector<bool>& filled;       ///< for each triangle whether it fills a hole; empty: none does
   bool compact;
   std::optional<Shift> shift = std::nullopt;  ///< of STL and GLB
   std::span<const std::uint32_t> index = {};  ///< of each point in the input; empty: its own number

@@ -1,5 +1,7 @@
 #include "space/surface_repairs.h"
 
+#include <array>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "io/bytes/number.h"
@@ -34,25 +36,6 @@ std::string text_of_nothing(const SuggestedRepair& repair) {
 }
 
 }  // namespace
-
-SurfaceRepairs::Key SurfaceRepairs::key_of(const Hole& curve) {
-  return {curve.edges.front().from, curve.edges.front().to, curve.edges.size()};
-}
-
-SurfaceRepairs::SurfaceRepairs(std::span<const Hole> holes, std::span<const SuggestedRepair> repairs) {
-  for (std::size_t i = 0; i < holes.size(); ++i) repairs_.emplace(key_of(holes[i]), repairs[i]);
-}
-
-std::vector<std::optional<SuggestedRepair>> SurfaceRepairs::of(std::span<const Hole> curves,
-                                                               std::span<const CurveKind> kinds) const {
-  std::vector<std::optional<SuggestedRepair>> result(curves.size());
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (kinds[i] != CurveKind::hole) continue;
-    const auto found = repairs_.find(key_of(curves[i]));
-    result[i] = found != repairs_.end() ? found->second : SuggestedRepair{};
-  }
-  return result;
-}
 
 std::string repair_text(const SuggestedRepair& repair, const std::vector<double>& radii) {
   switch (repair.kind) {

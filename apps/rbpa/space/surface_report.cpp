@@ -94,12 +94,12 @@ Json base(const SurfaceFacts& facts) {
     curves[kind_names[kind]] = std::count(facts.kinds.begin(), facts.kinds.end(), static_cast<CurveKind>(kind));
   std::size_t closed = 0;
   double area = 0;
-  for (const SurfaceComponent& component : facts.components) {
+  for (const SurfaceComponent& component : facts.components.all) {
     closed += component.is_closed();
     area += component.area;  // the order of the sum depends on the components alone
   }
   const DroppedComponents& dropped = facts.dropped;
-  return {{"points", facts.points},
+  return {{"points", facts.input_points},
           {"distinct", facts.distinct},
           {"unused", facts.unused.size()},
           {"triangles", counts.triangles},
@@ -127,7 +127,7 @@ Json base(const SurfaceFacts& facts) {
           {"touching_points", counts.touching},
           {"radii", facts.radii},
           {"radius_rule", facts.chosen_radii ? Json("auto") : Json(nullptr)},
-          {"normals", facts.normals},
+          {"normals", facts.normals_name},
           {"normals_in_doubt", facts.in_doubt ? Json(*facts.in_doubt) : Json(nullptr)},
           {"scale_space", facts.scale_space == 0 ? Json(nullptr) : Json(facts.scale_space)},
           {"outliers", facts.outlier_factor ? Json{{"points", facts.outliers.points.size()},
@@ -141,7 +141,7 @@ Json base(const SurfaceFacts& facts) {
 std::optional<std::string> inside_text(const SurfaceFacts& facts) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t i = 0; i < facts.inside.size(); ++i)
-    if (facts.inside[i] > 0) ++counts[facts.components[i].volume < 0 ? 0 : 1];
+    if (facts.inside[i] > 0) ++counts[facts.components.all[i].volume < 0 ? 0 : 1];
   const std::size_t all = counts[0] + counts[1];
   if (all == 0) return std::nullopt;
   constexpr std::array<const char*, 2> texts{"facing inward, as the wall of a cavity does",
@@ -182,7 +182,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                     text_of(*facts.outlier_factor) + " times as far from the 8th nearest point as the median, " +
                     rounded(facts.outliers.distance, 6));
   constexpr double worth_a_word = 0.05;
-  const std::size_t estimated = facts.points - facts.outliers.points.size();
+  const std::size_t estimated = facts.input_points - facts.outliers.points.size();
   if (const double share = static_cast<double>(facts.in_doubt.value_or(0)) / static_cast<double>(estimated);
       estimated > 0 && share >= worth_a_word)
     lines.push_back(percent(share) + " of the normals are in doubt" +
@@ -212,7 +212,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                     (facts.counts.touching == 0 ? std::string()
                                                 : "; it touches itself in " + counted(facts.counts.touching, "point")));
     if (const auto inside = inside_text(facts)) lines.push_back(*inside);
-    if (facts.components.front().volume < 0)
+    if (facts.components.all.front().volume < 0)
       lines.push_back("the largest component faces inward (--flip turns it around)");
   }
   if (facts.non_manifold_edges > 0)
@@ -221,13 +221,28 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
   return lines;
 }
 
-std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, const Surface& surface,
-                     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& crossing) {
+std::string why_empty(const SurfaceFacts& facts) {
+  std::string why = "none of the tried radii gives one";
+  if (facts.dropped.components > 0)
+    why = counted(facts.dropped.components, "component") + " dropped, and none kept";
+  else if (facts.distinct < 3)
+    why = "fewer than three distinct points";
+  else if (facts.larger_ball)
+    why = "with --radius " + text_of(*facts.larger_ball) + " there would be some";
+  else if (facts.radii.empty())
+    why = "all points are on a line";
+  return "there is no triangle: " + why;
+}
+
+std::string openings(const SurfaceFacts& facts) {
+  const auto& triangles = facts.surface.triangles;
+  const auto& crossing = facts.crossing;
   const auto place = [&](std::uint32_t i) {
-    return rounded(points[i].x, 6) + ", " + rounded(points[i].y, 6) + ", " + rounded(points[i].z, 6);
+    const Point3& p = facts.points[i];
+    return rounded(p.x, 6) + ", " + rounded(p.y, 6) + ", " + rounded(p.z, 6);
   };
   std::string text;
-  if (surface.triangles.empty()) text = "there is no triangle";
+  if (triangles.empty()) text = "there is no triangle";
   if (!facts.holes.empty()) {
     const auto longest = std::max_element(facts.holes.begin(), facts.holes.end(),
                                           [](const Hole& a, const Hole& b) { return a.length < b.length; });
@@ -239,12 +254,12 @@ std::string openings(const SurfaceFacts& facts, std::span<const Point3> points, 
   if (!crossing.empty()) {
     const auto [t, u] = crossing.front();
     const auto corners = [&](std::uint32_t triangle) {
-      const auto& c = surface.triangles[triangle];
+      const auto& c = triangles[triangle];
       return "(" + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]) + ")";
     };
     text += (text.empty() ? "" : "; ") + std::string(crossing.size() < most_crossing_pairs ? "" : "at least ") +
             counted(crossing.size(), "pair") + " of triangles cross, the first of points " + corners(t) + " and " +
-            corners(u) + " at " + place(surface.triangles[t][0]);
+            corners(u) + " at " + place(triangles[t][0]);
   }
   return text;
 }
@@ -270,9 +285,9 @@ void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {
   }
   if (facts.outlier_factor) report["outlier_points"] = facts.outliers.points;
   report["component_list"] = Json::array();
-  for (std::size_t i = 0; i < facts.components.size(); ++i) {
+  for (std::size_t i = 0; i < facts.components.all.size(); ++i) {
     stop_if_interrupted();
-    const SurfaceComponent& component = facts.components[i];
+    const SurfaceComponent& component = facts.components.all[i];
     const Point3 &low = component.low, &high = component.high;
     report["component_list"].push_back({{"triangles", component.triangles},
                                         {"boundary_curves", component.boundary_curves},

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
-#include "rbpa/space/surface/estimate_normals.h"
-#include "rbpa/space/surface/outliers.h"
 #include "shared/point_arguments.h"
+#include "triangulation/component_choice.h"
+#include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
 namespace {
 
 std::optional<NormalSource> parse_normals(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
-  if (*text == "file") return NormalSource::file;
+  if (*text == "file") return NormalSource::given;
   if (*text == "estimate") return NormalSource::estimate;
   if (*text == "none") return NormalSource::none;
   throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
@@ -92,8 +93,8 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
   return viewpoint;
 }
 
-std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
-  if (!arguments.max_radius) return std::nullopt;
+double parse_max_radius(const SurfaceArguments& arguments) {
+  if (!arguments.max_radius) return std::numeric_limits<double>::infinity();
   if (arguments.radius != "auto") throw WrongUsage("--max-radius applies only to --radius auto");
   const ParsedNumber number = parse_whole_number(*arguments.max_radius);
   if (number.fault == NumberFault::none && number.value > 0) return number.value;
@@ -104,65 +105,66 @@ std::optional<double> parse_max_radius(const SurfaceArguments& arguments) {
 
 SurfaceRequest parse(const SurfaceArguments& arguments) {
   const Viewpoint viewpoint = parse_viewpoint(arguments.viewpoint);
-  SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint"),
-                         .radii = arguments.radius == "auto" ? std::vector<double>()
-                                                             : parse_ascending("--radius", arguments.radius, "auto"),
-                         .most_radius = parse_max_radius(arguments),
-                         .neighbors = parse_neighbors(arguments.neighbors),
-                         .viewpoints = viewpoint.place,
-                         .normals = parse_normals(arguments.normals),
-                         .colors_normals = parse_color(arguments.color),
-                         .outlier_factor = parse_outlier_factor(arguments.drop_outliers),
-                         .scale_space = parse_scale_space(arguments),
-                         .components = {},
-                         .filled = {},
-                         .targets = {},
-                         .shift = {},
-                         .width = parse_width(arguments.width),
-                         .run = parse_run(arguments.run)};
-  if (request.normals == NormalSource::none && request.radii.size() > 1)
-    throw WrongUsage("--radius: found " + counted(request.radii.size(), "number") +
+  SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint")};
+  ReconstructionOptions& how = request.how;
+  if (arguments.radius != "auto") how.radii = parse_ascending("--radius", arguments.radius, "auto");
+  how.most_radius = parse_max_radius(arguments);
+  how.neighbors = parse_neighbors(arguments.neighbors);
+  how.viewpoints = viewpoint.place;
+  how.source = parse_normals(arguments.normals);
+  request.colors_normals = parse_color(arguments.color);
+  how.outlier_factor = parse_outlier_factor(arguments.drop_outliers);
+  how.scale_space = parse_scale_space(arguments);
+  how.moved = arguments.moved;
+  how.flip = arguments.flip;
+  how.repairs = arguments.repairs;
+  how.manifold = arguments.manifold;
+  how.watertight = arguments.watertight;
+  how.refine = arguments.refine;
+  request.width = parse_width(arguments.width);
+  request.run = parse_run(arguments.run);
+  if (how.source == NormalSource::none && how.radii.size() > 1)
+    throw WrongUsage("--radius: found " + counted(how.radii.size(), "number") +
                      " with --normals none, expected one radius");
   if (arguments.holes) {
     if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
       throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
-    if (request.normals == NormalSource::none)
+    if (how.source == NormalSource::none)
       throw WrongUsage("--holes cannot be combined with --normals none, whose triangles have no boundary");
   }
   if (arguments.shell) {
-    if (request.normals != NormalSource::none) throw WrongUsage("--shell requires --normals none");
-    request.components.shell = parse_shell(*arguments.shell);
+    if (how.source != NormalSource::none) throw WrongUsage("--shell requires --normals none");
+    how.components.shell = parse_shell(*arguments.shell);
   }
-  if (request.normals == NormalSource::none && (arguments.neighbors || arguments.viewpoint || arguments.flip))
+  if (how.source == NormalSource::none && (arguments.neighbors || arguments.viewpoint || arguments.flip))
     throw WrongUsage("--normals none cannot be combined with --neighbors, --viewpoint or --flip, which change normals");
-  if (request.normals == NormalSource::file && arguments.neighbors)
+  if (how.source == NormalSource::given && arguments.neighbors)
     throw WrongUsage("--neighbors requires --normals estimate");
-  if (request.colors_normals && request.normals && request.normals != NormalSource::estimate)
+  if (request.colors_normals && how.source && how.source != NormalSource::estimate)
     throw WrongUsage("--color normals requires --normals estimate");
-  if (arguments.neighbors && !request.normals) request.normals = NormalSource::estimate;
-  if (arguments.keep_largest) request.components.largest = parse_keep_largest(*arguments.keep_largest);
-  if (arguments.drop_small) parse_drop_small(*arguments.drop_small, request.components);
+  if (arguments.neighbors && !how.source) how.source = NormalSource::estimate;
+  if (arguments.keep_largest) how.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.drop_small) parse_drop_small(*arguments.drop_small, how.components);
   if (arguments.fill_holes) {
     if (arguments.watertight)
       throw WrongUsage("--fill-holes cannot be combined with --watertight, which fills all holes");
-    if (request.normals == NormalSource::none)
+    if (how.source == NormalSource::none)
       throw WrongUsage("--fill-holes cannot be combined with --normals none, whose triangles have no boundary");
-    request.filled = parse_fill_holes(*arguments.fill_holes);
+    how.filled = parse_fill_holes(*arguments.fill_holes);
   }
   if (arguments.repairs) {
     if (arguments.fill_holes || arguments.watertight)
       throw WrongUsage(
           "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
-    if (request.normals == NormalSource::none)
+    if (how.source == NormalSource::none)
       throw WrongUsage("--suggest-repairs cannot be combined with --normals none, whose triangles have no boundary");
   }
-  if (arguments.watertight) request.filled = HoleChoice{};
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
   request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {
-    if (!request.filled) throw WrongUsage("--refine requires --fill-holes or --watertight");
+    if (!how.filled && !how.watertight) throw WrongUsage("--refine requires --fill-holes or --watertight");
     for (const Target& target : request.targets)
       if (target.format == Format::npy)
         throw WrongUsage("--refine: found " + in_quotes(target.path) +

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,33 +10,35 @@
 #include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
-#include "io/values_at.h"
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
-#include "rbpa/space/repair/watertight.h"
-#include "rbpa/space/surface/auto_radii.h"
-#include "rbpa/space/surface/curve_kinds.h"
-#include "rbpa/space/surface/estimate_normals.h"
-#include "rbpa/space/surface/outer_shells.h"
-#include "rbpa/space/surface/outliers.h"
-#include "rbpa/space/surface/scale_space.h"
+#include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/surface/split_fans.h"
-#include "rbpa/space/surface/surface_components.h"
-#include "rbpa/space/surface/surface_levels.h"
 #include "shared/progress.h"
 #include "shared/run.h"
 #include "shared/verbs.h"
-#include "space/added_points.h"
-#include "space/drop_components.h"
-#include "space/left_out_points.h"
 #include "space/surface_files.h"
-#include "space/surface_repairs.h"
 #include "space/surface_report.h"
 #include "space/surface_request.h"
 #include "triangulation/watertight_file.h"
 
 namespace rbpa::app {
 namespace {
+
+// By ReconstructionStep; no line is shown while it counts.
+constexpr std::array<const char*, 12> step_texts{"looking for outliers",
+                                                 "scale space",
+                                                 "estimating normals",
+                                                 "choosing radii",
+                                                 "rolling",
+                                                 "looking at unused points",
+                                                 "looking at holes",
+                                                 "looking for repairs",
+                                                 "looking for a radius",
+                                                 nullptr,
+                                                 "filling holes",
+                                                 "refining fillings"};
+constexpr std::array source_names{"file", "estimate", "none"};  // by NormalSource
 
 class SurfaceRun : public Run {
  public:
@@ -46,380 +48,186 @@ class SurfaceRun : public Run {
   void run();
 
  private:
-  /// Calls `work` with a progress line, and turns InvalidInput into BadInput.
-  template <typename Step>
-  auto step(const std::string& doing, Step&& work) const;
-
-  void drop_outliers();
-  void move_points();
-  void take_normals();
-  void build();
-  void explain();
-  void find_repairs();
-  void choose_components();
-  std::vector<bool> kept_by_choice() const;
-  void fill();
-  void take(FilledSurface& filled, const AddedPoints& added);
-  void close(const std::vector<bool>& kept);
-  std::vector<std::string> shifts() const;
-  void write();
-  SurfaceFiles files() const;
-  void say_empty() const;
-  std::string summary() const;
+  ReconstructionOptions options_for(SpacePoints& file) const;
+  SurfaceFacts reconstructed(SpacePoints& file);
+  void require_watertight(const SurfaceFacts& facts) const;
+  void count(SurfaceFacts& facts, const SplitFans& fans) const;
+  void write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& file);
+  std::string summary(const SurfaceFacts& facts) const;
 
   const SurfaceArguments& arguments_;
   SurfaceRequest request_;
-  std::vector<std::uint32_t> index_ = {};  ///< of the points in the input; empty if all are read
-  std::size_t all_points_ = 0;             ///< number of points of the input
-  SpacePoints file_;                       ///< without outliers; points are moved with --scale-space
-  LeftOutPoints outliers_;
-  std::vector<Point3> as_they_came_;  ///< the original points if they are moved, else empty
-  NormalSource source_ = NormalSource::none;
-  EstimatedNormals estimated_;
-  std::vector<double> radii_;  ///< of the balls that make the surface
-  SurfaceRepairs repairs_;
-  Surface surface_;
-  SurfaceComponents components_;  ///< of the surface; also those that are dropped later
-  SplitFans fans_;
-  std::vector<std::uint32_t> order_;  ///< of triangles in mesh files; empty: that of the surface
-  std::vector<bool> filled_;          ///< for each triangle whether it fills a hole; empty: none does
-  SurfaceFacts facts_;
-
-  /// Return the points and normals that files have.
-  std::span<const Point3> points() const {
-    return as_they_came_.empty() || arguments_.moved ? file_.points : as_they_came_;
-  }
-  std::span<const Point3> normals() const {
-    if (source_ == NormalSource::none) return {};
-    return source_ == NormalSource::estimate ? estimated_.normals : file_.normals;
-  }
 };
 
-/// Returns the curves with the causes that `known` has for their edges.
-std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known) {
-  const auto key = [](const RimEdge& edge) { return std::make_pair(edge.triangle, edge.from); };
-  std::map<std::pair<std::uint32_t, std::uint32_t>, RimEdge> edges;
-  for (const Hole& curve : known)
-    for (const RimEdge& edge : curve.edges) edges.emplace(key(edge), edge);
-  for (Hole& curve : curves)
-    for (RimEdge& edge : curve.edges)
-      if (const auto found = edges.find(key(edge)); found != edges.end()) edge = found->second;
-  return curves;
+/// Returns the options with the normals and viewpoints of the file. Throws BadInput if it lacks the normals that are
+/// wanted.
+ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
+  ReconstructionOptions how = request_.how;
+  for (std::size_t i = 0; i < file.points.size() && file.fields.size() == 3; ++i)
+    how.viewpoints.push_back({file.fields[0][i], file.fields[1][i], file.fields[2][i]});
+  const bool has_normals = !file.normals.empty();
+  // Without points, normals are not missing.
+  if (how.source == NormalSource::given && !has_normals && !file.points.empty())
+    bad_input(input(), "no normals", "some, or --normals estimate or none");
+  if (request_.colors_normals && (how.source ? *how.source != NormalSource::estimate : has_normals))
+    bad_input(input(), "normals, whose confidence is not known", "none, or --normals estimate for --color normals");
+  how.normals = std::move(file.normals);
+  how.explain = true;
+  how.threads = options().threads;
+  return how;
 }
 
-/// Returns the ascending radii with those above `most` replaced by it, without repetitions.
-std::vector<double> at_most(std::vector<double> radii, std::optional<double> most) {
-  for (double& radius : radii) radius = std::min(radius, most.value_or(radius));
-  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-  return radii;
-}
-
-template <typename Step>
-auto SurfaceRun::step(const std::string& doing, Step&& work) const {
-  TriangleProgress progress(!options().quiet, doing, triangles_text);
+/// Reconstructs the surface with a progress line for each step. Takes points and normals out of the file.
+SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
+  ReconstructionOptions how = options_for(file);
+  const bool has_viewpoint = !how.viewpoints.empty();
+  const std::size_t points = file.points.size();
+  std::optional<double> normals_seconds;
+  std::optional<TriangleProgress> line;
+  how.on_step = [&](ReconstructionStep step) {
+    if (!normals_seconds && (step == ReconstructionStep::radii || step == ReconstructionStep::rolling))
+      normals_seconds = lap();
+    const char* doing = step_texts[static_cast<std::size_t>(step)];
+    line.emplace(!options().quiet && doing != nullptr, doing == nullptr ? "" : doing, triangles_text);
+  };
+  how.progress = [&](const Progress& progress) { return line->watch()(progress); };
   try {
-    return work(SurfaceOptions{.threads = options().threads, .progress = progress.watch()});
+    SurfaceFacts facts{reconstruct(std::move(file.points), std::move(how))};
+    facts.input_points = points;
+    facts.has_viewpoint = has_viewpoint;
+    facts.normals_seconds = normals_seconds.value_or(0);
+    return facts;
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
   }
 }
 
-void SurfaceRun::drop_outliers() {
-  if (!request_.outlier_factor) return;
-  facts_.outlier_factor = request_.outlier_factor;
-  facts_.outliers = step("looking for outliers", [&](const SurfaceOptions& how) {
-    return outliers(file_.points,
-                    {.factor = *request_.outlier_factor, .threads = how.threads, .progress = how.progress});
-  });
-  if (!facts_.outliers.points.empty()) outliers_ = LeftOutPoints(file_, facts_.outliers.points);
-}
-
-void SurfaceRun::move_points() {
-  if (!request_.scale_space) return;
-  ScaleSpace moved = step("scale space", [&](const SurfaceOptions& how) {
-    return scale_space(file_.points,
-                       {.steps = *request_.scale_space, .threads = how.threads, .progress = how.progress});
-  });
-  facts_.scale_space = moved.steps;
-  as_they_came_ = std::exchange(file_.points, std::move(moved.points));
-}
-
-void SurfaceRun::take_normals() {
-  for (std::size_t i = 0; i < file_.points.size() && file_.fields.size() == 3; ++i)
-    request_.viewpoints.push_back({file_.fields[0][i], file_.fields[1][i], file_.fields[2][i]});
-  facts_.has_viewpoint = !request_.viewpoints.empty();
-  source_ = request_.normals.value_or(file_.normals.empty() ? NormalSource::estimate : NormalSource::file);
-  // Without points, normals are not missing.
-  if (source_ == NormalSource::file && file_.normals.empty() && !file_.points.empty())
-    bad_input(input(), "no normals", "some, or --normals estimate or none");
-  constexpr std::array names{"file", "estimate", "none"};
-  facts_.normals = names[static_cast<std::size_t>(source_)];
-  if (source_ == NormalSource::estimate) {
-    estimated_ = step("estimating normals", [&](const SurfaceOptions& how) {
-      return estimate_normals_and_confidence(file_.points, {.neighbors = request_.neighbors,
-                                                            .viewpoints = request_.viewpoints,
-                                                            .threads = how.threads,
-                                                            .progress = how.progress});
-    });
-    facts_.in_doubt =
-        static_cast<std::size_t>(std::count_if(estimated_.confidence.begin(), estimated_.confidence.end(),
-                                               [](double confidence) { return confidence < least_confidence; }));
-  } else if (request_.colors_normals) {
-    bad_input(input(), "normals, whose confidence is not known", "none, or --normals estimate for --color normals");
-  } else if (source_ == NormalSource::file && !request_.viewpoints.empty()) {
-    turn_toward(file_.points, request_.viewpoints, file_.normals);
-  }
-  if (!arguments_.flip) return;
-  for (Point3& n : source_ == NormalSource::estimate ? estimated_.normals : file_.normals)
-    n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
-}
-
-void SurfaceRun::build() {
-  facts_.radii = request_.radii;
-  if (facts_.radii.empty()) {
-    facts_.chosen_radii = true;
-    facts_.radii = step("choosing radii", [&](const SurfaceOptions& how) { return auto_radii(file_.points, how); });
-    facts_.radii = at_most(facts_.radii, request_.most_radius);
-    // Without normals one radius is used: the largest, which spans the gaps everywhere.
-    if (source_ == NormalSource::none && facts_.radii.size() > 1) facts_.radii = {facts_.radii.back()};
-  }
-  // If no radius can be chosen, there is no triangle at any radius: 1 stands for all.
-  radii_ = facts_.radii.empty() ? std::vector<double>{1} : facts_.radii;
-  surface_ = step("rolling", [&](const SurfaceOptions& how) {
-    return source_ == NormalSource::none ? exposed_triangles(file_.points, radii_.back(), how)
-                                         : surface(file_.points, normals(), radii_, how);
-  });
-  facts_.distinct = surface_.distinct;
-}
-
-void SurfaceRun::explain() {
-  facts_.unused = step("looking at unused points", [&](const SurfaceOptions& how) {
-    return unused_points(file_.points, normals(), radii_, surface_, how);
-  });
-  components_ = surface_components(file_.points, surface_, until_interrupted());
-  const auto is_closed = [](const SurfaceComponent& component) { return component.is_closed(); };
-  if (std::all_of(components_.all.begin(), components_.all.end(), is_closed)) return;
-  facts_.holes = step("looking at holes",
-                      [&](const SurfaceOptions& how) { return holes(file_.points, normals(), radii_, surface_, how); });
-  if (arguments_.repairs) find_repairs();
-}
-
-void SurfaceRun::find_repairs() {
-  const std::vector<Hole> wanted = chosen_curves(facts_.holes, curve_kinds(file_.points, components_, facts_.holes));
-  const auto found = step("looking for repairs", [&](const SurfaceOptions& how) {
-    return suggested_repairs(file_.points, normals(), radii_, surface_, wanted, how);
-  });
-  repairs_ = SurfaceRepairs(wanted, found);
-}
-
-void SurfaceRun::choose_components() {
-  facts_.manifold = arguments_.manifold || arguments_.watertight;
-  if (facts_.manifold || request_.filled) {
-    surface_ = indexable_surface(surface_, until_interrupted());
-    components_ = surface_components(file_.points, surface_, until_interrupted());
-    facts_.holes = with_causes(surface_curves(file_.points, surface_, until_interrupted()), facts_.holes);
-  }
-  facts_.kinds = curve_kinds(file_.points, components_, facts_.holes);
-  const std::vector<bool> kept = kept_by_choice();
-  if (arguments_.watertight) {
-    close(kept);
-  } else {
-    if (std::count(kept.begin(), kept.end(), false) > 0)
-      drop_components(file_.points, kept, surface_, components_, facts_);
-    if (request_.filled) fill();
-    if (!as_they_came_.empty()) components_ = surface_components(points(), surface_, until_interrupted());
-  }
-  facts_.watertight = arguments_.watertight;
-  fans_ = split_fans(surface_, until_interrupted());
-  facts_.counts = count(fans_, components_);
-  facts_.non_manifold_edges = non_manifold_edges(facts_.manifold ? fans_.triangles : surface_.triangles);
-  if (source_ == NormalSource::none) order_ = by_shells(components_);
-  facts_.components = std::move(components_.all);
-  facts_.has_repairs = arguments_.repairs;
-  if (facts_.has_repairs) facts_.repairs = repairs_.of(facts_.holes, facts_.kinds);
-}
-
-/// Returns for each component whether the options keep it.
-std::vector<bool> SurfaceRun::kept_by_choice() const {
-  if (request_.components.keeps_all()) return std::vector<bool>(components_.all.size(), true);
-  std::vector<bool> outer;
-  if (request_.components.shell != ShellChoice::all)
-    outer = outer_shells(file_.points, radii_.back(), surface_, components_, until_interrupted());
-  return kept_components(components_, outer, request_.components);
-}
-
-void SurfaceRun::fill() {
-  const std::vector<Hole> chosen = chosen_curves(facts_.holes, facts_.kinds, *request_.filled);
-  if (chosen.empty()) return;
-  FilledSurface filled =
-      step("filling holes", [&](const SurfaceOptions& how) { return fill_holes(file_.points, surface_, chosen, how); });
-  const bool is_refined = arguments_.refine && filled.has_filled();
-  AddedPoints added;
-  if (is_refined)
-    added = step("refining fillings", [&](const SurfaceOptions& how) { return refine_filling(points(), filled, how); });
-  take(filled, added);
-  std::vector<std::uint32_t> number;  // of each triangle that was there before
-  for (std::uint32_t t = 0; t < filled_.size(); ++t)
-    if (!filled_[t]) number.push_back(t);
-  for (Hole& curve : facts_.holes)
-    for (RimEdge& edge : curve.edges) edge.triangle = number[edge.triangle];
-  const std::span<const Point3> places = is_refined ? points() : file_.points;
-  components_ = surface_components(places, surface_, until_interrupted());
-  facts_.holes = with_causes(surface_curves(places, surface_, until_interrupted()), facts_.holes);
-  facts_.kinds = curve_kinds(places, components_, facts_.holes);
-}
-
-/// Takes the surface out of `filled`, and the points that --refine added.
-void SurfaceRun::take(FilledSurface& filled, const AddedPoints& added) {
-  facts_.filling = count(filled.holes);
-  add_points(added, file_, estimated_, outliers_);
-  if (!as_they_came_.empty()) as_they_came_.insert(as_they_came_.end(), added.points.begin(), added.points.end());
-  if (arguments_.refine && filled.has_filled()) count_refined(points(), filled, added, facts_.filling);
-  surface_ = std::move(filled.surface);
-  filled_ = std::move(filled.is_new);
-}
-
-/// Makes the kept components watertight. Throws Failure if that is not possible, or a file would not be.
-void SurfaceRun::close(const std::vector<bool>& kept) {
-  WatertightSurface closed = step("filling holes", [&](const SurfaceOptions& how) {
-    return make_watertight(file_.points, surface_, {.kept = kept, .places = points(), .refine = arguments_.refine},
-                           how);
-  });
-  facts_.dropped = dropped_components(file_.points, closed.components, surface_, components_);
-  take(closed, closed.added);
-  facts_.filling.given_up = closed.given_up;
-  components_ = surface_components(points(), surface_, until_interrupted());
-  facts_.holes = std::move(closed.open);
-  facts_.kinds.clear();
-  const std::string left = openings(facts_, points(), surface_, closed.crossing);
-  if (!left.empty()) {
-    if (surface_.triangles.empty()) say_empty();
+/// Throws Failure if the surface is not watertight, or a file would not be.
+void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
+  if (const std::string left = openings(facts); !left.empty()) {
+    if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));
     throw Failure("not watertight: " + left + "; nothing is written");
   }
   for (const Target& target : request_.targets) {
-    const std::string why = step("looking for crossings", [&](const SurfaceOptions& how) {
-      return why_file_is_open(target.format, target.path, points(), surface_.triangles, request_.shift, how);
-    });
+    TriangleProgress progress(!options().quiet, "looking for crossings", triangles_text);
+    const std::string why =
+        why_file_is_open(target.format, target.path, facts.points, facts.surface.triangles, request_.shift,
+                         {.threads = options().threads, .progress = progress.watch()});
     if (!why.empty()) throw Failure("not watertight: " + why + "; nothing is written");
   }
-  facts_.inside = nesting_depths(points(), surface_, components_, until_interrupted());
 }
 
-std::vector<std::string> SurfaceRun::shifts() const {
-  std::vector<std::string> lines;
-  for (const Target& target : request_.targets)
-    lines.push_back(text_of_shift(target.format, points(), surface_.triangles, request_.shift, target.path));
-  return lines;
+/// Fills in what the options say, and the counts.
+void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
+  facts.outlier_factor = request_.how.outlier_factor;
+  facts.has_repairs = arguments_.repairs;
+  facts.watertight = arguments_.watertight;
+  facts.manifold = arguments_.manifold || arguments_.watertight;
+  facts.threads = options().threads_or_all();
+  facts.normals_name = source_names[static_cast<std::size_t>(facts.source)];
+  if (facts.source == NormalSource::estimate) {
+    const auto end = facts.confidence.begin() + static_cast<std::ptrdiff_t>(facts.input_points);
+    const auto in_doubt =
+        std::count_if(facts.confidence.begin(), end, [](double confidence) { return confidence < least_confidence; });
+    facts.in_doubt = static_cast<std::size_t>(in_doubt) - facts.outliers.points.size();  // outliers have 0
+  }
+  facts.counts = app::count(fans, facts.components);
+  facts.non_manifold_edges = non_manifold_edges(facts.manifold ? fans.triangles : facts.surface.triangles);
 }
 
-SurfaceFiles SurfaceRun::files() const {
-  return {.points = points(),
-          .normals = normals().empty() ? file_.normals : normals(),
-          .colors = file_.colors,
-          .confidence = estimated_.confidence,
-          .surface = surface_,
-          .fans = fans_,
-          .order = order_,
-          .facts = facts_,
-          .filled = filled_,
-          .compact = arguments_.compact,
-          .shift = request_.shift};
+/// Returns the places for pictures: outliers are on the first of the other points, so that they do not show.
+std::vector<Point3> seen_points(const SurfaceFacts& facts) {
+  std::vector<Point3> seen = facts.points;
+  const std::vector<std::uint32_t>& outliers = facts.outliers.points;
+  std::uint32_t first = 0;
+  while (first < outliers.size() && outliers[first] == first) ++first;
+  for (const std::uint32_t i : outliers) seen[i] = seen[first];
+  return seen;
 }
 
-void SurfaceRun::write() {
+/// Adds the colors of added points, means of those around them. Does nothing if there are no colors.
+void add_colors(std::vector<std::array<std::uint8_t, 3>>& colors, const AddedPoints& added) {
+  if (colors.empty()) return;
+  for (const auto& [a, b, c] : added.between) {
+    std::array<std::uint8_t, 3> mean{};
+    for (std::size_t k = 0; k < 3; ++k)
+      mean[k] = static_cast<std::uint8_t>((colors[a][k] + colors[b][k] + colors[c][k] + 1) / 3);
+    colors.push_back(mean);
+  }
+}
+
+void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& file) {
   const ProgressLine line = writing();
-  SurfaceFiles all = files(), pictures = all;
-  std::vector<Point3> whole, seen, whole_normals;
-  std::vector<double> whole_confidence;
-  std::vector<std::array<std::uint8_t, 3>> colors;
-  if (outliers_.is_any()) {
-    whole = outliers_.all_points(all.points);
-    seen = outliers_.seen_points(all.points);
-    whole_normals = outliers_.all_normals(all.normals);
-    all.points = whole;
-    pictures.points = seen;
-    all.normals = pictures.normals = whole_normals;
-    all.colors = pictures.colors = outliers_.all_colors();
-    all.confidence = whole_confidence = outliers_.all_confidence(all.confidence);
-    outliers_.renumber(surface_);
-    outliers_.renumber(fans_);
-    outliers_.renumber(facts_);
-  }
-  for (std::size_t next = all_points_; !index_.empty() && index_.size() < all.points.size(); ++next)
-    index_.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
-  all.index = index_;
-  if (request_.colors_normals) all.colors = pictures.colors = colors = colors_of(all.confidence);
-  add(request_.targets, [&](OutputFile& file, const Target& target) {
-    (is_picture(target.format) ? pictures : all).write(file, target.format, request_.width);
-  });
-  if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& file) { all.write_curves(file); });
-  if (index_.empty()) return;
-  renumber(facts_, index_);
-  facts_.outliers.points = renumbered(facts_.outliers.points, index_);
+  add_colors(file.colors, facts.added);
+  for (std::size_t next = file.all_points; !file.index.empty() && file.index.size() < facts.points.size(); ++next)
+    file.index.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
+  if (request_.colors_normals) file.colors = colors_of(facts.confidence);
+  const std::vector<Point3> seen = seen_points(facts);
+  std::vector<std::uint32_t> order;
+  if (facts.source == NormalSource::none) order = by_shells(facts.components);
+  const SurfaceFiles files{.facts = facts,
+                           .fans = fans,
+                           .order = order,
+                           .seen = seen,
+                           .colors = file.colors,
+                           .compact = arguments_.compact,
+                           .shift = request_.shift,
+                           .index = file.index};
+  add(request_.targets,
+      [&](OutputFile& out, const Target& target) { files.write(out, target.format, request_.width); });
+  if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& out) { files.write_curves(out); });
+  if (!file.index.empty()) renumber(facts, file.index);
 }
 
-void SurfaceRun::say_empty() const {
-  std::string why = "fewer than three distinct points";
-  if (facts_.dropped.components > 0) {
-    why = counted(facts_.dropped.components, "component") + " dropped, and none kept";
-  } else if (facts_.distinct >= 3) {
-    const std::optional<double> radius = step("looking for a radius", [&](const SurfaceOptions& how) {
-      return radius_with_triangles(file_.points, normals(), how);
-    });
-    why = radius ? "with --radius " + text_of(*radius) + " there would be some" : "none of the tried radii gives one";
-    if (!radius && facts_.radii.empty()) why = "all points are on a line";
-  }
-  say("rbpa", "there is no triangle: " + why);
-}
-
-std::string SurfaceRun::summary() const {
-  const SurfaceCounts& counts = facts_.counts;
-  const std::string origin = source_ == NormalSource::file       ? "normals of the file"
-                             : source_ == NormalSource::estimate ? "normals estimated"
-                                                                 : "without normals";
+std::string SurfaceRun::summary(const SurfaceFacts& facts) const {
+  const SurfaceCounts& counts = facts.counts;
+  const std::string origin = facts.source == NormalSource::given      ? "normals of the file"
+                             : facts.source == NormalSource::estimate ? "normals estimated"
+                                                                      : "without normals";
   const std::string moved =
-      facts_.scale_space == 0 ? "" : ", moved by " + counted(facts_.scale_space, "step") + " of scale space";
-  const std::size_t equal = surface_.duplicates.size();
-  return counted(facts_.points, "point") + (equal > 0 ? " (" + std::to_string(equal) + " repeated)" : "") + ", " +
+      facts.scale_space == 0 ? "" : ", moved by " + counted(facts.scale_space, "step") + " of scale space";
+  const std::size_t equal = facts.surface.duplicates.size();
+  return counted(facts.input_points, "point") + (equal > 0 ? " (" + std::to_string(equal) + " repeated)" : "") + ", " +
          origin + moved +
-         (facts_.radii.empty()       ? ", no radius"
-          : facts_.radii.size() == 1 ? ", radius "
-                                     : ", radii ") +
-         text_of_radii(facts_.radii) + (facts_.chosen_radii ? " (auto)" : "") + ": " +
+         (facts.radii.empty()       ? ", no radius"
+          : facts.radii.size() == 1 ? ", radius "
+                                    : ", radii ") +
+         text_of_radii(facts.radii) + (request_.how.radii.empty() ? " (auto)" : "") + ": " +
          counted(counts.triangles, "triangle") + ", " + counted(counts.components, "component") + ", " +
-         counted(counts.boundary_curves, "boundary curve") + genus_text(facts_) + list_of(request_.targets);
+         counted(counts.boundary_curves, "boundary curve") + genus_text(facts) + list_of(request_.targets);
 }
 
 void SurfaceRun::run() {
   const SpacePointSource& source = request_.source;
-  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  warning(file_.warnings);
-  facts_.points = file_.points.size();
-  index_ = file_.index;
-  all_points_ = file_.all_points;
-  facts_.read_seconds = lap();
-  drop_outliers();
-  move_points();
-  take_normals();
-  facts_.normals_seconds = lap();
-  build();
-  explain();
-  choose_components();
-  facts_.threads = options().threads_or_all();
-  facts_.build_seconds = lap();
+  SpacePoints file = read([&] { return read_space_points(source.path, source.format, source.choice); });
+  warning(file.warnings);
+  const double read_seconds = lap();
+  SurfaceFacts facts = reconstructed(file);
+  facts.read_seconds = read_seconds;
+  facts.chosen_radii = request_.how.radii.empty();
+  facts.filling = app::count(facts.fillings);
+  if (arguments_.refine && facts.filling.filled() > 0)
+    count_refined(facts.points, facts.surface.triangles, facts.filled, facts.added, facts.filling);
+  facts.filling.given_up = facts.given_up;
+  if (arguments_.watertight) require_watertight(facts);
+  const SplitFans fans = split_fans(facts.surface, until_interrupted());
+  count(facts, fans);
+  facts.build_seconds = lap();
 
-  const std::vector<std::string> shifted = shifts();
-  write();
-  facts_.write_seconds = lap();
-  if (arguments_.json) add("-", [&](OutputFile& file) { write_surface_json(file, facts_); });
-  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_surface_stats(file, facts_); });
+  std::vector<std::string> lines;
+  for (const Target& target : request_.targets)
+    lines.push_back(text_of_shift(target.format, facts.points, facts.surface.triangles, request_.shift, target.path));
+  write(facts, fans, file);
+  facts.write_seconds = lap();
+  if (arguments_.json) add("-", [&](OutputFile& out) { write_surface_json(out, facts); });
+  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& out) { write_surface_stats(out, facts); });
   publish();
 
-  if (surface_.triangles.empty()) say_empty();
-  summarize(summary());
-  for (const std::string& line : shifted)
+  if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));
+  summarize(summary(facts));
+  for (const std::string& line : lines)
     if (!line.empty()) summarize(line);
-  for (const std::string& line : explanations(facts_)) summarize(line);
+  for (const std::string& line : explanations(facts)) summarize(line);
 }
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/split_fans.h"
-#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa {
 
 WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                   const WatertightOptions& options, const SurfaceOptions& run) {
   const std::function<bool()> go_on = going_on(run.progress, points.size(), surface.triangles.size());
-  const SurfaceComponents components = surface_components(points, surface, go_on);
+  SurfaceComponents own;
+  if (options.components == nullptr) own = surface_components(points, surface, go_on);
+  const SurfaceComponents& components = options.components == nullptr ? own : *options.components;
   std::vector<bool> stays = islands(components);
   stays.flip();
   meshops::require(options.kept.empty() || options.kept.size() == stays.size(),

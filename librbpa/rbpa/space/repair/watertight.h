@@ -18,6 +18,7 @@
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/surface.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa {
 
@@ -25,6 +26,7 @@ namespace rbpa {
 inline constexpr std::size_t most_crossing_pairs = 1000;
 
 struct WatertightOptions {
+  const SurfaceComponents* components = nullptr;  ///< the surface_components(), if they are known
   /// For each component of the surface, whether it may stay; empty: all may.
   std::vector<bool> kept = {};
   /// The final position of each point, by which fillings are refined and checked; empty: the given points. The

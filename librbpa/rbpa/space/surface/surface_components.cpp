@@ -145,6 +145,53 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
   return genus;
 }
 
+std::vector<bool> kept_components(const SurfaceComponents& components, const std::vector<bool>& outer,
+                                  const ComponentChoice& choice) {
+  meshops::require(choice.shell == ShellChoice::all || outer.size() == components.all.size(),
+                   "kept_components: expected for each component whether it is outer");
+  std::size_t left = choice.largest.value_or(components.all.size());
+  if (choice.shell == ShellChoice::largest) left = 1;
+  std::vector<bool> kept;
+  for (std::size_t c = 0; c < components.all.size(); ++c) {  // components are sorted by descending area
+    const SurfaceComponent& component = components.all[c];
+    const bool is_wanted = (choice.shell == ShellChoice::all || outer[c]) &&
+                           component.triangles >= choice.least_triangles && component.area >= choice.least_area;
+    kept.push_back(is_wanted && left > 0);
+    left -= kept.back();
+  }
+  return kept;
+}
+
+DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
+                                     const Surface& surface, const SurfaceComponents& components,
+                                     const std::function<bool()>& go_on) {
+  meshops::require(
+      are_of(components, surface) && kept.size() == components.all.size(),
+      "dropped_components: expected the components of this surface, and for each of them whether it is kept");
+  DroppedComponents dropped;
+  if (std::find(kept.begin(), kept.end(), false) == kept.end()) return dropped;
+  const std::vector<std::size_t> genus = genus_of(surface, components, go_on);
+  for (std::size_t c = 0; c < kept.size(); ++c) {
+    const SurfaceComponent& component = components.all[c];
+    ++dropped.of_components;
+    dropped.of_triangles += component.triangles;
+    dropped.of_area += component.area;
+    dropped.of_genus += genus[c];
+    if (kept[c]) continue;
+    ++dropped.components;
+    dropped.triangles += component.triangles;
+    dropped.area += component.area;
+    dropped.genus += genus[c];
+  }
+  std::vector<char> use(points.size(), 0);  // of each point, 1: only by dropped triangles, 2: by kept ones
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const char by = kept[components.number[t]] ? 2 : 1;
+    for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max(use[corner], by);
+  }
+  dropped.points = static_cast<std::size_t>(std::count(use.begin(), use.end(), 1));
+  return dropped;
+}
+
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
   meshops::require(are_of(components, surface) && kept.size() == components.all.size(),
                    "keep_components: expected the components of the surface, and for each of them whether it is kept");
