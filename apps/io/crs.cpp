@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 namespace {
@@ -35,11 +36,10 @@ constexpr std::pair<std::uint16_t, std::uint16_t> vertical_codes[] = {
 // clang-format on
 
 bool is_vertical(const Crs& crs) {
-  unsigned code = 0;
-  const char* const end = crs.code.data() + crs.code.size();
-  if (crs.authority != "EPSG" || std::from_chars(crs.code.data(), end, code).ec != std::errc()) return false;
-  return std::any_of(std::begin(vertical_codes), std::end(vertical_codes),
-                     [code](const auto& codes) { return code >= codes.first && code <= codes.second; });
+  const std::optional<std::size_t> code = parse_count(crs.code);
+  return crs.authority == "EPSG" && code &&
+         std::any_of(std::begin(vertical_codes), std::end(vertical_codes),
+                     [&](const auto& codes) { return *code >= codes.first && *code <= codes.second; });
 }
 
 bool is_word(std::string_view text) {
@@ -48,19 +48,12 @@ bool is_word(std::string_view text) {
   });
 }
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
-
 std::optional<Crs> crs_of(std::string_view authority, std::string_view code) {
   if (!is_word(authority) || !is_word(code)) return std::nullopt;
-  Crs crs{.authority = upper(authority), .code = upper(code)};
+  Crs crs{.authority = in_capitals(authority), .code = in_capitals(code)};
   if (crs.authority == "CRS") crs.authority = "OGC";  // CRS:84, as WMS has it
   if (crs.authority == "OGC" && crs.code == "84") crs.code = "CRS84";
-  if (crs.authority == "EPSG" && !std::all_of(code.begin(), code.end(), [](char c) { return c >= '0' && c <= '9'; }))
-    return std::nullopt;
+  if (crs.authority == "EPSG" && !std::all_of(code.begin(), code.end(), is_digit)) return std::nullopt;
   crs.degrees = crs.authority == "OGC"
                     ? crs.code.starts_with("CRS")
                     : crs.authority == "EPSG" && std::find(std::begin(geographic_codes), std::end(geographic_codes),
@@ -88,7 +81,7 @@ namespace {
 
 /// Returns the system that a name stands for, also one of heights.
 std::optional<Crs> system_of_name(std::string_view name) {
-  const std::string folded = upper(name);
+  const std::string folded = in_capitals(name);
   // The first part of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", is the
   // horizontal one.
   const auto before = [](std::string_view text, char sign) {
@@ -175,7 +168,8 @@ WktNode node_of(std::string_view item) {
   const std::size_t bracket = item.find_first_of("[(\"");
   if (bracket == std::string_view::npos || item[bracket] == '"') return {};
   const std::size_t end = std::min(item.find_last_of("])"), item.size());  // where it is cut off there may be none
-  return {upper(without_blanks_around(item.substr(0, bracket))), items_of(item.substr(bracket + 1, end - bracket - 1))};
+  return {in_capitals(without_blanks_around(item.substr(0, bracket))),
+          items_of(item.substr(bracket + 1, end - bracket - 1))};
 }
 
 std::string_view unquoted(std::string_view text) {
@@ -204,7 +198,7 @@ bool is_in_degrees(const WktNode& node) {
   return is_among(node.keyword, {"GEODCRS", "GEODETICCRS"}) &&
          std::none_of(node.items.begin(), node.items.end(), [](std::string_view part) {
            const WktNode axes = node_of(part);
-           return axes.keyword == "CS" && !axes.items.empty() && upper(axes.items[0]) == "CARTESIAN";
+           return axes.keyword == "CS" && !axes.items.empty() && in_capitals(axes.items[0]) == "CARTESIAN";
          });
 }
 

@@ -1,19 +1,13 @@
 #include "io/formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 namespace {
-
-/// Whether `name`, in letters of either case, is among the lower-case names of `known`.
-bool same(std::string_view name, std::string_view known) {
-  const auto same_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-  return std::equal(name.begin(), name.end(), known.begin(), known.end(), same_letter);
-}
 
 /// Whether the program has the row: rows of GDAL only if it was built with GDAL.
 bool is_there(const FormatRow& row) {
@@ -21,10 +15,11 @@ bool is_there(const FormatRow& row) {
   return has_gdal() || std::find(std::begin(of_gdal), std::end(of_gdal), row.format) == std::end(of_gdal);
 }
 
+/// Whether `name`, in letters of either case, is among `names`, which blanks separate.
 bool is_among(std::string_view name, std::string_view names) {
   while (!names.empty()) {
     const std::size_t size = std::min(names.find(' '), names.size());
-    if (same(name, names.substr(0, size))) return true;
+    if (same_letters(name, names.substr(0, size))) return true;
     names.remove_prefix(std::min(size + 1, names.size()));
   }
   return false;

@@ -124,8 +124,8 @@ class Run {
   bool keep_in_stl(const MeshFile& mesh, bool is_wanted, Findings& findings) {
     const std::string& name = plan_.written->path;
     const TriangulatedFaces faces(mesh.positions, mesh.soup);
-    const std::string why = why_not_kept(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     const SinglePositions positions = single_positions(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
+    const std::string why = why_not_kept(positions, Format::stl, faces.vertices, faces.triangles, name);
     const MeshFile kept = as_stl_mesh(positions, faces.triangles);
     const bool joins = kept.positions.size() < mesh.positions.size();  // also if a vertex has no face
     if (is_wanted || joins) findings.result = examine(kept);
@@ -145,7 +145,7 @@ class Run {
                             " at which surfaces touch (ply, obj and off can)");
       if (!is_wanted) findings.result.reset();
     }
-    const std::string shifted = text_of_shift(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
+    const std::string shifted = text_of_shift(positions, plan_.shift, name);
     if (why.empty() && !shifted.empty()) say("meshtopo", shifted);
     if (why.empty()) return true;
     say("meshtopo", why + "; it is not written");

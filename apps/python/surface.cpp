@@ -216,7 +216,8 @@ py::dict watertight(const Doubles& points, const Indices& triangles, const Indic
 
 /// Throws InvalidInput if single precision does not keep the triangles.
 void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::string& path) {
-  std::string why = app::why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, path);
+  std::string why = app::why_not_kept(app::single_positions(format, mesh.vertices, mesh.triangles, mesh.shift, path),
+                                      format, mesh.vertices, mesh.triangles, path);
   if (why.empty()) return;
   constexpr std::string_view option = "--shift auto";
   if (const std::size_t at = why.find(option); at != std::string::npos)

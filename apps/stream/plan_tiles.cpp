@@ -136,7 +136,7 @@ class Planner {
 void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget) {
   constexpr std::uint64_t megabyte = std::uint64_t{1} << 20U;
   const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + megabyte - 1) / megabyte) + "M"; };
-  const auto text = [](double value) { return std::string(std::string_view(ShortestText(value))); };
+  const auto text = [](double value) { return text_of(value); };
   throw Failure("--memory " + megabytes(request.memory) + ": found " + counted(dense.points, "point") +
                 " within 2 alpha = " + text(2 * request.alpha) + " of each other near (" + text(dense.where.x) + ", " +
                 text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + " (--memory " +

@@ -115,7 +115,7 @@ TEST_SUITE("GeoJSON in") {
       const Point p{std::bit_cast<double>(x), std::bit_cast<double>(y)};
       if (!rbpa::is_finite(p)) continue;
       points.push_back(p);
-      text += ",[" + std::string(ShortestText(p.x)) + "," + std::string(ShortestText(p.y)) + "]";
+      text += ",[" + text_of(p.x) + "," + text_of(p.y) + "]";
     }
     const std::vector<Point> found = read(text + "]}").points;
     REQUIRE(found.size() == points.size());

@@ -126,7 +126,7 @@ class Texts {
     const int size = std::snprintf(text.data(), text.size(), below(2) == 0 ? "%.*g" : "%.*e", precision, value);
     return {text.data(), static_cast<std::size_t>(size)};
   }
-  std::string shortest(double value) { return std::string(rbpa::app::ShortestText(value)); }
+  std::string shortest(double value) { return rbpa::app::text_of(value); }
   /// Characters that numbers are made of, and some that end them.
   std::string scrap() {
     constexpr std::string_view letters("0123456789.eE+-xXnaif \t\r,;\0#", 29);
@@ -206,7 +206,7 @@ TEST_SUITE("numbers") {
       return std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)) == std::bit_cast<std::uint64_t>(value);
     };
     const auto is_right = [&](double value) {
-      const std::string text(rbpa::app::ShortestText{value});
+      const std::string text = rbpa::app::text_of(value);
       const ParsedNumber parsed = rbpa::app::parse_whole_number(text);
       if (!std::isfinite(value)) return parsed.fault == NumberFault::not_finite;
       if (text.size() > rbpa::app::number_room || !reads_back(text, value)) return false;

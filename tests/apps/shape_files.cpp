@@ -71,8 +71,7 @@ TEST_SUITE("shape files") {
     const Folder folder;
     std::string text;
     for (const Point& p : rbpa_test::uniform(3000, 5))
-      text += std::string(rbpa::app::ShortestText(p.x * 1e3)) + " " + std::string(rbpa::app::ShortestText(-p.y * 1e3)) +
-              "\n";
+      text += rbpa::app::text_of(p.x * 1e3) + " " + rbpa::app::text_of(-p.y * 1e3) + "\n";
     const std::vector<Point> points = read(folder.file("p.xy", text), rbpa::app::Format::text);
     REQUIRE(
         folder.rbpa("shape p.xy --alpha 600 --min-hole-area 1 -o s.csv -o s.geojson --isolated i.geojson -q").code ==

@@ -136,7 +136,7 @@ TEST_SUITE("tables of people") {
       const Point p{std::bit_cast<double>(bits[0]), std::bit_cast<double>(bits[1])};
       if (!rbpa::is_finite(p)) continue;
       points.push_back(p);
-      std::string line = std::string(ShortestText(p.y)) + ";a;" + std::string(ShortestText(p.x)) + "\n";
+      std::string line = text_of(p.y) + ";a;" + text_of(p.x) + "\n";
       std::replace(line.begin(), line.end(), '.', ',');
       text += line;
     }

@@ -58,7 +58,7 @@ class Tables {
     return below(4) == 0 ? static_cast<double>(static_cast<int>(value)) : value;
   }
   std::string text_of(double value) {
-    std::string text(rbpa::app::ShortestText{value});
+    std::string text = rbpa::app::text_of(value);
     if (value > 0 && below(10) == 0) text.insert(0, 1, '+');
     return text;
   }

@@ -64,7 +64,7 @@ TEST_SUITE("vtu") {
     const Folder folder;
     std::string text;
     for (const rbpa::Point& p : rbpa_test::uniform(500, 3))
-      text += std::string(rbpa::app::ShortestText(p.x)) + " " + std::string(rbpa::app::ShortestText(p.y / 3)) + "\n";
+      text += rbpa::app::text_of(p.x) + " " + rbpa::app::text_of(p.y / 3) + "\n";
     folder.file("p.xy", text);
     const auto points = rbpa::app::read_points({.path = folder.path("p.xy")}).points;
     for (const std::string complex : {"solid", "full"}) {

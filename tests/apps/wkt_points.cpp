@@ -66,7 +66,7 @@ TEST_SUITE("well-known text in") {
       const Point p{std::bit_cast<double>(x), std::bit_cast<double>(y)};
       if (!rbpa::is_finite(p)) continue;
       points.push_back(p);
-      text += "POINT (" + std::string(ShortestText(p.x)) + " " + std::string(ShortestText(p.y)) + ")\n";
+      text += "POINT (" + text_of(p.x) + " " + text_of(p.y) + ")\n";
     }
     text += "POINT (-0 0)";
     points.push_back({-0.0, 0.0});

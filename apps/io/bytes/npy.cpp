@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 constexpr std::string_view magic = "\x93NUMPY";
 
@@ -47,9 +41,9 @@ std::string_view value_of(std::string_view dictionary, std::string_view key) {
     const std::string wanted = quote + std::string(key) + quote;
     const std::size_t found = dictionary.find(wanted);
     if (found == std::string_view::npos) continue;
-    std::string_view rest = without_blanks(dictionary.substr(found + wanted.size()));
+    std::string_view rest = trimmed(dictionary.substr(found + wanted.size()));
     if (rest.empty() || rest.front() != ':') continue;
-    rest = without_blanks(rest.substr(1));
+    rest = trimmed(rest.substr(1));
     int depth = 0;
     std::size_t end = 0;
     for (; end < rest.size(); ++end) {
@@ -58,7 +52,7 @@ std::string_view value_of(std::string_view dictionary, std::string_view key) {
       if (depth == 0 && (c == ',' || c == '}')) break;
       if (c == ')' || c == ']' || c == '}') --depth;
     }
-    return without_blanks(rest.substr(0, end));
+    return trimmed(rest.substr(0, end));
   }
   return {};
 }
@@ -88,12 +82,12 @@ std::optional<ArrayShape> parse_shape(std::string_view text) {
   if (text.size() < 2 || text.front() != '(' || text.back() != ')') return std::nullopt;
   text = text.substr(1, text.size() - 2);
   std::vector<std::size_t> sizes;
-  while (!(text = without_blanks(text)).empty()) {
+  while (!(text = trimmed(text)).empty()) {
     std::size_t size = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
     if (error != std::errc()) return std::nullopt;
     sizes.push_back(size);
-    text = without_blanks(text.substr(static_cast<std::size_t>(end - text.data())));
+    text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
     if (!text.empty() && text.front() == ',') text.remove_prefix(1);
   }
   if (sizes.size() != 2 || sizes[1] == 0) return std::nullopt;

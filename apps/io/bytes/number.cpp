@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -72,10 +73,8 @@ std::string rounded(double value, int digits) {
 
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things) {
-  std::size_t number = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error == std::errc() && end == last && number >= allowed.least && number <= allowed.greatest) return number;
+  const std::optional<std::size_t> number = parse_count(text);
+  if (number && *number >= allowed.least && *number <= allowed.greatest) return *number;
   std::string expected = ", expected a whole number ";
   if (!things.empty()) expected.append("of ").append(things).append(" ");
   expected.append("from ").append(std::to_string(allowed.least));

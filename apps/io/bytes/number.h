@@ -3,7 +3,6 @@
 //       which are read exactly or refused.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -63,19 +62,11 @@ constexpr std::size_t number_room = 24;
 inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
 inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
 
-/// The shortest text that reads back to a double.
-class ShortestText {
- public:
-  explicit ShortestText(double value) : end_(put_number(text_.data(), value)) {}
-  operator std::string_view() const { return {text_.data(), static_cast<std::size_t>(end_ - text_.data())}; }
-
- private:
-  std::array<char, number_room> text_;
-  char* end_;
-};
-
 /// Returns the shortest text that reads back to `value`; "none" for no value.
-inline std::string text_of(double value) { return std::string(ShortestText(value)); }
+inline std::string text_of(double value) {
+  char text[number_room];
+  return {text, put_number(text, value)};
+}
 inline std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : "none"; }
 
 /// Returns `value` rounded to `digits` significant digits, for people: "3819.51" has six.

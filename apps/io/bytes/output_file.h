@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "io/bytes/descriptor.h"
@@ -35,6 +36,11 @@ class OutputFile {
   }
   void write_number(double value);         ///< the shortest text that reads back to it
   void write_number(std::uint64_t value);  ///< decimal text
+  /// Writes texts as they are, and numbers as write_number() does.
+  template <typename... Parts>
+  void write_all(const Parts&... parts) {
+    (write_part(parts), ...);
+  }
 
   /// Writes values in binary, little-endian.
   template <typename T>
@@ -64,6 +70,16 @@ class OutputFile {
 
  private:
   static constexpr std::size_t buffer_size = std::size_t{1} << 20U;
+
+  template <typename Part>
+  void write_part(const Part& part) {
+    if constexpr (std::is_convertible_v<const Part&, std::string_view>)
+      write(part);
+    else if constexpr (std::is_floating_point_v<Part>)
+      write_number(part);
+    else
+      write_number(std::uint64_t{part});
+  }
 
   void open_beside(const std::string& path);
   void flush();

@@ -67,7 +67,7 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
     for (std::size_t k = 0; k < CloudBlock::color; ++k)
       if (!block.column[k].empty() && !std::isfinite(block.column[k][i]))
         bad_input(name + (k < CloudBlock::normal ? ": point " : ": normal of point ") + std::to_string(first + i),
-                  in_quotes(ShortestText(block.column[k][i])), "a finite number");
+                  in_quotes(text_of(block.column[k][i])), "a finite number");
 }
 
 void refuse_integer(const std::string& where, const std::string& integer) {

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/bytes/content.h"
@@ -134,6 +135,12 @@ struct CloudFormat {
   bool is_text = false;              ///< has no zero bytes
   bool has_signature = true;         ///< false: raw numbers, which are decompressed only if the name ends in .gz
 };
+
+/// Opens a file by the class that reads it, for CloudFormat::open; `more` follow the content and the request.
+template <typename Reader, auto... more>
+std::unique_ptr<Cloud> open_as(Content content, const CloudRequest& request) {
+  return std::make_unique<Reader>(std::move(content), request, more...);
+}
 
 /// Returns the reader of a format; null for formats whose points are no columns, such as geometries and pixels.
 const CloudFormat* cloud_format(Format format);

@@ -57,6 +57,24 @@ void TextColors::settle(bool announced, CloudFacts& facts) const {
   facts.colors = greatest_ > 255 ? Channels::wide : greatest_ > 1 ? Channels::bytes : Channels::unit;
 }
 
+void LastColumns::take(const std::array<double, 3>& numbers) {
+  no_direction_ = no_direction_ || numbers == std::array<double, 3>{};
+  for (const double number : numbers) {
+    all_channels_ = all_channels_ && number >= 0 && number <= widest_channel && std::trunc(number) == number;
+    greatest_ = std::max(greatest_, number);
+  }
+}
+
+void LastColumns::settle(bool is_by_content, CloudFacts& facts) const {
+  facts.last_are_colors = is_by_content && all_channels_ && greatest_ > 1;
+  facts.last_have_no_direction = is_by_content && !facts.last_are_colors && no_direction_;
+  if (facts.last_are_colors) facts.colors = greatest_ > 255 ? Channels::wide : Channels::bytes;
+  facts.file.warnings.push_back(
+      facts.last_are_colors
+          ? "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
+          : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)");
+}
+
 void clear_colors(CloudBlock& block) {
   for (std::size_t k = 0; k < 3; ++k) block.column[CloudBlock::color + k].clear();
 }

@@ -12,6 +12,23 @@
 
 namespace rbpa::app {
 
+constexpr double widest_channel = 65535;
+
+/// Three columns without names behind x, y, z, which are colors or normals.
+class LastColumns {
+ public:
+  /// Takes the three numbers of a point.
+  void take(const std::array<double, 3>& numbers);
+  /// Sets their meaning, and warns of it: colors if `is_by_content` and they are whole numbers up to widest_channel, one
+  /// of them greater than 1; otherwise normals.
+  void settle(bool is_by_content, CloudFacts& facts) const;
+
+ private:
+  bool all_channels_ = true;   // so far they are whole numbers up to widest_channel
+  bool no_direction_ = false;  // one of them is no direction of a normal
+  double greatest_ = 0;
+};
+
 class TextColors {
  public:
   explicit TextColors(double allowed = 255) : allowed_(allowed) {}

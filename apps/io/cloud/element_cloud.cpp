@@ -26,7 +26,7 @@ std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
   const bool bits_of_float = type == Scalar::float32;
   const double least = bits_of_float ? -0x1.fffffep127 : -0x1p31,
                greatest = bits_of_float ? 0x1.fffffep127 : 0x1p32 - 1;
-  if (!(number >= least && number <= greatest)) bad_input(here, in_quotes(ShortestText(number)), "a color of 4 bytes");
+  if (!(number >= least && number <= greatest)) bad_input(here, in_quotes(text_of(number)), "a color of 4 bytes");
   if (bits_of_float) return std::bit_cast<std::uint32_t>(static_cast<float>(number));
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed or unsigned
 }
@@ -176,7 +176,7 @@ class ElementCloud final : public Cloud {
 
   void require_channel(double number) const {
     if (!(number >= 0 && number <= 255 && number == std::floor(number)))
-      bad_input(here(), in_quotes(ShortestText(number)), "a channel of a color, from 0 to 255");
+      bad_input(here(), in_quotes(text_of(number)), "a channel of a color, from 0 to 255");
   }
 
   /// Notes the height in the next word, if it is a number.

@@ -18,8 +18,8 @@ void require_range(const LasHeader& header, std::size_t axis, const std::string&
   constexpr double largest = 0x1p31;
   if (!std::isfinite(largest * std::abs(header.scale[axis]) + std::abs(header.offset[axis])))
     bad_input(name,
-              "a scale of " + in_quotes(ShortestText(header.scale[axis])) + " and an offset of " +
-                  in_quotes(ShortestText(header.offset[axis])),
+              "a scale of " + in_quotes(text_of(header.scale[axis])) + " and an offset of " +
+                  in_quotes(text_of(header.offset[axis])),
               "coordinates within the range of a double");
 }
 
@@ -174,14 +174,10 @@ class LasCloud final : public Cloud {
   bool is_settled_ = false, ended_ = false;
 };
 
-std::unique_ptr<Cloud> open_las(Content content, const CloudRequest& request) {
-  return std::make_unique<LasCloud>(std::move(content), request);
-}
-
 }  // namespace
 
 /// Reads LAS 1.0 to 1.4, point formats 0 to 10, with red, green and blue unless all points are black.
 const CloudFormat las_reader = {
-    .open = open_las, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
+    .open = open_as<LasCloud>, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
 
 }  // namespace rbpa::app

@@ -1,7 +1,6 @@
 #include "io/cloud/las_header.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "io/cloud/las_fields.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -135,8 +135,8 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {
   const double scale = header.scale[axis], offset = header.offset[axis];
   if (!std::isfinite(scale) || scale == 0)
-    bad_input(name, "a scale of " + in_quotes(ShortestText(scale)), "a finite number other than 0");
-  if (!std::isfinite(offset)) bad_input(name, "an offset of " + in_quotes(ShortestText(offset)), "a finite number");
+    bad_input(name, "a scale of " + in_quotes(text_of(scale)), "a finite number other than 0");
+  if (!std::isfinite(offset)) bad_input(name, "an offset of " + in_quotes(text_of(offset)), "a finite number");
 }
 
 namespace {
@@ -163,8 +163,8 @@ std::string text_of_unit(unsigned unit) {
 /// writers name a system in meters and, beside it, feet as the unit. Returns the system also if its unit cannot be
 /// compared: `unit` is 0, or the system has no EPSG code.
 LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
-  unsigned code = 0;
-  if (crs && crs->authority == "EPSG") std::from_chars(crs->code.data(), crs->code.data() + crs->code.size(), code);
+  const bool is_of_epsg = crs && crs->authority == "EPSG";
+  const auto code = static_cast<unsigned>(is_of_epsg ? parse_count(crs->code).value_or(0) : 0);
   const unsigned own = feet_of_epsg(code).value_or(metre);
   if (code == 0 || unit == 0 || unit == own) return named(crs);
   return {std::nullopt, "the system of coordinates is " + crs->text() + ", which is in " + text_of_unit(own) +

@@ -168,14 +168,6 @@ FieldNames names_of_atoms() {
   return {[](std::string_view word) { return atom_column(word) != no_atom_column; }, "a column of atoms: " + all, true};
 }
 
-std::unique_ptr<Cloud> open_pdb(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(std::move(content), request, pdb_atoms);
-}
-
-std::unique_ptr<Cloud> open_cif(Content content, const CloudRequest& request) {
-  return std::make_unique<MoleculeCloud>(std::move(content), request, cif_atoms);
-}
-
 }  // namespace
 
 std::size_t atom_column(std::string_view name) {
@@ -216,7 +208,9 @@ std::string_view without_uncertainty(std::string_view number) {
 
 /// Read the atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and
 /// HETATM, and PDBx/mmCIF's _atom_site, with atom_columns as their fields. Requires: content in memory.
-const CloudFormat pdb_reader = {.open = open_pdb, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
-const CloudFormat cif_reader = {.open = open_cif, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
+const CloudFormat pdb_reader = {
+    .open = open_as<MoleculeCloud, pdb_atoms>, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
+const CloudFormat cif_reader = {
+    .open = open_as<MoleculeCloud, cif_atoms>, .fields = names_of_atoms, .is_molecule = true, .is_text = true};
 
 }  // namespace rbpa::app

@@ -56,7 +56,8 @@ namespace {
 /// Reads all points as one block, since the faces after the points assign the normals.
 class ObjCloud final : public Cloud {
  public:
-  explicit ObjCloud(Content content) : content_(std::move(content)), lines_(content_.ahead()), name_(content_.name()) {
+  ObjCloud(Content content, const CloudRequest& /*request*/)
+      : content_(std::move(content)), lines_(content_.ahead()), name_(content_.name()) {
     facts_.colors = Channels::bytes;
   }
 
@@ -161,15 +162,11 @@ class ObjCloud final : public Cloud {
   bool is_read_ = false;
 };
 
-std::unique_ptr<Cloud> open_obj(Content content, const CloudRequest&) {
-  return std::make_unique<ObjCloud>(std::move(content));
-}
-
 }  // namespace
 
 /// Reads the lines "v" of OBJ, with colors if they have six numbers or more, and "vn". A vertex has the normal that the
 /// corners of faces give it. If faces name no normals, and there are equally many vertices and normals, they belong
 /// together in their order. If neither gives every vertex a normal, there are none.
-const CloudFormat obj_reader = {.open = open_obj, .is_text = true};
+const CloudFormat obj_reader = {.open = open_as<ObjCloud>, .is_text = true};
 
 }  // namespace rbpa::app

@@ -11,8 +11,6 @@
 namespace rbpa::app {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Returns the text in columns `first` to `last`, counted from 1.
 std::string_view at_columns(std::string_view line, std::size_t first, std::size_t last) {
   if (line.size() < first) return {};

@@ -60,7 +60,7 @@ class TableCloud final : public Cloud {
  private:
   /// The role of a column: the index of a column of a block, or one of those below.
   static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
-  static constexpr double greatest_channel = 65535, none = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
 
   std::string here() const { return at_line(name_, lines_.number()); }
@@ -117,7 +117,7 @@ class TableCloud final : public Cloud {
   }
 
   void append(const Numbers& value, CloudBlock& block) {
-    if (is_by_content_) look_at_last({value[3], value[4], value[5]});
+    if (is_by_content_) last_.take({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
     append_fields(selection_.column_values(), block);
     if (has_heights_) block.heights[block.count] = z_;
@@ -345,29 +345,10 @@ class TableCloud final : public Cloud {
     return false;
   }
 
-  void look_at_last(const std::array<double, 3>& channels) {
-    no_direction_ = no_direction_ || channels == std::array<double, 3>{};
-    for (const double channel : channels) {
-      all_channels_ = all_channels_ && channel >= 0 && channel <= greatest_channel && std::trunc(channel) == channel;
-      greatest_ = std::max(greatest_, channel);
-    }
-  }
-
   void end() {
     ended_ = true;
-    if (is_unnamed_) settle_last();
+    if (is_unnamed_) last_.settle(is_by_content_, facts_);
     if (facts_.colors && !facts_.last_are_colors) colors_.settle(kind_ != TableKind::any, facts_);
-  }
-
-  /// Decides whether three columns without names are colors: whole numbers up to 65535, one of them greater than 1.
-  void settle_last() {
-    facts_.last_are_colors = is_by_content_ && all_channels_ && greatest_ > 1;
-    facts_.last_have_no_direction = is_by_content_ && !facts_.last_are_colors && no_direction_;
-    if (facts_.last_are_colors) facts_.colors = greatest_ > 255 ? Channels::wide : Channels::bytes;
-    facts_.file.warnings.push_back(
-        facts_.last_are_colors
-            ? "columns 4 to 6 are read as colors, as they are whole numbers (--columns 1,2,3,4,5,6 reads normals)"
-            : "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)");
   }
 
   TableLines lines_;
@@ -392,58 +373,25 @@ class TableCloud final : public Cloud {
   bool all_whole_ = true;                          // all numbers without a comma, of earlier blocks, are whole
   DecimalComma comma_ = {};
   LineSelection selection_;
-  TextColors colors_ = TextColors(greatest_channel);
+  TextColors colors_ = TextColors(widest_channel);
   bool is_unnamed_ = false,
        is_by_content_ = false;  // the last three columns have no names; their values show what they are
-  bool all_channels_ = true;    // so far they are whole numbers up to 65535
-  bool no_direction_ = false;   // one of them is no direction of a normal
-  double greatest_ = 0;
+  LastColumns last_ = {};
   bool has_crs_warning_ = false;
   bool has_heights_ = false;  // heights are requested, and there may be some
   double z_ = none;           // of the point that is being read
 };
 
-std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request, TableKind::any);
-}
-
-std::unique_ptr<Cloud> open_pts(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request, TableKind::pts);
-}
-
-std::unique_ptr<Cloud> open_xyzn(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzn);
-}
-
-std::unique_ptr<Cloud> open_xyzrgb(Content content, const CloudRequest& request) {
-  return std::make_unique<TableCloud>(std::move(content), request, TableKind::xyzrgb);
-}
-
 }  // namespace
+
+std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind) {
+  return std::make_unique<TableCloud>(std::move(content), request, kind);
+}
 
 /// Reads a table in text, one point per line. Every line is a point, a comment ('#'), blank, or the one header; other
 /// lines are refused by their number, or left out and counted. The separator is that of choose_separator()
 /// (table_separator.h). Fields may be in double quotes (not with blanks as separator). All lines have the same number
 /// of columns. In a line that the condition excludes, only the condition's columns are read.
-const CloudFormat table_reader = {
-    .open = open_table, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
-
-/// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first
-/// line of such a table may be the number of points; exactly as many must follow, unless invalid ones are skipped.
-const CloudFormat pts_reader = {
-    .open = open_pts, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
-
-/// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
-const CloudFormat xyzn_reader = {
-    .open = open_xyzn, .fields = names_of_columns, .streams = true, .skips_invalid = true, .is_text = true};
-
-/// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1, or from 0 to 255
-/// if one of the file is greater than 1.
-const CloudFormat xyzrgb_reader = {.open = open_xyzrgb,
-
-                                   .fields = names_of_columns,
-                                   .streams = true,
-                                   .skips_invalid = true,
-                                   .is_text = true};
+const CloudFormat table_reader = table_format<TableKind::any>;
 
 }  // namespace rbpa::app

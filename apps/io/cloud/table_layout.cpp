@@ -1,7 +1,6 @@
 #include "io/cloud/table_layout.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -91,31 +90,10 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
     layout.height.reset();
 }
 
-/// Returns the names of the columns of a kind of table with `width` columns; empty if the kind has no such width.
-FieldTexts names_of_kind(TableKind kind, std::size_t width) {
-  FieldTexts names;
-  const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
-    for (const std::string_view name : more)
-      if (has) names.push_back(name);
-  };
-  append(true, {"x", "y", "z"});
-  append(kind == TableKind::xyzn, {"nx", "ny", "nz"});
-  append(kind == TableKind::pts && (width == 4 || width == 7), {"intensity"});
-  append(kind == TableKind::xyzrgb || (kind == TableKind::pts && width >= 6), {"red", "green", "blue"});
-  return names.size() == width ? names : FieldTexts();
-}
-
 /// Whether the table has the columns of its kind; sets the layout.
 bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, TableLayout& layout) {
-  if (kind == TableKind::any) return false;
-  const FieldTexts names = names_of_kind(kind, table.fields.size());
-  if (names.empty())
-    bad_input(here(table), found_fields(table),
-              kind == TableKind::xyzn     ? "6: x, y, z, nx, ny, nz"
-              : kind == TableKind::xyzrgb ? "6: x, y, z, red, green, blue"
-                                          : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
-  lay_out_by_names(names, in_space, layout);
-  return true;
+  if (kind != TableKind::any) lay_out_by_names(names_of_kind(kind, table), in_space, layout);
+  return kind != TableKind::any;
 }
 
 /// Whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.

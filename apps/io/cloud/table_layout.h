@@ -7,9 +7,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/cloud/cloud.h"
@@ -53,6 +55,21 @@ struct TableBeginning {
 /// two requested columns are one.
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& warnings);
+
+/// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind has not so many.
+std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning& table);
+
+/// Opens a table, for CloudFormat::open.
+std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind);
+
+/// The reader of tables of a kind.
+template <TableKind kind>
+constexpr CloudFormat table_format = {
+    .open = [](Content content, const CloudRequest& request) { return open_table(std::move(content), request, kind); },
+    .fields = names_of_columns,
+    .streams = true,
+    .skips_invalid = true,
+    .is_text = true};
 
 /// Sets the columns of `layout` by `names`, for a table whose first line is numbers.
 void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space, TableLayout& layout);

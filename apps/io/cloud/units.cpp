@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
 #include <string>
-#include <system_error>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 namespace {
@@ -108,11 +107,13 @@ bool has(const Table& table, unsigned code) {
   });
 }
 
+constexpr unsigned us_foot = 9003;  // EPSG's code of the US survey foot
+
 }  // namespace
 
 std::optional<unsigned> feet_of_epsg(unsigned code) {
-  constexpr unsigned us_survey_foot = 9003, foot = 9002;
-  if (has(us_survey_feet, code)) return us_survey_foot;
+  constexpr unsigned foot = 9002;
+  if (has(us_survey_feet, code)) return us_foot;
   if (has(feet, code)) return foot;
   return std::nullopt;
 }
@@ -120,14 +121,9 @@ std::optional<unsigned> feet_of_epsg(unsigned code) {
 std::optional<std::string_view> unit_of(const PointFile& file) {
   if (file.degrees) return "degree";
   if (!file.crs || file.crs->authority != "EPSG") return std::nullopt;
-  const std::string& text = file.crs->code;
-  unsigned code = 0;
-  if (std::from_chars(text.data(), text.data() + text.size(), code).ec != std::errc()) return std::nullopt;
-  constexpr unsigned us_survey_foot = 9003;
-  if (const std::optional<unsigned> foot = feet_of_epsg(code))
-    return *foot == us_survey_foot ? "US survey foot" : "foot";
-  if (has(metres, code)) return "metre";
-  return std::nullopt;
+  const auto code = static_cast<unsigned>(parse_count(file.crs->code).value_or(0));
+  if (const std::optional<unsigned> foot = feet_of_epsg(code)) return *foot == us_foot ? "US survey foot" : "foot";
+  return has(metres, code) ? std::optional<std::string_view>("metre") : std::nullopt;
 }
 
 namespace {
@@ -178,8 +174,7 @@ std::string share_of_latitude(const Box& box) {
 void shift_longitude(std::vector<Point>& points, const std::string& name) {
   for (Point& p : points) {
     if (p.x < -180 || p.x > 360)
-      bad_input(name, "x = " + in_quotes(ShortestText(p.x)),
-                "a longitude of -180 to 360, as --shift-longitude requires");
+      bad_input(name, "x = " + in_quotes(text_of(p.x)), "a longitude of -180 to 360, as --shift-longitude requires");
     if (p.x < 0) p.x += 360;
   }
 }
@@ -199,9 +194,8 @@ void warning_on_degrees(PointFile& file) {
   if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360) {
     const bool exchanged = box.least.x >= -90 && box.greatest.x <= 90 && box.least.y >= -360 && box.greatest.y <= 360;
     file.warnings.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
-                            std::string(ShortestText(std::max(std::abs(box.least.x), std::abs(box.greatest.x)))) +
-                            " and " +
-                            std::string(ShortestText(std::max(std::abs(box.least.y), std::abs(box.greatest.y)))) +
+                            text_of(std::max(std::abs(box.least.x), std::abs(box.greatest.x))) + " and " +
+                            text_of(std::max(std::abs(box.least.y), std::abs(box.greatest.y))) +
                             (exchanged ? ": are they exchanged?" : ": are they degrees?"));
     return;
   }

@@ -74,7 +74,7 @@ MeshFile read_binary(const PlyHeader& header, const PlyMeshLayout& layout, const
       position[k] = load_exactly(layout.vertex->properties[property].type, offsets[property], order,
                                  [&] { return name + ": vertex " + std::to_string(i); });
       if (!std::isfinite(position[k]))
-        bad_input(name + ": vertex " + std::to_string(i), in_quotes(ShortestText(position[k])), "a finite number");
+        bad_input(name + ": vertex " + std::to_string(i), in_quotes(text_of(position[k])), "a finite number");
     }
     mesh.positions.push_back(position);
   };
@@ -92,7 +92,7 @@ MeshFile read_binary(const PlyHeader& header, const PlyMeshLayout& layout, const
       }
       const double corner = load_number(list.type, at, order);
       if (!(corner >= 0 && corner < static_cast<double>(layout.vertex->count) && corner == std::floor(corner)))
-        bad_input(name + ": face " + std::to_string(f), in_quotes(ShortestText(corner)),
+        bad_input(name + ": face " + std::to_string(f), in_quotes(text_of(corner)),
                   corner_expected(layout.vertex->count));
       corners.push_back(static_cast<std::uint32_t>(corner));
     }

@@ -53,11 +53,7 @@ inline void write_corners(OutputFile& file, std::span<const std::uint32_t> corne
 
 template <typename Mesh>
 void write_off(OutputFile& file, const Mesh& mesh) {
-  file.write("OFF\n");
-  file.write_number(std::uint64_t{mesh.points()});
-  file.write(" ");
-  file.write_number(std::uint64_t{mesh.faces()});
-  file.write(" 0\n");
+  file.write_all("OFF\n", mesh.points(), " ", mesh.faces(), " 0\n");
   for (std::size_t i = 0; i < mesh.points(); ++i) write_position(file, "", mesh.point(i));
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     file.write_number(std::uint64_t{mesh.face(f).size()});
@@ -83,13 +79,11 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
   for (std::size_t f = 0; f < mesh.faces() && !long_faces; ++f)
     long_faces = mesh.face(f).size() > std::numeric_limits<std::uint8_t>::max();
-  file.write("ply\nformat binary_little_endian 1.0\nelement vertex ");
-  file.write_number(std::uint64_t{mesh.points()});
-  file.write("\nproperty double x\nproperty double y\nproperty double z\n");
+  file.write_all("ply\nformat binary_little_endian 1.0\nelement vertex ", mesh.points(),
+                 "\nproperty double x\nproperty double y\nproperty double z\n");
   if constexpr (requires { mesh.properties(); }) file.write(mesh.properties());
-  file.write("element face ");
-  file.write_number(std::uint64_t{mesh.faces()});
-  file.write(long_faces ? "\nproperty list uint int vertex_indices\n" : "\nproperty list uchar int vertex_indices\n");
+  file.write_all("element face ", mesh.faces(), "\nproperty list ", long_faces ? "uint" : "uchar",
+                 " int vertex_indices\n");
   if constexpr (requires { mesh.face_properties(); }) file.write(mesh.face_properties());
   file.write("end_header\n");
   for (std::size_t i = 0; i < mesh.points(); ++i) {

@@ -130,9 +130,8 @@ Lost lost(std::span<const Point3> vertices, Triangles triangles, const SinglePos
   return result;
 }
 
-std::string why_not_kept(Format format, std::span<const Point3> vertices, Triangles triangles,
-                         const std::optional<Shift>& shift, const std::string& file) {
-  const SinglePositions rounded = single_positions(format, vertices, triangles, shift, file);
+std::string why_not_kept(const SinglePositions& rounded, Format format, std::span<const Point3> vertices,
+                         Triangles triangles, const std::string& file) {
   const Lost found = lost(vertices, triangles, rounded);
   if (!found.any()) return "";
   std::string what;
@@ -146,11 +145,15 @@ std::string why_not_kept(Format format, std::span<const Point3> vertices, Triang
          way_to_keep(shifted.shift != rounded.shift && !lost(vertices, triangles, shifted).any());
 }
 
+std::string text_of_shift(const SinglePositions& rounded, const std::optional<Shift>& shift, const std::string& file) {
+  if (!shift || rounded.shift == Position{}) return "";
+  return file + ": " + text_of(rounded.shift) + " is subtracted from all coordinates";
+}
+
 std::string text_of_shift(Format format, std::span<const Point3> vertices, Triangles triangles,
                           const std::optional<Shift>& shift, const std::string& file) {
   if (!shift || !has_single_precision(format)) return "";
-  const Position by = single_positions(format, vertices, triangles, shift, file).shift;
-  return by == Position{} ? "" : file + ": " + text_of(by) + " is subtracted from all coordinates";
+  return text_of_shift(single_positions(format, vertices, triangles, shift, file), shift, file);
 }
 
 std::string text_of(const Position& position) {

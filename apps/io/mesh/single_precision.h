@@ -54,13 +54,13 @@ Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint
           const SinglePositions& rounded);
 
 /// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a repair: a shift, if one
-/// suffices, or another format. Empty if nothing is lost. Throws as single_positions().
-std::string why_not_kept(Format format, std::span<const Point3> vertices,
-                         std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
-                         const std::string& file);
+/// suffices, or another format. Empty if nothing is lost. Throws as single_positions(), which returns `rounded`.
+std::string why_not_kept(const SinglePositions& rounded, Format format, std::span<const Point3> vertices,
+                         std::span<const std::array<std::uint32_t, 3>> triangles, const std::string& file);
 
-/// Returns "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty if nothing is subtracted, or if no shift
+/// Return "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty if nothing is subtracted, or if no shift
 /// was requested.
+std::string text_of_shift(const SinglePositions& rounded, const std::optional<Shift>& shift, const std::string& file);
 std::string text_of_shift(Format format, std::span<const Point3> vertices,
                           std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
                           const std::string& file);

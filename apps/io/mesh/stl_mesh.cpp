@@ -75,7 +75,7 @@ MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string
         coordinate = static_cast<double>(load<float>(at, std::endian::little));
         at += sizeof(float);
         if (!std::isfinite(coordinate))
-          bad_input(name + ": facet " + std::to_string(f), in_quotes(ShortestText(coordinate)), "a finite number");
+          bad_input(name + ": facet " + std::to_string(f), in_quotes(text_of(coordinate)), "a finite number");
       }
       corner = corners.number(p, std::nullopt);
     }

@@ -11,23 +11,18 @@ class Declarations {
   explicit Declarations(OutputFile& file) : file_(file) {}
 
   void declare(std::string_view type, const std::string& attributes, std::uint64_t bytes) {
-    file_.write("<DataArray type=\"");
-    file_.write(type);
-    file_.write("\" " + attributes + " format=\"appended\" offset=\"");
-    file_.write_number(offset_);
-    file_.write("\"/>\n");
+    file_.write_all("<DataArray type=\"", type, "\" ", attributes, " format=\"appended\" offset=\"", offset_, "\"/>\n");
     offset_ += sizeof(std::uint64_t) + bytes;
   }
   void declare(std::string_view element, std::string_view shown, const std::vector<VtuArray>& arrays) {
     if (arrays.empty()) return;
-    const std::string name(element);
-    file_.write("<" + name + (shown.empty() ? "" : " ") + std::string(shown) + ">\n");
+    file_.write_all("<", element, shown.empty() ? "" : " ", shown, ">\n");
     for (const VtuArray& array : arrays) {
       const std::string components =
           array.components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(array.components) + "\"";
       declare(array.type, "Name=\"" + array.name + "\"" + components, array.bytes);
     }
-    file_.write("</" + name + ">\n");
+    file_.write_all("</", element, ">\n");
   }
 
  private:
@@ -37,18 +32,12 @@ class Declarations {
 
 void write_size(OutputFile& file, std::uint64_t bytes) { file.write_binary(std::span<const std::uint64_t>(&bytes, 1)); }
 
-template <typename T>
-void write_repeated(OutputFile& file, T value, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) file.write_binary(std::span<const T>(&value, 1));
-}
-
-/// Writes the offsets of the ends of `count` cells with `corners` corners each, among the corners of all cells.
-void write_ends(OutputFile& file, std::uint64_t& end, std::uint64_t corners, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    end += corners;
-    file.write_binary(std::span<const std::uint64_t>(&end, 1));
-  }
-}
+/// Cells of one kind.
+struct Cells {
+  std::uint8_t type;
+  std::uint64_t corners;  ///< of each
+  std::uint64_t count;
+};
 
 void write_arrays(OutputFile& file, const std::vector<VtuArray>& arrays) {
   for (const VtuArray& array : arrays) {
@@ -67,18 +56,18 @@ void write_coordinates(OutputFile& file, std::span<const Point3> points) {
 }
 
 void write_vtu(OutputFile& file, const VtuGrid& grid) {
-  const std::uint64_t cells = grid.tetrahedra.size() + grid.triangles.size() + grid.edges.size() + grid.vertices.size();
-  const std::uint64_t corners =
-      4 * grid.tetrahedra.size() + 3 * grid.triangles.size() + 2 * grid.edges.size() + grid.vertices.size();
+  const Cells kinds[] = {{vtk_tetrahedron, 4, grid.tetrahedra.size()},
+                         {vtk_triangle, 3, grid.triangles.size()},
+                         {vtk_line, 2, grid.edges.size()},
+                         {vtk_vertex, 1, grid.vertices.size()}};
+  std::uint64_t cells = 0, corners = 0;
+  for (const Cells& kind : kinds) cells += kind.count, corners += kind.count * kind.corners;
   const std::uint64_t of_positions = grid.points * 3 * sizeof(double), of_corners = corners * sizeof(std::uint32_t),
                       of_ends = cells * sizeof(std::uint64_t);
-  file.write(
+  file.write_all(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"");
-  file.write_number(grid.points);
-  file.write("\" NumberOfCells=\"");
-  file.write_number(cells);
-  file.write("\">\n<Points>\n");
+      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"",
+      grid.points, "\" NumberOfCells=\"", cells, "\">\n<Points>\n");
   Declarations all(file);
   all.declare("Float64", "NumberOfComponents=\"3\"", of_positions);
   file.write("</Points>\n<Cells>\n");
@@ -100,16 +89,12 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   for (const auto& edge : grid.edges) file.write_binary(std::span<const std::uint32_t>(edge));
   file.write_binary(grid.vertices);
   write_size(file, cells);
-  write_repeated(file, vtk_tetrahedron, grid.tetrahedra.size());
-  write_repeated(file, vtk_triangle, grid.triangles.size());
-  write_repeated(file, vtk_line, grid.edges.size());
-  write_repeated(file, vtk_vertex, grid.vertices.size());
+  for (const Cells& kind : kinds)
+    for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(std::span<const std::uint8_t>(&kind.type, 1));
   write_size(file, of_ends);
-  std::uint64_t end = 0;
-  write_ends(file, end, 4, grid.tetrahedra.size());
-  write_ends(file, end, 3, grid.triangles.size());
-  write_ends(file, end, 2, grid.edges.size());
-  write_ends(file, end, 1, grid.vertices.size());
+  std::uint64_t end = 0;  // of a cell among the corners of all cells
+  for (const Cells& kind : kinds)
+    for (std::uint64_t i = 0; i < kind.count; ++i) write_size(file, end += kind.corners);
   write_arrays(file, grid.of_points);
   write_arrays(file, grid.of_cells);
   file.write("\n</AppendedData>\n</VTKFile>\n");

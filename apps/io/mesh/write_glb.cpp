@@ -120,9 +120,7 @@ void write_glb(OutputFile& file, const SpaceMesh& mesh) {
     json["scenes"] = Json::array({Json::object()});
     return write_container(file, json, numbers);
   }
-  require_kept(file, Format::glb, mesh);
-  const SinglePositions positions =
-      single_positions(Format::glb, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  const SinglePositions positions = kept_positions(file, Format::glb, mesh);
   std::array<float, 3> least = positions.at.front(), greatest = least;
   for (const std::array<float, 3>& p : positions.at)
     for (std::size_t k = 0; k < 3; ++k) {

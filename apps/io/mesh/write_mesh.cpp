@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -75,9 +76,7 @@ std::string stl_header(const Position& shift) {
 void write_stl(OutputFile& file, const SpaceMesh& mesh) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     bad_input(file.name(), counted(mesh.triangles.size(), "triangle"), "fewer than 2^32 in an STL file");
-  require_kept(file, Format::stl, mesh);
-  const SinglePositions positions =
-      single_positions(Format::stl, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  const SinglePositions positions = kept_positions(file, Format::stl, mesh);
   file.write(stl_header(positions.shift));
   const std::uint32_t count[] = {static_cast<std::uint32_t>(mesh.triangles.size())};
   file.write_binary(std::span<const std::uint32_t>(count));
@@ -99,9 +98,11 @@ TriangulatedFaces::TriangulatedFaces(std::span<const std::array<double, 3>> posi
     for_each_fan_triangle(soup.face(f), positions, [&](const auto& triangle) { triangles.push_back(triangle); });
 }
 
-void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh) {
-  const std::string why = why_not_kept(format, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+SinglePositions kept_positions(const OutputFile& file, Format format, const SpaceMesh& mesh) {
+  SinglePositions positions = single_positions(format, mesh.vertices, mesh.triangles, mesh.shift, file.name());
+  const std::string why = why_not_kept(positions, format, mesh.vertices, mesh.triangles, file.name());
   if (!why.empty()) throw Failure(why + "; nothing is written");
+  return positions;
 }
 
 void write_mesh(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
@@ -125,11 +126,7 @@ void write_obj_lines(OutputFile& file, std::span<const std::array<double, 3>> po
                      std::span<const Polyline> loops, std::span<const std::string_view> groups) {
   for (const std::array<double, 3>& p : positions) write_obj_vertex(file, p);
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    if (!groups.empty() && (i == 0 || groups[i] != groups[i - 1])) {
-      file.write("g ");
-      file.write(groups[i]);
-      file.write("\n");
-    }
+    if (!groups.empty() && (i == 0 || groups[i] != groups[i - 1])) file.write_all("g ", groups[i], "\n");
     Polyline loop = loops[i];
     loop.push_back(loop.front());
     file.write("l");
@@ -150,9 +147,7 @@ void write_json_lines(OutputFile& file, std::span<const std::array<double, 3>> p
     if (!groups.empty()) line["kind"] = groups[i];
     line["vertices"] = loops[i];
     line["positions"] = std::move(points);
-    file.write(before);
-    file.write(line.dump());
-    before = ",";
+    file.write_all(std::exchange(before, ","), line.dump());
   }
   file.write("]\n");
 }

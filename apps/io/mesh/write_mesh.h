@@ -44,8 +44,9 @@ struct SpaceMesh {
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
 };
 
-/// Throws Failure if single precision does not keep the triangles.
-void require_kept(const OutputFile& file, Format format, const SpaceMesh& mesh);
+/// Returns the positions as STL or GLB stores them. Throws Failure if single precision does not keep the triangles, and
+/// as single_positions().
+SinglePositions kept_positions(const OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Writes OFF, OBJ; PLY (binary little-endian) with normals as double, colors as uchar, points as uint `point` and
 /// confidences as double `confidence`; STL (binary, single precision, a shift in its header); VTU, GLB (below); or the

@@ -1,7 +1,6 @@
 #include "io/mesh/write_solid.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "io/bytes/number.h"
 #include "io/mesh/polygon_files.h"
@@ -11,18 +10,6 @@ namespace rbpa::app {
 namespace {
 
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
-
-void write_count(OutputFile& file, std::string_view before, std::size_t count) {
-  file.write(before);
-  file.write_number(std::uint64_t{count});
-  file.write("\n");
-}
-
-/// Writes the number and the rest that begin a line of Gmsh: "7 4 2".
-void write_number_and(OutputFile& file, std::size_t number, std::string_view rest) {
-  file.write_number(std::uint64_t{number});
-  file.write(rest);
-}
 
 void write_vtu(OutputFile& file, const SolidMesh& mesh) {
   write_vtu(file, {.points = mesh.vertices.size(),
@@ -44,10 +31,9 @@ void write_medit_line(OutputFile& file, const Values& values) {
 }
 
 void write_medit(OutputFile& file, const SolidMesh& mesh) {
-  file.write("MeshVersionFormatted 2\nDimension 3\n");
-  write_count(file, "Vertices\n", mesh.vertices.size());
+  file.write_all("MeshVersionFormatted 2\nDimension 3\nVertices\n", mesh.vertices.size(), "\n");
   for (const Point3& p : mesh.vertices) write_medit_line(file, coordinates(p));
-  write_count(file, "Tetrahedra\n", mesh.tetrahedra.size());
+  file.write_all("Tetrahedra\n", mesh.tetrahedra.size(), "\n");
   for (const auto& tetrahedron : mesh.tetrahedra) {
     std::array<std::uint64_t, 4> corners{};
     std::transform(tetrahedron.begin(), tetrahedron.end(), corners.begin(),
@@ -58,15 +44,14 @@ void write_medit(OutputFile& file, const SolidMesh& mesh) {
 }
 
 void write_gmsh(OutputFile& file, const SolidMesh& mesh) {
-  file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
-  write_count(file, "$Nodes\n", mesh.vertices.size());
+  file.write_all("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n", mesh.vertices.size(), "\n");
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    write_number_and(file, i + 1, " ");
+    file.write_all(i + 1, " ");
     write_position(file, "", coordinates(mesh.vertices[i]));
   }
-  write_count(file, "$EndNodes\n$Elements\n", mesh.tetrahedra.size());
+  file.write_all("$EndNodes\n$Elements\n", mesh.tetrahedra.size(), "\n");
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-    write_number_and(file, t + 1, " 4 2 1 1");  // a tetrahedron, with two tags: its physical and its geometrical entity
+    file.write_all(t + 1, " 4 2 1 1");  // a tetrahedron, with two tags: its physical and its geometrical entity
     write_corners(file, mesh.tetrahedra[t], 1);
   }
   file.write("$EndElements\n");

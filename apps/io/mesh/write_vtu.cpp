@@ -67,33 +67,24 @@ void write_vtu(OutputFile& file, const SpaceMesh& mesh) {
   VtuGrid grid{.points = mesh.vertices.size(),
                .write_positions = [&](OutputFile& out) { write_coordinates(out, mesh.vertices); },
                .triangles = mesh.triangles};
-  if (!mesh.normals.empty()) {
-    grid.shown_of_points = "Normals=\"Normals\"";
-    grid.of_points.push_back({.type = "Float64",
-                              .name = "Normals",
-                              .components = 3,
-                              .bytes = mesh.normals.size() * 3 * sizeof(double),
-                              .write = [&](OutputFile& out) { write_coordinates(out, mesh.normals); }});
-  }
-  if (!mesh.colors.empty())
-    grid.of_points.push_back({.type = "UInt8",
-                              .name = "RGB",
-                              .components = 3,
-                              .bytes = mesh.colors.size_bytes(),
-                              .write = [&](OutputFile& out) {
-                                for (const auto& color : mesh.colors)
-                                  out.write_binary(std::span<const std::uint8_t>(color));
-                              }});
-  if (!mesh.points.empty())
-    grid.of_points.push_back(
-        {.type = "UInt32", .name = "point", .bytes = mesh.points.size_bytes(), .write = [&](OutputFile& out) {
-           out.write_binary(mesh.points);
-         }});
-  if (!mesh.confidence.empty())
-    grid.of_points.push_back(
-        {.type = "Float64", .name = "confidence", .bytes = mesh.confidence.size_bytes(), .write = [&](OutputFile& out) {
-           out.write_binary(mesh.confidence);
-         }});
+  const auto add = [&](std::string_view type, const std::string& name, std::size_t components, const auto& values,
+                       const auto& write) {
+    if (!values.empty())
+      grid.of_points.push_back({.type = type,
+                                .name = name,
+                                .components = components,
+                                .bytes = values.size_bytes(),
+                                .write = [values, write](OutputFile& out) { write(out, values); }});
+  };
+  const auto write_numbers = [](OutputFile& out, const auto& values) { out.write_binary(values); };
+  static_assert(sizeof(Point3) == 3 * sizeof(double));
+  if (!mesh.normals.empty()) grid.shown_of_points = "Normals=\"Normals\"";
+  add("Float64", "Normals", 3, mesh.normals, write_coordinates);
+  add("UInt8", "RGB", 3, mesh.colors, [](OutputFile& out, const auto& colors) {
+    for (const auto& color : colors) out.write_binary(std::span<const std::uint8_t>(color));
+  });
+  add("UInt32", "point", 1, mesh.points, write_numbers);
+  add("Float64", "confidence", 1, mesh.confidence, write_numbers);
   write_vtu(file, grid);
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/bytes/number.h"
 #include "io/interrupt.h"
 #include "io/values_at.h"
 
@@ -67,28 +68,8 @@ std::string crs_member(const std::optional<Crs>& crs) {
   return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
 }
 
-void write_properties(OutputFile& file, std::uint64_t number, const PolygonFacts& facts) {
-  const auto write_if_finite = [&](double value) {
-    std::isfinite(value) ? file.write_number(value) : file.write("null");
-  };
-  file.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
-  file.write_number(number);
-  file.write(",\"area\":");
-  write_if_finite(facts.area);
-  file.write(",\"perimeter\":");
-  write_if_finite(facts.perimeter);
-  file.write(",\"holes\":");
-  file.write_number(facts.holes);
-  file.write(",\"points\":");
-  file.write_number(facts.points);
-  file.write("},\"geometry\":");
-}
-
-void write_pair(OutputFile& file, const Point& p, std::string_view between) {
-  file.write_number(p.x);
-  file.write(between);
-  file.write_number(p.y);
-}
+/// Returns a number of JSON, which has none that is not finite.
+std::string finite_or_null(double value) { return std::isfinite(value) ? text_of(value) : "null"; }
 
 /// Collects the corners of a ring in `corners`, whose memory is reused.
 std::span<const Point> gather(const Ring& ring, std::span<const Point> points, std::vector<Point>& corners) {
@@ -99,9 +80,7 @@ std::span<const Point> gather(const Ring& ring, std::span<const Point> points, s
 
 void write_closed(OutputFile& file, const PolygonSigns& signs, std::span<const Point> ring) {
   const auto write_point = [&](const Point& p) {
-    file.write(signs.open_point);
-    write_pair(file, p, signs.between_coordinates);
-    file.write(signs.close_point);
+    file.write_all(signs.open_point, p.x, signs.between_coordinates, p.y, signs.close_point);
   };
   file.write(signs.open_list);
   for (const Point& p : ring) {
@@ -126,12 +105,8 @@ void write_positions(OutputFile& file, const std::vector<PositionRing>& polygon,
     file.write(std::exchange(before_ring, ","));
     for (std::size_t i = 0; i <= ring.size(); ++i) {
       const Point3& p = ring[i % ring.size()];
-      file.write(i == 0 ? "[[" : ",[");
-      write_pair(file, {p.x, p.y}, ",");
-      if (has_z) {
-        file.write(",");
-        file.write_number(p.z);
-      }
+      file.write_all(i == 0 ? "[[" : ",[", p.x, ",", p.y);
+      if (has_z) file.write_all(",", p.z);
       file.write("]");
     }
     file.write("]");
@@ -176,7 +151,10 @@ PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optiona
 void PolygonWriter::begin(const PolygonFacts& facts) {
   file_.write(number_ == 0 ? signs_.first : signs_.next);
   ++number_;
-  if (signs_.has_properties) write_properties(file_, number_, facts);
+  if (signs_.has_properties)
+    file_.write_all("{\"type\":\"Feature\",\"properties\":{\"number\":", number_,
+                    ",\"area\":", finite_or_null(facts.area), ",\"perimeter\":", finite_or_null(facts.perimeter),
+                    ",\"holes\":", facts.holes, ",\"points\":", facts.points, "},\"geometry\":");
   rings_.clear();
   any_ring_ = false;
   if (cuts_) return;
@@ -228,10 +206,6 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
     if (!shape.polygon_of[i]) visit(i);
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Writes the rings of the polygons of a group, or of their parts.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
@@ -291,26 +265,15 @@ std::string csv_text(std::string_view text) {
 }
 
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
-  const auto write_if_finite = [&](double value) {
-    std::isfinite(value) ? file.write_number(value) : file.write("null");
-  };
   file.write(geojson_collection(groups.crs));
   const bool cuts = is_cut_in_geojson(groups.points, groups.crs, groups.degrees);
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
     const PolygonTotals& totals = groups.shapes.totals[g];
-    file.write(g == 0 ? "\n" : ",\n");
-    file.write("{\"type\":\"Feature\",\"properties\":{\"group\":");
-    file.write(json_name(groups.names[g], groups.are_numbers));
-    file.write(",\"points\":");
-    file.write_number(std::uint64_t{groups.sizes[g]});
-    file.write(",\"alpha\":");
-    write_if_finite(groups.shapes.alphas[g]);
-    file.write(",\"area\":");
-    write_if_finite(totals.area);
-    file.write(",\"perimeter\":");
-    write_if_finite(totals.perimeter);
-    file.write(",\"polygons\":");
-    file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
+    file.write_all(g == 0 ? "\n" : ",\n",
+                   "{\"type\":\"Feature\",\"properties\":{\"group\":", json_name(groups.names[g], groups.are_numbers),
+                   ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
+                   ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
+                   ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
     if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
     write_polygons_of(file, geojson, groups, g, cuts);
@@ -322,20 +285,10 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
 void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
   file.write("group,points,alpha,area,perimeter,polygons,problem,geometry\n");
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
-    file.write(csv_text(groups.names[g]));
-    file.write(",");
-    file.write_number(std::uint64_t{groups.sizes[g]});
-    file.write(",");
-    if (!std::isnan(groups.shapes.alphas[g])) file.write_number(groups.shapes.alphas[g]);
-    file.write(",");
-    file.write_number(groups.shapes.totals[g].area);
-    file.write(",");
-    file.write_number(groups.shapes.totals[g].perimeter);
-    file.write(",");
-    file.write_number(groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
-    file.write(",");
-    file.write(csv_text(problem));
-    file.write(",");
+    const double alpha = groups.shapes.alphas[g];
+    file.write_all(csv_text(groups.names[g]), ",", groups.sizes[g], ",", std::isnan(alpha) ? "" : text_of(alpha), ",",
+                   groups.shapes.totals[g].area, ",", groups.shapes.totals[g].perimeter, ",",
+                   groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g], ",", csv_text(problem), ",");
     if (problem.empty()) {
       file.write("\"MULTIPOLYGON (");
       write_polygons_of(file, wkt, groups, g, false);
@@ -350,8 +303,7 @@ void write_points_csv(OutputFile& file, const Shape& shape) {
   file.write("x,y,polygon\n");
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
-    write_pair(file, shape.points[i], ",");
-    file.write(",");
+    file.write_all(shape.points[i].x, ",", shape.points[i].y, ",");
     if (shape.polygon_of[i]) file.write_number(std::uint64_t{*shape.polygon_of[i]} + 1);
     file.write("\n");
   }
@@ -360,10 +312,8 @@ void write_points_csv(OutputFile& file, const Shape& shape) {
 void write_isolated_csv(OutputFile& file, const Shape& shape) {
   file.write("x,y,index\n");
   for_each_isolated(shape, [&](std::size_t i) {
-    write_pair(file, shape.points[i], ",");
-    file.write(",");
-    file.write_number(std::uint64_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
-    file.write("\n");
+    file.write_all(shape.points[i].x, ",", shape.points[i].y, ",",
+                   renumbered(static_cast<std::uint32_t>(i), shape.index), "\n");
   });
 }
 
@@ -373,13 +323,10 @@ void write_isolated_geojson(OutputFile& file, const Shape& shape) {
   std::string_view before = "\n";
   for_each_isolated(shape, [&](std::size_t i) {
     const Point& p = shape.points[i];
-    file.write(before);
-    before = ",\n";
-    file.write("{\"type\":\"Feature\",\"properties\":{\"index\":");
-    file.write_number(std::uint64_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
-    file.write("},\"geometry\":{\"type\":\"Point\",\"coordinates\":[");
-    write_pair(file, {cuts ? within_antimeridian(p.x) : p.x, p.y}, ",");
-    file.write("]}}");
+    file.write_all(
+        std::exchange(before, ",\n"),
+        "{\"type\":\"Feature\",\"properties\":{\"index\":", renumbered(static_cast<std::uint32_t>(i), shape.index),
+        "},\"geometry\":{\"type\":\"Point\",\"coordinates\":[", cuts ? within_antimeridian(p.x) : p.x, ",", p.y, "]}}");
   });
   file.write("\n]}\n");
 }
@@ -387,11 +334,7 @@ void write_isolated_geojson(OutputFile& file, const Shape& shape) {
 void write_isolated_wkt(OutputFile& file, const Shape& shape) {
   std::string_view before = "MULTIPOINT (";
   for_each_isolated(shape, [&](std::size_t i) {
-    file.write(before);
-    before = ", ";
-    file.write("(");
-    write_pair(file, shape.points[i], " ");
-    file.write(")");
+    file.write_all(std::exchange(before, ", "), "(", shape.points[i].x, " ", shape.points[i].y, ")");
   });
   file.write(before == ", " ? ")\n" : "MULTIPOINT EMPTY\n");
 }

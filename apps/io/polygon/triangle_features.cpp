@@ -26,13 +26,9 @@ void write_triangles_geojson(OutputFile& file, const TriangleList& triangles) {
   file.write(geojson_collection(triangles.crs));
   for (std::size_t i = 0; i < triangles.count; ++i) {
     if (i % 4096 == 0) stop_if_interrupted();
-    file.write(i == 0 ? "\n" : ",\n");
-    file.write("{\"type\":\"Feature\",\"properties\":{\"number\":");
-    file.write_number(std::uint64_t{i} + 1);
+    file.write_all(i == 0 ? "\n" : ",\n", "{\"type\":\"Feature\",\"properties\":{\"number\":", i + 1);
     for (const TriangleAttribute& attribute : triangles.attributes) {
-      file.write(",");
-      file.write(json_name(attribute.name, false));
-      file.write(":");
+      file.write_all(",", json_name(attribute.name, false), ":");
       attribute.text ? file.write(json_name(attribute.text(i), false)) : write_value(file, attribute.number(i));
     }
     file.write("},\"geometry\":");

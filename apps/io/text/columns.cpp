@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <iterator>
 #include <string>
 
@@ -18,11 +17,10 @@ Column parse_column(std::string_view text) {
   const NumberFault fault = parse_whole_number(text).fault;
   if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
     return {.number = 0, .name = std::string(text)};
-  Column column;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), column.number);
-  if (error != std::errc() || end != text.data() + text.size() || column.number == 0)
+  const std::size_t number = parse_count(text).value_or(0);
+  if (number == 0)
     throw WrongUsage("--columns: found " + in_quotes(text) + ", expected a column number from 1 or a column name");
-  return column;
+  return {.number = number};
 }
 
 std::vector<std::string_view> words_between_commas(std::string_view text) {

@@ -68,8 +68,6 @@ class Parser {
     rest_.remove_prefix(size);
   }
 
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
   bool is(std::string_view word, std::string_view sign = "") const {
     return (!sign.empty() && word_ == sign) || same_letters(word_, word);
   }
@@ -145,17 +143,6 @@ class Parser {
     return name;
   }
 
-  void take_texts(const std::string& field, bool negated) {
-    for (bool first = true;; first = false) {
-      if (!is_text()) refuse("a text in quotes, as before");
-      take_text(field);
-      if (!first) result_.push_back({Step::either});
-      if (!take_if(",")) break;
-    }
-    if (!take_if(")")) refuse("',' or ')'");
-    if (negated) result_.push_back({Step::negation});
-  }
-
   void take_comparison() {
     const std::size_t known = fields_.size();
     Condition::Instruction left = take_operand();
@@ -182,14 +169,17 @@ class Parser {
   void take_list(const Condition::Instruction& left, std::size_t known, bool negated) {
     if (!take_if("in")) refuse("in");
     if (!take_if("(")) refuse("'('");
-    if (is_text()) return take_texts(name_of(left, known), negated);
+    const bool are_texts = is_text();
+    const std::string field = are_texts ? name_of(left, known) : "";
     bool first = true;
     do {
-      result_.push_back(left);
-      result_.push_back(take_operand());
-      result_.push_back({Step::equal});
-      if (!first) result_.push_back({Step::either});
-      first = false;
+      if (are_texts) {
+        if (!is_text()) refuse("a text in quotes, as before");
+        take_text(field);
+      } else {
+        result_.insert(result_.end(), {left, take_operand(), {Step::equal}});
+      }
+      if (!std::exchange(first, false)) result_.push_back({Step::either});
     } while (take_if(","));
     if (!take_if(")")) refuse("',' or ')'");
     if (negated) result_.push_back({Step::negation});

@@ -11,8 +11,6 @@
 namespace rbpa::app {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Whether the field has no comma, or one between digits.
 bool may_be_decimal(std::string_view field) {
   const std::size_t comma = field.find(',');

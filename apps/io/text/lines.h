@@ -2,32 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 
 #include "io/interrupt.h"
+#include "io/words.h"
 
 namespace rbpa::app {
-
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-inline std::string_view trimmed(std::string_view text) {
-  const char* first = text.data();
-  const char* last = first + text.size();
-  while (first != last && is_blank(*first)) ++first;
-  while (first != last && is_blank(last[-1])) --last;
-  return {first, static_cast<std::size_t>(last - first)};
-}
-
-/// Whether two words are equal but for the case of their letters.
-inline bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char p, char q) {
-    return std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q));
-  });
-}
 
 /// Returns the number of line ends (LF) in `text`. Throws Cancelled.
 inline std::size_t count_line_ends(std::string_view text) {

@@ -1,6 +1,7 @@
 #include "io/text/vertex_lines.h"
 
 #include <charconv>
+#include <optional>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -65,13 +66,6 @@ void take_corner_list(std::string_view& rest, const Lines& lines, const std::str
       bad_input(at_line(name, lines.number()), in_quotes(word), corner_expected(points));
     corners.push_back(static_cast<std::uint32_t>(*corner));
   }
-}
-
-std::optional<std::size_t> parse_count(std::string_view word) {
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return count;
 }
 
 std::string corner_expected(std::size_t points) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,6 @@ std::array<double, 3> take_position(std::string_view& rest, const Lines& lines, 
 /// Takes a length n and n vertex numbers below `points`, which replace the content of `corners`.
 void take_corner_list(std::string_view& rest, const Lines& lines, const std::string& name, std::size_t points,
                       std::vector<std::uint32_t>& corners);
-
-/// Returns a word that is an unsigned whole number; nothing for any other word.
-std::optional<std::size_t> parse_count(std::string_view word);
 
 /// Returns what messages expect of a corner: "a vertex number from 0 to 7".
 std::string corner_expected(std::size_t points);

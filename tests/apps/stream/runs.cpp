@@ -14,7 +14,7 @@ using apps_test::Folder;
 
 namespace {
 
-std::string text_of(double alpha) { return std::string(std::string_view(rbpa::app::ShortestText(alpha))); }
+std::string text_of(double alpha) { return rbpa::app::text_of(alpha); }
 
 }  // namespace
 
