@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rbpa/base/api.h"
 
@@ -43,5 +44,14 @@ RBPA_API std::string name_of(const AlphaChoice& choice);
 
 /// Throws: InvalidInput "alpha plateau:4: there are only 3 plateaus" when the rank is above the number of plateaus.
 RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
+
+/// Returns the radius of the plateau of this rank, the best first; nothing if there is no plateau.
+/// Throws: as require_rank().
+template <typename Plateau>
+std::optional<double> alpha_of_rank(const AlphaChoice& choice, const std::vector<Plateau>& plateaus) {
+  if (plateaus.empty()) return std::nullopt;
+  require_rank(choice, plateaus.size());
+  return plateaus[choice.rank - 1].alpha;
+}
 
 }  // namespace rbpa

@@ -14,9 +14,7 @@ ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, co
   if (choice.rule == AlphaRule::given) return {.alpha = choice.radius};
   if (choice.rule != AlphaRule::plateau) return {.alpha = smallest_covering(delaunay, covering_of(choice), go_on)};
   ChosenAlpha chosen{.plateaus = plateaus(delaunay, filtration(delaunay, go_on), go_on)};
-  if (chosen.plateaus.empty()) return chosen;
-  require_rank(choice, chosen.plateaus.size());
-  chosen.alpha = chosen.plateaus[choice.rank - 1].alpha;
+  chosen.alpha = alpha_of_rank(choice, chosen.plateaus);
   return chosen;
 }
 

@@ -10,9 +10,7 @@ ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const P
   if (choice.rule == AlphaRule::least) return {.alpha = min_alpha(delaunay, radii, choice.cover, go_on)};
   if (choice.rule == AlphaRule::automatic) return {.alpha = auto_alpha(delaunay, radii, choice.cover, go_on)};
   ChosenSolidAlpha chosen{.plateaus = solid_plateaus(points, delaunay, radii, go_on)};
-  if (chosen.plateaus.empty()) return chosen;
-  require_rank(choice, chosen.plateaus.size());
-  chosen.alpha = chosen.plateaus[choice.rank - 1].alpha;
+  chosen.alpha = alpha_of_rank(choice, chosen.plateaus).value_or(chosen.alpha);
   return chosen;
 }
 
