@@ -147,16 +147,10 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
 /// Returns the Betti numbers of the full alpha complex, and its voids; computes its own triangulation.
 py::dict full_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
-  struct Made {
-    FullCounts counts;
-    FullVoids voids;
-  };
-  Made made = watched(input.size(), py::none(), [&](Watch& watch) {
+  FullTopology made = watched(input.size(), py::none(), [&](Watch& watch) {
     const std::function<bool()> go_on = watch.until_stopped();
     const Solid delaunay = solid(input, std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
-    const std::vector<double> radii = circumradii(input, delaunay.simplices, 0, go_on);
-    return Made{count_full(input, delaunay, radii, alpha, 0, go_on),
-                full_voids(input, void_space(input, delaunay, radii, alpha, 0, go_on), alpha, 0, go_on)};
+    return full_topology(input, delaunay, circumradii(input, delaunay.simplices, 0, go_on), alpha, 0, go_on);
   });
   py::dict result;
   result["betti"] = py::make_tuple(made.counts.components, made.counts.tunnels, made.counts.voids);

@@ -4,31 +4,19 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/space/balls/full_topology.h"
-#include "rbpa/space/balls/union_of_balls.h"
-#include "rbpa/space/solid/solid_boundary.h"
-#include "rbpa/space/solid/solid_components.h"
-#include "rbpa/space/solid/solid_topology.h"
-#include "rbpa/space/solid/voids.h"
+#include "rbpa/space/balls/measure_solid.h"
 #include "space/point_names.h"
 
 namespace rbpa::app {
 
-struct SolidFacts {
+/// A solid, and what the run knows of it.
+struct SolidFacts : MeasuredSolid {
   std::size_t points = 0, distinct = 0, isolated = 0;
-  double alpha = 0;
   std::string alpha_rule = "given";
   unsigned threads = 1;
-  SolidCounts counts = {};
-  BoundaryMeasures measures = {};
-  std::optional<BallUnion> balls = {};          ///< with --balls
-  std::optional<FullCounts> full = {};          ///< of the full complex, if requested
-  ComplexKind walls = ComplexKind::solid;       ///< kind of the complex whose voids are counted
-  std::vector<SolidComponent> components = {};  ///< solid ones
-  std::vector<SolidVoid> voids = {};
+  ComplexKind walls = ComplexKind::solid;     ///< kind of the complex whose voids are counted
   std::optional<double> choose_seconds = {};  ///< absent: alpha was given
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };

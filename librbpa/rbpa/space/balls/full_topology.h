@@ -53,4 +53,16 @@ struct FullVoids {
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned threads = 0,
                               const std::function<bool()>& go_on = {});
 
+struct FullTopology {
+  FullCounts counts;
+  FullVoids voids;
+};
+
+/// Returns count_full(), and full_voids() of the void_space().
+/// Requires: as these.
+/// Throws:   as these.
+RBPA_API FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay,
+                                    std::span<const double> radii, double alpha, unsigned threads = 0,
+                                    const std::function<bool()>& go_on = {});
+
 }  // namespace rbpa

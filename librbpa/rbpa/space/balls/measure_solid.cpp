@@ -1,0 +1,60 @@
+#include "rbpa/space/balls/measure_solid.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rbpa/space/persistence/choose_solid_alpha.h"
+#include "rbpa/space/solid/solid_radii.h"
+
+namespace rbpa {
+
+MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options) {
+  const bool needs_all = options.alpha.rule != AlphaRule::given || options.full || options.triangulation;
+  const bool has_boundary = options.boundary || options.counts;
+  const std::function<bool()> go_on = going_on(options.progress, points.size());
+  const auto begin = [&](SolidStep step) {
+    if (go_on && !go_on()) throw Cancelled();
+    if (options.on_step) options.on_step(step);
+  };
+
+  MeasuredSolid made;
+  if (options.on_step) options.on_step(SolidStep::tetrahedra);
+  made.alpha = options.alpha.radius;
+  made.solid =
+      solid(points, needs_all ? std::numeric_limits<double>::infinity() : made.alpha,
+            {.neighbors = has_boundary || needs_all, .threads = options.threads, .progress = options.progress});
+  if (needs_all) {
+    begin(SolidStep::choosing);
+    made.triangulation = std::move(made.solid);
+    made.radii = circumradii(points, made.triangulation.simplices, options.threads, go_on);
+    ChosenSolidAlpha chosen = choose_solid_alpha(options.alpha, points, made.triangulation, made.radii, go_on);
+    made.alpha = chosen.alpha;
+    made.plateaus = std::move(chosen.plateaus);
+    made.solid = within(made.triangulation, made.radii, made.alpha);
+  }
+  if (!has_boundary) return made;
+  begin(SolidStep::boundary);
+  made.boundary = solid_boundary(made.solid);
+  if (!options.counts) return made;
+  begin(SolidStep::counting);
+  made.measures = measure(points, made.boundary.surface);
+  Voids found = voids(points, made.solid, made.boundary);
+  made.counts = found.counts;
+  made.voids = std::move(found.all);
+  if (go_on && !go_on()) throw Cancelled();
+  if (options.full) {
+    FullTopology full = full_topology(points, made.triangulation, made.radii, made.alpha, options.threads, go_on);
+    made.full = full.counts;
+    made.voids = std::move(full.voids.all);
+    made.full_void_boundary = std::move(full.voids.boundary);
+  }
+  if (options.components) made.components = solid_components(points, made.solid, made.boundary).all;
+  if (options.balls && std::isfinite(made.alpha)) {
+    begin(SolidStep::balls);
+    made.balls = union_of_balls(points, made.alpha, {.threads = options.threads});
+  }
+  return made;
+}
+
+}  // namespace rbpa
