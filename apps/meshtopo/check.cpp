@@ -20,13 +20,6 @@ constexpr std::string_view counts[] = {"vertices",         "edges", "faces",   "
                                        "boundary_curves",  "genus", "pinches", "isolated", "defects",
                                        "geometric_defects"};
 
-std::string known_checks() {
-  std::string text;
-  for (const std::string_view name : yes_or_no) text.append(name).append(", ");
-  for (const std::string_view name : counts) text.append(name).append("=N, ");
-  return text.substr(0, text.size() - 2);
-}
-
 template <std::size_t count>
 bool is_among(const std::string_view (&names)[count], std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
@@ -37,7 +30,7 @@ Check parse_check(const std::string& text) {
   const std::string name = text.substr(0, equals);
   if (is_among(yes_or_no, name)) {
     if (equals != std::string::npos)
-      throw WrongUsage("--check: found " + in_quotes(text) + ", expected '" + name + "' alone");
+      throw WrongUsage("--check: found " + in_quotes(text) + ", expected '" + name + "' without a value");
     return {name, std::nullopt};
   }
   if (!is_among(counts, name))
@@ -107,6 +100,13 @@ std::vector<Check> parse_checks(const std::string& list) {
     begin = end + 1;
   }
   return checks;
+}
+
+std::string known_checks() {
+  std::string text;
+  for (const std::string_view name : yes_or_no) text.append(name).append(", ");
+  for (const std::string_view name : counts) text.append(name).append("=N, ");
+  return text.substr(0, text.size() - 2);
 }
 
 CheckResult evaluate(const Check& check, const Examined& mesh) {

@@ -13,6 +13,9 @@ namespace rbpa::app {
 /// Parses a comma-separated list of properties: "closed,genus=0" has two. Throws WrongUsage with the known properties.
 std::vector<Check> parse_checks(const std::string& list);
 
+/// Returns the properties for help and messages: "closed, manifold, oriented, orientable, vertices=N, ...".
+std::string known_checks();
+
 CheckResult evaluate(const Check& check, const Examined& mesh);
 
 /// Returns "closed: found 1 boundary curve, expected none" for a check that does not hold.

@@ -7,6 +7,7 @@
 #include "io/bytes/descriptor.h"
 #include "io/interrupt.h"
 #include "io/mesh/write_mesh.h"
+#include "meshtopo/check.h"
 #include "meshtopo/run_topology.h"
 #include "program/exit_code.h"
 #include "program/manual.h"
@@ -20,7 +21,13 @@ constexpr const char* program = "meshtopo";
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
-  CLI::App app("Report the topology of a mesh, and list where it is not a manifold", program);
+  CLI::App app(
+      "Report the topology of a mesh, and list where it is not a manifold\n\n"
+      "The report counts vertices, edges, faces, components and boundary curves, gives the genus, and lists each "
+      "defect that keeps the faces from being an oriented 2-manifold with boundary. Options change the mesh in this "
+      "order: --weld, --drop-small and --keep-largest, --orient, --repair, --fill-holes, --close-tunnels-below. The "
+      "result is reported, checked and written.\n",
+      program);
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("meshtopo ") + RBPA_VERSION);
   TopologyArguments arguments;
@@ -43,8 +50,8 @@ int main(int argc, char** argv) {
                  "Set the format of the written mesh, if its ending does not tell")
       ->type_name("NAME");
   app.add_option("--shift", arguments.shift,
-                 "Subtract X,Y,Z, or the center of their box, from all coordinates of a mesh written as .stl, which "
-                 "has single precision. Print the offset, and write it into the file's header")
+                 "Subtract X,Y,Z, or with auto the center of the vertices' box, from all coordinates of a mesh written "
+                 "as .stl, which has single precision. Print the shift, and write it into the file's header")
       ->type_name("X,Y,Z|auto");
   app.add_option("--generators", arguments.generators,
                  "Write loops that generate the first homology, as polylines: " + endings(Use::polylines))
@@ -84,7 +91,9 @@ int main(int argc, char** argv) {
   app.add_option("--max-defects", arguments.max_defects, "List at most N defects in the text report")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.quiet, "Print neither progress nor the text report")->disable_flag_override();
+  app.add_flag("-q,--quiet", arguments.quiet,
+               "Print neither progress nor the text report, but warnings and checks that fail")
+      ->disable_flag_override();
   app.footer(
       "Examples:\n"
       "  meshtopo bunny.ply\n"
@@ -93,9 +102,9 @@ int main(int argc, char** argv) {
       "  meshtopo *.stl -q --check closed,manifold,genus=0\n"
       "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n"
       "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n\n"
-      "Properties for --check: closed (every edge has two faces), manifold, oriented, orientable; and, as in genus=0, "
-      "vertices, edges, faces, euler, components, boundary_curves, genus, pinches, isolated, defects, "
-      "geometric_defects.\n"
+      "Properties for --check: " +
+      known_checks() +
+      ". A mesh is closed if every edge has two faces.\n"
       "Vertices and faces are numbered as in the file, from 0.\n" +
       std::string(exit_codes));
   add_manual(app, std::string("meshtopo ") + RBPA_VERSION);

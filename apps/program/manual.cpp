@@ -16,8 +16,10 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* verb) { return !verb->get_name().empty(); });
 }
 
+/// Returns the options that --help lists: hidden ones are in no group.
 std::vector<const CLI::Option*> options_of(const CLI::App& app) {
-  return app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+  return app.get_options(
+      [](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
 }
 
 std::vector<const CLI::Option*> positionals_of(const CLI::App& app) {
@@ -166,10 +168,11 @@ std::string man_page(const CLI::App& app, const std::string& name) {
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   const auto verbs = verbs_of(app);
   std::string page = ".TH " + upper + " 1 \"\" \"" + roff(name) + "\" \"User Commands\"\n";
-  page += ".SH NAME\n" + program + " \\- " + roff(app.get_description()) + "\n.SH SYNOPSIS\n";
+  page += ".SH NAME\n" + program + " \\- " + roff(summary_of(app)) + "\n.SH SYNOPSIS\n";
   if (verbs.empty()) page += roff_usage(program, app) + "\n";
   for (const CLI::App* verb : verbs)
     page += (verb == verbs.front() ? "" : ".br\n") + roff_usage(program + " " + verb->get_name(), *verb) + "\n";
+  page += ".SH DESCRIPTION\n" + roff_paragraphs(app.get_description());
   page += ".SH OPTIONS\n" + roff_options(app);
   for (const CLI::App* verb : verbs) {
     page += ".SH \"" + upper + " " + verb->get_name() + "\"\n" + roff_paragraphs(verb->get_description());

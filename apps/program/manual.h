@@ -6,8 +6,8 @@
 
 namespace rbpa::app {
 
-/// Returns a page of section 1 in roff: all verbs with their options, examples and exit codes. `name` is "PROGRAM
-/// VERSION".
+/// Returns a page of section 1 in roff: the description, all verbs with the options that --help lists, examples and
+/// exit codes. `name` is "PROGRAM VERSION".
 std::string man_page(const CLI::App& app, const std::string& name);
 
 /// Returns a script for bash to source, or to put where bash looks for completions.

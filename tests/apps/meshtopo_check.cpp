@@ -132,7 +132,7 @@ TEST_SUITE("meshtopo --check") {
     CHECK(
         folder.meshtopo("whole.off --check closed,,genus=0").err.starts_with("meshtopo: --check: found '', expected"));
     CHECK(folder.meshtopo("whole.off --check closed=1").err ==
-          "meshtopo: --check: found 'closed=1', expected 'closed' alone\n");
+          "meshtopo: --check: found 'closed=1', expected 'closed' without a value\n");
     for (const std::string number :
          {"genus", "genus=", "genus=0.5", "genus=x", "genus= 0", "genus=99999999999999999999"})
       CHECK(folder.meshtopo("whole.off --check '" + number + "'").err ==
