@@ -47,10 +47,10 @@ std::optional<Format> find_format(Use use, std::string_view name) {
   return std::nullopt;
 }
 
-std::string endings(Use use) {
+std::string endings(Use use, bool (*fits)(Format)) {
   std::string list;
   for (const FormatRow& row : format_table) {
-    if (!row.is_for(use) || !is_there(row) || row.endings.empty()) continue;
+    if (!row.is_for(use) || !is_there(row) || row.endings.empty() || (fits && !fits(row.format))) continue;
     if (!list.empty()) list += ", ";
     for (const char letter : row.endings) list += letter == ' ' ? std::string(", ") : std::string(1, letter);
   }

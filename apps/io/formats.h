@@ -133,8 +133,8 @@ bool has_gdal();
 /// Returns the format of a name, "npy", or of the ending of a path, "points.npy", in letters of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
-/// Returns the endings of a use for help and messages: "off, ply, obj, stl".
-std::string endings(Use use);
+/// Returns the endings of a use for help and messages: "off, ply, obj, stl"; with `fits` those of formats that fit.
+std::string endings(Use use, bool (*fits)(Format) = nullptr);
 
 /// Whether the format has a row for the use.
 bool is_for(Use use, Format format);
@@ -144,6 +144,15 @@ constexpr bool is_table(Format format) {
   return format == Format::by_content || format == Format::text || format == Format::pts || format == Format::xyzn ||
          format == Format::xyzrgb;
 }
+
+/// Whether the format has, or may turn out to have, lines and polygons, to which --vertices applies. A table may have a
+/// column of them.
+constexpr bool has_lines(Format format) {
+  return is_table(format) || format == Format::wkt || format == Format::geojson || format == Format::ogr;
+}
+
+/// Whether points of the format are pixels, to which --foreground and --threshold apply.
+constexpr bool is_image(Format format) { return format == Format::png || format == Format::pgm; }
 
 /// Returns the ending of a file name, without its dot; empty if there is none.
 std::string_view ending(std::string_view path);

@@ -26,8 +26,7 @@ TopologyTarget parse_mesh_target(const std::string& option, const std::string& p
                                  const std::optional<std::string>& format) {
   const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
   if (format && !named) refuse_name("--output-format", *format, endings(Use::mesh));
-  if (path == "-" && !format)
-    throw WrongUsage(option + " -: found no --output-format, expected one of " + endings(Use::mesh));
+  if (path == "-" && !format) throw WrongUsage(option + " - requires --output-format: one of " + endings(Use::mesh));
   if (const std::optional<Format> known = find_format(Use::mesh, ending(path))) return {path, *known};
   if (!named) refuse_ending(path, endings(Use::mesh), "--output-format");
   return {path, *named};
@@ -138,11 +137,11 @@ TopologyPlan plan(TopologyArguments arguments) {
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);
   const bool has_mesh = output_is_mesh || !arguments.repaired.empty();
   if (arguments.output_format && !has_mesh && !arguments.repair)
-    throw WrongUsage("--output-format requires a mesh to write (--repair OUT)");
+    throw WrongUsage("--output-format requires a mesh to write (-o OUT or --repair OUT)");
   if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
     if (arguments.quiet && plan.report->format == Format::text)
-      throw WrongUsage("-o requires a report to write (--quiet leaves only that of --json)");
+      throw WrongUsage("-o of a text report cannot be combined with --quiet, which leaves it out (add --json)");
   } else if (arguments.json || !arguments.quiet) {
     plan.report = parse_report_target("-", arguments.json);
   }
@@ -153,10 +152,13 @@ TopologyPlan plan(TopologyArguments arguments) {
     const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;
     plan.written = parse_mesh_target(option, path, arguments.output_format);
     if (plan.report && path == "-" && plan.report->path == "-")
-      throw WrongUsage(option +
-                       " -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
+      throw WrongUsage(
+          option +
+          " -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave out the "
+          "report with --quiet)");
   } else if (plan.changes() && plan.checks.empty() && !arguments.generators) {
-    throw WrongUsage(change_option(arguments) + " requires -o OUT or --repair OUT, a file for the mesh, or --check");
+    throw WrongUsage(change_option(arguments) +
+                     " changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check");
   }
   if (arguments.shift) {
     plan.shift = parse_shift("--shift", *arguments.shift);

@@ -116,18 +116,21 @@ std::string changes(const Findings& findings) {
             counted(report.orient->outward, "closed component faces outward", "closed components face outward") + "\n";
     if (report.orient->nested > 0)
       text += "  orient: " + counted(report.orient->nested, "closed component lies", "closed components lie") +
-              " within others, " + std::to_string(report.orient->inward) + " of them within an odd number, as " +
-              (report.orient->inward == 1 ? "the wall of a cavity" : "walls of cavities") + ", facing inward\n";
+              " inside others; " + std::to_string(report.orient->inward) + " of them inside an odd number of others, " +
+              (report.orient->inward == 1 ? "the wall of a cavity, faces" : "walls of cavities, face") + " inward\n";
     for (const std::size_t face : report.orient->not_orientable)
-      text += "  orient: the component of face " + std::to_string(face) + " is not orientable, and stays as it was\n";
+      text += "  orient: the component of face " + std::to_string(face) +
+              " is not orientable: its faces are left as they were\n";
   }
   if (findings.fill) {
     const auto& [rims, holes, islands] = findings.fill->not_chosen;
     text += "  fill: " + filled_text(findings.fill->counts) + "\n";
     if (findings.fill->counts.left() > 0) text += "  fill: " + left_text(findings.fill->counts) + "\n";
-    if (holes > 0) text += "  fill: " + counted(holes, "larger hole stays", "larger holes stay") + "\n";
-    if (rims > 0) text += "  fill: " + counted(rims, "rim of a sheet stays", "rims of sheets stay") + "\n";
-    if (islands > 0) text += "  fill: " + counted(islands, "rim of an island stays", "rims of islands stay") + "\n";
+    if (holes > 0) text += "  fill: " + counted(holes, "hole", "holes") + " left open, larger than --fill-holes says\n";
+    if (rims > 0)
+      text += "  fill: " + counted(rims, "rim of a sheet", "rims of sheets") +
+              " left open (--fill-holes rims fills them)\n";
+    if (islands > 0) text += "  fill: " + counted(islands, "rim of an island", "rims of islands") + " left open\n";
     if (findings.fill->merged > 0)
       text += "  fill: " + counted(findings.fill->merged, "vertex merged", "vertices merged") +
               " with one at the same position\n";
@@ -137,8 +140,8 @@ std::string changes(const Findings& findings) {
             counted(findings.tunnels->removed, "face", "faces") + " removed and " +
             std::to_string(findings.tunnels->added) + " added\n";
     if (findings.tunnels->left > 0)
-      text +=
-          "  tunnels: " + counted(findings.tunnels->left, "other loop", "other loops") + " below that length left\n";
+      text += "  tunnels: " + counted(findings.tunnels->left, "loop", "loops") +
+              " shorter than --close-tunnels-below left\n";
   }
   return text;
 }

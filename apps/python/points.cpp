@@ -66,10 +66,8 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
                         "without lines of points",
                         app::readable(use, [](const app::CloudFormat& reader) { return reader.skips_invalid; }));
   if (vertices)
-    app::require_format(
-        !space &&
-            (text || source.format == Format::wkt || source.format == Format::geojson || source.format == Format::ogr),
-        "vertices", "without lines and polygons", "geojson, wkt, or text with a column of it, in the plane");
+    app::require_format(!space && app::has_lines(source.format), "vertices", "without lines and polygons",
+                        "points in the plane in one of " + app::endings(app::Use::points, app::has_lines));
   if (where || !fields.empty()) {
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
     app::require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",

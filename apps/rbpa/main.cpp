@@ -28,8 +28,12 @@ std::string asked_for(const CLI::App& app) {
 
 std::string unexpected(const std::string& word, const CLI::App& app) {
   const std::string found = "found " + in_quotes(word) + ", expected ";
-  if (app.get_subcommands().empty())
-    return found + "mesh, alpha, shape, fill, surface, solid, stream, info or report (see rbpa --help)";
+  if (app.get_subcommands().empty()) {
+    std::string verbs;
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+      verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+    return found + "one of " + verbs + " (see rbpa --help)";
+  }
   const std::string verb = asked_for(app);
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
          " --help)";

@@ -52,7 +52,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   add_output_options(verb, arguments, endings(Use::triangles));
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
-  add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor summary");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
@@ -72,23 +72,24 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("surface", "Make triangles through points in space, by a ball of a given radius");
   add_space_point_options(verb, arguments);
-  verb.add_option("--radius", arguments.radius,
-                  "Set the radius of the ball (required), in units of the points; of several, ascending, each "
-                  "closes gaps that the smaller ones leave; auto takes them from the gaps between the points")
+  verb.add_option(
+          "--radius", arguments.radius,
+          "Set the radius of the ball (required), in units of the points; with several in ascending order, each "
+          "closes gaps that the smaller ones leave; auto: choose them by the gaps between the points")
       ->type_name("R[,R2,...]|auto")
       ->required();
-  verb.add_option("--max-radius", arguments.max_radius, "Replace larger radii of --radius auto by this one")
+  verb.add_option("--max-radius", arguments.max_radius, "Limit the radii of --radius auto: replace larger ones by R")
       ->type_name("R");
   verb.add_option("--normals", arguments.normals,
-                  "Take normals from the file, estimate them, or use none, which gives both sides of everything "
-                  "the ball can touch (by default file if it has any, else estimate)")
+                  "Take normals from the file, estimate them, or use none and make triangles on both sides of "
+                  "everything that the ball can touch (default: file if it has normals, else estimate)")
       ->type_name("NAME");
   verb.add_option("--neighbors", arguments.neighbors,
                   "Estimate normals from planes through each point and its K nearest others (default 16)")
       ->type_name("K");
   verb.add_option("--viewpoint", arguments.viewpoint,
-                  "Turn normals, also those of the file, toward the place from which the points were seen, or "
-                  "toward the places in three columns, one for each point")
+                  "Turn normals, also those of the file, toward the place from which the points were seen; three "
+                  "columns: toward a place of its own for each point")
       ->type_name("X,Y,Z");
   add_switch(verb, "--flip", arguments.flip, "Turn all normals around, after everything else");
   verb.add_option("--color", arguments.color,
@@ -96,8 +97,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "confidence of each estimated normal: blue, or orange if it is in doubt")
       ->type_name("NAME");
   verb.add_option("--drop-outliers", arguments.drop_outliers,
-                  "Leave out points more than K times as far from their 8th nearest point as the median point "
-                  "(auto: 4); do not use it for scans whose density differs by more than that")
+                  "Leave out points whose distance to their 8th nearest point is more than K times the median of these "
+                  "distances (auto: 4 times); do not use it for scans whose density differs by more than that")
       ->type_name("K|auto");
   verb.add_option("--scale-space", arguments.scale_space,
                   "Reduce noise: roll the ball over points moved onto local planes in N steps, or until they lie "
@@ -117,21 +118,22 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Drop components of fewer than N triangles, or of an area below A, in squared units of the points")
       ->type_name("N|area=A");
   verb.add_option("--shell", arguments.shell,
-                  "Keep, with --normals none, all shells (default), outer: those that the ball touches from "
-                  "outside, or largest: the one of these with the largest area")
+                  "Keep, with --normals none, all shells (default); outer: those that the ball touches from outside; "
+                  "largest: the outer shell with the largest area")
       ->type_name("all|outer|largest");
   verb.add_option("--fill-holes", arguments.fill_holes,
-                  "Fill holes by triangles between their points that cross nothing: all, rims as well, holes of at "
-                  "most N edges, or of a length of at most L")
+                  "Fill holes by triangles between their points that intersect nothing: all holes; rims: the rims of "
+                  "sheets as well; N: holes of at most N edges; length=L: holes at most that long")
       ->type_name("all|rims|N|length=L");
   add_switch(verb, "--watertight", arguments.watertight,
              "Drop open islands, fill holes and rims, and write a closed --manifold surface without "
              "crossings, also after the rounding of .stl and .glb; if that is not possible, write nothing, "
              "print what stays open, and exit with 1");
-  verb.add_option("--shift", arguments.shift,
-                  "Subtract X,Y,Z, or the middle of their box, from all coordinates of .stl and .glb, which are in "
-                  "single precision. The shift is printed, and is in the header of .stl; .glb keeps the place, as "
-                  "its node is moved back")
+  verb.add_option(
+          "--shift", arguments.shift,
+          "Subtract X,Y,Z, or with auto the center of the vertices' box, from all coordinates of .stl and .glb, which "
+          "are in single precision. Print the shift, and write it into the header of .stl; the node of .glb "
+          "moves the mesh back to its place")
       ->type_name("X,Y,Z|auto");
   add_switch(verb, "--refine", arguments.refine,
              "Add points inside the fillings of --fill-holes or --watertight, so that they are as fine and "
@@ -140,12 +142,12 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
   add_switch(verb, "--suggest-repairs", arguments.repairs,
-             "Suggest a repair for each hole: one more radius, normals to turn, or a filling; each is tried. "
-             "Shown in the summary, --json and --stats");
+             "Try repairs for each hole, and list what closes it in the summary, --json and --stats: one more radius, "
+             "normals to turn around, or a filling");
   add_switch(verb, "--json", arguments.json, "Print everything as JSON, with each hole and its causes");
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa surface scan.ply --radius 0.01 -o mesh.ply -o picture.png\n"
@@ -185,19 +187,23 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   add_output_options(verb, arguments, endings(Use::solid));
   verb.add_option("--boundary", arguments.boundary,
                   "Write the boundary as a closed surface, with a vertex for each side where the solid touches "
-                  "itself: ply (with the input index of each vertex as 'point'), off, obj, stl, glb, vtu; or the "
-                  "input indices of its triangles, npy")
+                  "itself: " +
+                      endings(Use::boundary) +
+                      ". ply has the input index of each vertex as 'point'; npy has the input indices of the "
+                      "triangles")
       ->type_name("FILE");
-  verb.add_option("--shift", arguments.shift,
-                  "Subtract X,Y,Z, or the middle of their box, from all coordinates of a boundary as .stl or .glb, "
-                  "which are in single precision. The shift is printed, and is in the header of .stl; .glb keeps "
-                  "the place, as its node is moved back")
+  verb.add_option(
+          "--shift", arguments.shift,
+          "Subtract X,Y,Z, or with auto the center of the vertices' box, from all coordinates of a boundary as .stl or "
+          ".glb, which are in single precision. Print the shift, and write it into the header of .stl; the "
+          "node of .glb moves the mesh back to its place")
       ->type_name("X,Y,Z|auto");
   verb.add_option("--voids", arguments.voids,
-                  "Write each void, the largest first: obj, a closed surface in a group of its own; json, with the "
-                  "input indices of its points and triangles, and the names of atoms in a molecule's file; csv. "
-                  "volume_between_points is the volume of its tetrahedra, volume_outside_balls the part at least "
-                  "alpha from every point")
+                  "Write each void, the largest first: " + endings(Use::voids) +
+                      ". obj has a closed surface in a group of its own for each void; json has the input indices of "
+                      "its points and triangles, and the names of atoms in a molecule's file. "
+                      "volume_between_points is the volume of its tetrahedra, volume_outside_balls the part at least "
+                      "alpha from every point")
       ->type_name("FILE");
   add_switch(verb, "--void-radii", arguments.void_radii,
              "Add to --voids, as csv or json, the radii at which each void closes and is filled, and how many "
@@ -206,7 +212,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "Write the pockets, which close only above alpha, as csv or json: volume and radius when they "
                   "close, and the triangle that closes them, their mouth")
       ->type_name("FILE");
-  verb.add_option("--voids-above", arguments.voids_above, "Write only voids and pockets of more volume")
+  verb.add_option("--voids-above", arguments.voids_above, "Write only voids and pockets of a larger volume than V")
       ->type_name("VOLUME");
   verb.add_option("--top", arguments.top, "Write only the K largest voids and pockets")->type_name("K");
   verb.add_option("--complex", arguments.complex,
@@ -219,7 +225,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   add_switch(verb, "--json", arguments.json, "Print counts and sizes as JSON, also of each component and each void");
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa solid atoms.xyz --alpha 3 -o solid.vtu --boundary skin.stl\n"

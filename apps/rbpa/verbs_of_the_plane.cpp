@@ -27,11 +27,11 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("NAME")
       ->capture_default_str();
   verb.add_option("--levels", arguments.levels,
-                  "Write the triangles made on each level of hrbpa and the topology after it, as csv or json; - is "
-                  "CSV on standard output")
+                  "Write the number of triangles made on each level of hrbpa, and the topology after it: " +
+                      endings(Use::levels) + "; - is csv on standard output")
       ->type_name("FILE");
   add_width_option(verb, arguments.width);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
@@ -75,9 +75,9 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
                   "Write a picture, .svg: the counts against alpha, and the persistence")
       ->type_name("OUT");
   verb.add_option("--representatives", arguments.representatives,
-                  "Write where the pairs are: as .geojson, holes as polygons at their birth and before their "
-                  "death; in space as " +
-                      endings(Use::cycles) + ", cycles around tunnels and surfaces around voids")
+                  "Write where the pairs are. In the plane, geojson: each hole as polygons at its birth and before its "
+                  "death. In space, " +
+                      endings(Use::cycles) + ": cycles around tunnels and surfaces around voids")
       ->type_name("FILE");
   verb.add_option("--top", arguments.top,
                   "Write only the K most persistent pairs of each dimension (default 100, unless --min-persistence "
@@ -85,12 +85,12 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       ->type_name("K");
   verb.add_option("--min-persistence", arguments.min_persistence, "Write only pairs with death - birth at least P")
       ->type_name("P");
-  verb.add_option("--levels", arguments.levels,
-                  "Write only pairs alive at one of these radii, with commas between them, as they are at the "
-                  "first and the last of these; hrbpa, hrbpa:K: at the levels of rbpa mesh --method hrbpa "
-                  "[--leaf-capacity K]")
+  verb.add_option(
+          "--levels", arguments.levels,
+          "Write only pairs that are alive at one of these radii, each as it is at the first and at the last of "
+          "them; hrbpa, hrbpa:K: at the radii of the levels of rbpa mesh --method hrbpa [--leaf-capacity K]")
       ->type_name("RADII");
-  add_run_options(verb, arguments.run, "Print no progress");
+  add_run_options(verb, arguments.run, "Print neither progress nor warnings about the input");
   verb.footer(
       "min is the least alpha at which every distinct point is in a triangle; auto the least at which there are also "
       "at most K solid components. A plateau is a range of alpha over which parts and holes hardly change; the best "
@@ -131,7 +131,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
                   "Write the points in no polygon to this file, in the format of its ending: " + endings(Use::isolated))
       ->type_name("FILE");
   add_width_option(verb, arguments.width);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa shape points.xy --alpha plateau -o shape.geojson -o picture.png\n"
@@ -152,9 +152,9 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("info", "Print the number of points and duplicates, their box and their spacing");
-  add_group_options(verb, arguments, "Print this");
+  add_group_options(verb, arguments, "Print a line");
   add_switch(verb, "--json", arguments.json, "Print JSON");
-  add_switch(verb, "-q,--quiet", arguments.quiet, "Accepted as by the other verbs; without effect here");
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor warnings about the input");
   verb.footer(
       "The spacing is the square root of box area / distinct points: a first guess of a good alpha.\n\n"
       "Examples:\n"
@@ -177,7 +177,7 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
       ->capture_default_str();
   add_waters_option(verb, arguments.waters);
   add_auto_options(verb, arguments);
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "The page is one file with everything in it, for any browser, offline: a slider over alpha, counts, the "
       "persistence diagram, and the shape as GeoJSON and SVG. It takes about 110 bytes a point, and is smooth with "

@@ -16,8 +16,8 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       "Make the same triangles and polygons of more points than fit into memory, through tiles on a "
       "disk");
   verb.add_option("POINTS", arguments.inputs,
-                  "Files of points, .gz or not, and folders of such files; for a folder the files that are read, "
-                  "and are not, are printed")
+                  "Files of points, .gz or not, and folders of such files; print which files of a folder are read, and "
+                  "which are left out")
       ->required();
   add_format_options(verb, arguments);
   verb.add_option("--alpha", arguments.radius.alpha,
@@ -25,7 +25,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
                   "a sample shows which to choose)")
       ->type_name("R")
       ->required();
-  add_output_options(verb, arguments, stream_formats);
+  add_output_options(verb, arguments, stream_formats());
   verb.add_option("--memory", arguments.memory, "Limit the memory of the run, such as 500M or 4G")
       ->type_name("SIZE")
       ->capture_default_str();
@@ -42,7 +42,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
   for (const auto& [name, value] :
        {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
     verb.add_option(name, *value)->group("");
-  add_run_options(verb, arguments.run, "Print neither progress nor summary");
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"
       "  rbpa stream lidar/*.las --alpha 2 --memory 1G --scratch /data/scratch -o footprint.geojson\n"

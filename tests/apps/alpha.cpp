@@ -206,7 +206,7 @@ TEST_SUITE("alpha") {
       CHECK(refused.code == 2);
       CHECK(refused.err.find(why) != std::string::npos);
     };
-    refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' behind 2, expected ascending radii");
+    refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' after 2, expected ascending radii");
     refuses("--representatives r.geojson --levels all", "--levels: found 'all', expected a radius");
     refuses("--levels 1", "--levels requires --representatives");
     const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");

@@ -124,7 +124,7 @@ TEST_SUITE("alpha cover") {
     const Folder folder;
     for (const std::string verb : {"mesh", "shape"}) {
       CHECK(folder.rbpa(verb + " p.xy -o s.svg").err ==
-            "rbpa: --alpha is required: a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them (see "
+            "rbpa: --alpha is required: a radius, plateau, auto, min or inf (rbpa alpha POINTS lists the choices) (see "
             "rbpa " +
                 verb + " --help)\n");
       CHECK(folder.rbpa(verb + " p.xy").code == 2);

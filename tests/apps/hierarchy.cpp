@@ -210,7 +210,7 @@ TEST_SUITE("hierarchy") {
     for (const char* method : {"", " --method rbpa"})
       refuses(std::string("mesh p.xy --alpha 1 --levels l.csv") + method, "--levels requires --method hrbpa");
     refuses("mesh p.xy --alpha 1 --method hrbpa --levels l.txt",
-            "--levels: found the ending 'txt', expected csv or json");
+            "--levels: found the ending 'txt', expected one of json, csv");
     refuses("shape p.xy --alpha 1 --leaf-capacity 9 -o s.wkt", "--leaf-capacity requires --method hrbpa");
     refuses("mesh p.xy --alpha 1 --method hrbpa --leaf-capacity 0 -o m.off",
             "--leaf-capacity: found '0', expected a whole number of points from 1");

@@ -299,8 +299,8 @@ TEST_SUITE("bad images") {
     for (const std::string value : {"0", "1.5", "nan", "x"})
       says("info i.pgm --threshold=" + value,
            "--threshold: found '" + value + "', expected a share of white: a number > 0 and <= 1");
-    says("info p.xy --foreground dark", "--foreground: found a format without pixels, expected png or pgm");
-    says("info p.xy --threshold 0.3", "--threshold: found a format without pixels, expected png or pgm");
+    says("info p.xy --foreground dark", "--foreground: found a format without pixels, expected one of png, pgm");
+    says("info p.xy --threshold 0.3", "--threshold: found a format without pixels, expected one of png, pgm");
     says("info i.pgm --columns 1,2", "--columns: found a format with fixed columns, expected text");
   }
 }

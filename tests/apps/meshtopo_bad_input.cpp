@@ -193,7 +193,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "- </dev/null", 3, "standard input: found an empty file, expected a mesh");
     refuses(folder, "m.off --repair -o out.vtu", 2,
             "out.vtu: found the ending 'vtu', expected one of off, ply, obj, stl, or --output-format");
-    refuses(folder, "m.off --repair -o - -q", 2, "-o -: found no --output-format, expected one of off, ply, obj, stl");
+    refuses(folder, "m.off --repair -o - -q", 2, "-o - requires --output-format: one of off, ply, obj, stl");
     refuses(folder, "m.off --repair -o out --output-format vtu", 2,
             "--output-format: found 'vtu', expected one of off, ply, obj, stl");
     refuses(folder, "m.off --generators loops.off", 2,
@@ -220,14 +220,17 @@ TEST_SUITE("meshtopo: wrong usage") {
         folder, "m.off --repair r.off -o s.off", 2,
         "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
     refuses(folder, "m.off --repair - --output-format off", 2,
-            "--repair -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
+            "--repair -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave "
+            "out the report with --quiet)");
     refuses(folder, "m.off --repair m.off", 2, "m.off: found the file of the mesh, expected another file to write to");
     refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
             "a.obj: found twice among the files to write, expected once");
     refuses(folder, "m.off --output-format off", 2, "--output-format requires a mesh to write (--repair OUT)");
-    refuses(folder, "m.off -q -o r.txt", 2, "-o requires a report to write (--quiet leaves only that of --json)");
+    refuses(folder, "m.off -q -o r.txt", 2,
+            "-o of a text report cannot be combined with --quiet, which leaves it out (add --json)");
     refuses(folder, "m.off --repair -o - --output-format off", 2,
-            "-o -: standard output cannot have the report and the mesh (name another file, or add --quiet)");
+            "-o -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave out "
+            "the report with --quiet)");
     refuses(folder, "m.off --repair -o m.off", 2,
             "m.off: found the file of the mesh, expected another file to write to");
     refuses(folder, "m.off --repair -o a.obj --generators ./a.obj", 2,

@@ -241,8 +241,8 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(
         folder.meshtopo("whole.off --orient -o o.off")
             .out.find("  orient: 0 faces reversed, 2 closed components face outward\n"
-                      "  orient: 1 closed component lies within others, 1 of them within an odd number, as the wall of "
-                      "a cavity, facing inward\n") != std::string::npos);
+                      "  orient: 1 closed component lies inside others; 1 of them inside an odd number of others, the "
+                      "wall of a cavity, faces inward\n") != std::string::npos);
   }
 
   TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
@@ -337,7 +337,7 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(folder.content("o.off") == folder.content("m.off"));
     CHECK(folder.meshtopo("m.off --orient -o o.off")
               .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
-                        "  orient: the component of face 3 is not orientable, and stays as it was\n") !=
+                        "  orient: the component of face 3 is not orientable: its faces are left as they were\n") !=
           std::string::npos);
     // The number of the first face is that of the file, also if faces before it are dropped.
     CHECK(changed(folder, "m.off --weld 0 --orient -o o.off")["changes"]["orient"]["not_orientable"] ==
@@ -447,7 +447,7 @@ TEST_SUITE("meshtopo: changes together") {
       const Outcome outcome = folder.meshtopo("m.off " + option);
       CHECK(outcome.code == 2);
       CHECK(outcome.err == "meshtopo: " + option.substr(0, option.find(' ')) +
-                               " requires -o OUT or --repair OUT, a file for the mesh, or --check\n");
+                               " changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check\n");
     }
     folder.file("far.off", "OFF\n3 1 0\n0 0 0\n1e39 0 0\n0 1 0\n3 0 1 2\n");
     CHECK(folder.meshtopo("far.off --orient -o far.stl").err ==

@@ -93,8 +93,10 @@ TEST_SUITE("meshtopo --fill-holes") {
                         "  fill: 1 hole not filled: 1 where any filling crosses the surface\n\nresult\n") !=
           std::string::npos);
     CHECK(folder.meshtopo("m.off --fill-holes 3 -o w.off")
-              .out.find("\nchanges\n  fill: 0 holes filled by 0 triangles of area 0\n  fill: 1 larger hole stays\n"
-                        "  fill: 1 rim of a sheet stays\n\nresult\n") != std::string::npos);
+              .out.find("\nchanges\n  fill: 0 holes filled by 0 triangles of area 0\n  fill: 1 hole left open, larger "
+                        "than --fill-holes says\n"
+                        "  fill: 1 rim of a sheet left open (--fill-holes rims fills them)\n\nresult\n") !=
+          std::string::npos);
     for (const std::string wrong : {"2", "0", "-1", "x", "length=0", "length="})
       CHECK(folder.meshtopo("m.off -o w.off '--fill-holes=" + wrong + "'").err ==
             "meshtopo: --fill-holes: found '" + wrong +

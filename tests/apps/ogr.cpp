@@ -159,7 +159,7 @@ TEST_SUITE("ogr") {
     CHECK(folder.rbpa("info - --format ogr < p.gpkg").code == 2);
     folder.file("p.xy", corner);
     CHECK(folder.rbpa("info p.xy --layer a").err ==
-          "rbpa: --layer: found a format without layers, expected one of GDAL\n");
+          "rbpa: --layer: found a format without layers, expected a file that GDAL reads (--format ogr)\n");
   }
 
   TEST_CASE("triangles have heights and attributes, and a compound system counts by its horizontal part") {

@@ -197,7 +197,7 @@ TEST_SUITE("shape") {
     refuses(folder, "shape p.xy --alpha 1 -o s --output-format ply",
             "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png");
     refuses(folder, "shape p.xy --alpha 1 -o -",
-            "-o -: found no --output-format, expected one of geojson, json, wkt, ewkt, csv, svg, png");
+            "-o - requires --output-format: one of geojson, json, wkt, ewkt, csv, svg, png");
     refuses(folder, "shape p.xy --alpha 1", "found no -o OUT, expected at least one (or --stats)");
     refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
             "--width: found '1', expected a whole number of pixels from 64 to 8192");

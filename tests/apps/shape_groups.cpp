@@ -151,7 +151,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.xy --group-by a --alpha 1 -o s.csv",
             "p.xy: found no header line, expected one with the names that --group-by requires", 3);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
-            "--group-by: found s.wkt, expected geojson, csv, svg or png", 2);
+            "--group-by: found s.wkt, whose format has no groups, expected one of geojson, json, csv, svg, png", 2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
             "--isolated cannot be combined with groups", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",

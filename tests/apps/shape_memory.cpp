@@ -62,7 +62,7 @@ TEST_SUITE("shape") {
       // Without the warning the memory suffices.
       if (!is_said) REQUIRE(outcome.code == 0);
       if (!is_said) continue;
-      CHECK(outcome.err.find(" MB available (rbpa stream makes the same in the memory of its --memory)\n") !=
+      CHECK(outcome.err.find(" MB available (rbpa stream makes the same within the limit of its --memory)\n") !=
             std::string::npos);
       CHECK((outcome.code == 0 || outcome.code == 1));
     }

@@ -178,7 +178,7 @@ TEST_SUITE("solid") {
     const json report = json::parse(outcome.out);
     CHECK(report["balls"]["volume"] == doctest::Approx(7.0685834705770345));
     CHECK(report["balls"]["area"] == doctest::Approx(18.849555921538759));
-    CHECK(outcome.err.find("; balls: volume 7.06858, area 18.8496") != std::string::npos);
+    CHECK(outcome.err.find("; union of balls: volume 7.06858, area 18.8496") != std::string::npos);
     CHECK_FALSE(json::parse(folder.rbpa("solid two.xyz --alpha 1 --json -q").out).contains("balls"));
     refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls requires a finite --alpha");
   }

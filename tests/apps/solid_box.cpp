@@ -230,7 +230,7 @@ TEST_SUITE("solid box") {
       refuses(std::string("--json --box=") + box,
               std::string("--box: found '") + box + "', expected the sides of the box");
     refuses("--json --box 4 --balls", "--balls cannot be combined with --box");
-    refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj', expected json or csv with --box");
+    refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj', expected one of json, csv with --box");
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --json --box 1e-300").code == 3);
   }
 }

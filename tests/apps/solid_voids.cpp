@@ -284,7 +284,7 @@ TEST_SUITE("solid voids") {
       CHECK(outcome.code == 2);
       CHECK(outcome.err.find(message) != std::string::npos);
     };
-    refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected csv or json");
+    refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected one of json, csv");
     refuses("--void-radii", "--void-radii requires --voids FILE.csv or FILE.json");
     refuses("--void-radii --voids v.obj", "--void-radii requires --voids FILE.csv or FILE.json");
     refuses("--top 3", "--top requires --voids or --pockets");

@@ -288,8 +288,8 @@ TEST_SUITE("surface") {
     refuses(folder, "p.xyz --radius 1, -o m.off", 2, "--radius: found ''" + number);
     refuses(folder, "p.xyz --radius inf -o m.off", 2, "--radius: found 'inf'" + number);
     refuses(folder, "p.xyz --radius nan -o m.off", 2, "--radius: found 'nan'" + number);
-    refuses(folder, "p.xyz --radius 2,1 -o m.off", 2, "--radius: found '1' behind 2, expected ascending radii");
-    refuses(folder, "p.xyz --radius 1,1 -o m.off", 2, "--radius: found '1' behind 1, expected ascending radii");
+    refuses(folder, "p.xyz --radius 2,1 -o m.off", 2, "--radius: found '1' after 2, expected ascending radii");
+    refuses(folder, "p.xyz --radius 1,1 -o m.off", 2, "--radius: found '1' after 1, expected ascending radii");
     refuses(folder, "p.xyz --radius 1,2 --normals none -o m.off", 2,
             "--radius: found 2 numbers with --normals none, expected one radius");
     refuses(folder, "p.xyz --radius 1 --normals maybe -o m.off", 2,
@@ -314,8 +314,10 @@ TEST_SUITE("surface") {
   TEST_CASE("bad input is refused without a file") {
     const Folder folder;
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-    refuses(folder, "p.xyz --radius 1 --normals file -o m.off", 3,
-            "p.xyz: found no normals, expected some, or --normals estimate or none");
+    refuses(
+        folder, "p.xyz --radius 1 --normals file -o m.off", 3,
+        "p.xyz: found no normals, expected a normal for each point (--normals estimate computes them, --normals none "
+        "does without)");
     folder.file("far.xyz", "0 0 0\n1e60 0 0\n0 1e60 0\n");
     refuses(folder, "far.xyz --radius 1e60 -o m.stl -q", 3,
             "m.stl: found the coordinate 1e+60, expected one that single precision of STL holds, or another format");

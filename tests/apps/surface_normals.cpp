@@ -114,10 +114,8 @@ TEST_SUITE("surface normals") {
     CHECK(blue.err == "rbpa: --color: found 'blue', expected points or normals\n");
     const Outcome of_file = folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals");
     CHECK(of_file.code == 3);
-    CHECK(
-        of_file.err.find(
-            "found normals, whose confidence is not known, expected none, or --normals estimate for --color normals") !=
-        std::string::npos);
+    CHECK(of_file.err.find("found normals, whose confidence is not known, expected none, as --color normals requires "
+                           "(or --normals estimate)") != std::string::npos);
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply -q --color normals --normals estimate").code == 0);
   }
 

@@ -112,7 +112,7 @@ TEST_SUITE("surface outliers") {
     const Outcome outcome = folder.rbpa("surface p.xyz --radius 1 -o m.ply --drop-outliers auto");
     CHECK(outcome.code == 0);
     CHECK(
-        outcome.err.find("0 outliers left out, more than 4 times as far from the 8th nearest point as the median, 2") !=
+        outcome.err.find("0 outliers left out: more than 4 times as far from the 8th nearest point as the median, 2") !=
         std::string::npos);
     CHECK(folder.content("m.ply") == before);
   }

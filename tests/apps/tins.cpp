@@ -173,7 +173,7 @@ TEST_SUITE("heights of triangles") {
     folder.file("flat.csv", "x,y,z\n20,0,\n21,0,\n20,1,\n");
     const Outcome joined = folder.rbpa("mesh p.csv flat.csv --columns x,y --alpha 2 --group-by-file -o j.obj");
     CHECK(joined.code == 0);
-    CHECK(joined.err.find("3 points have no z, and 0 is written\n") != std::string::npos);
+    CHECK(joined.err.find("3 points have no z: 0 is written in its place\n") != std::string::npos);
     CHECK(vertices(folder, "j.obj").back() == Place{20, 1, 0});
     CHECK(vertices(folder, "j.obj").front() == all.front());
     REQUIRE(folder.rbpa("mesh p.csv --columns x,y --group-by g --alpha 2 -o g.geojson -q").code == 0);
@@ -212,8 +212,9 @@ TEST_SUITE("heights of triangles") {
       for (const Place& p : made) CHECK(p.z == doctest::Approx(1 + 2 * p.x - 3 * p.y));
     }
     folder.file("mixed.geojson", R"({"type":"Polygon","coordinates":[[[0,0,5],[4,0],[4,4,5],[0,4,5],[0,0,5]]]})");
-    CHECK(folder.rbpa("fill mixed.geojson --size inf -o t.obj").err.find("1 point has no z, and 0 is written") !=
-          std::string::npos);
+    CHECK(
+        folder.rbpa("fill mixed.geojson --size inf -o t.obj").err.find("1 point has no z: 0 is written in its place") !=
+        std::string::npos);
     folder.file("flat.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]})");
     REQUIRE(folder.rbpa("fill flat.geojson --size 1 -o t.obj -o t.geojson -q").code == 0);
     for (const Place& p : vertices(folder, "t.obj")) CHECK(p.z == 0);

@@ -101,8 +101,7 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
   require(table || !columns, "--columns", "with fixed columns");
   require(!skip_invalid || format == Format::by_content || has(format, &CloudFormat::skips_invalid), "--skip-invalid",
           "without lines of points");
-  require(table || !vertices || format == Format::geojson || format == Format::wkt, "--vertices",
-          "without lines and polygons");
+  require(!vertices || has_lines(format), "--vertices", "without lines and polygons");
   if (!where) return;
   const std::optional<FieldNames> names = fields_of(format);
   require(names.has_value(), "--where", "without fields beside the points");

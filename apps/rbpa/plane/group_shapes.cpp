@@ -19,10 +19,11 @@ namespace {
 /// Throws WrongUsage for options and formats that apply only to one shape of all points.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
   if (arguments.isolated) throw WrongUsage("--isolated cannot be combined with groups");
+  constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };
   for (const Target& target : targets)
-    if (target.format == Format::wkt || target.format == Format::ewkt)
-      throw WrongUsage("--group-by: found " + output_name(target.path) + ", expected geojson, csv, svg or png" +
-                       (has_gdal() ? ", gpkg, fgb or shp" : ""));
+    if (!has_groups(target.format))
+      throw WrongUsage("--group-by: found " + output_name(target.path) +
+                       ", whose format has no groups, expected one of " + endings(Use::shape, has_groups));
 }
 
 void write_targets(GroupRun& run) {

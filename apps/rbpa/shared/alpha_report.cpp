@@ -143,6 +143,18 @@ const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
                        [&](const FiltrationStep& step) { return step.alpha == alpha; });
 }
 
+/// Returns the least and the largest count on a plateau: "1 part", "0 to 5 holes".
+std::string counts_in(const Filtration& filtration, const Plateau& plateau, std::size_t FiltrationStep::*count,
+                      const char* noun) {
+  std::size_t least = plateau.step.*count, most = least;
+  for (const FiltrationStep& step : filtration.steps) {
+    if (step.alpha < plateau.from || (plateau.to && step.alpha >= *plateau.to)) continue;
+    least = std::min(least, step.*count);
+    most = std::max(most, step.*count);
+  }
+  return (least == most ? "" : std::to_string(least) + " to ") + counted(most, noun);
+}
+
 std::string table_of(const Radii& radii) {
   const Filtration& all = radii.filtration;
   std::string text = row("choice", "alpha", "from", "to", "parts", "holes", "covered", "area");
@@ -169,16 +181,17 @@ std::optional<Recommendation> recommended(const Radii& radii) {
   const std::string from = rounded(best.from, digits), factor = "a factor of " + rounded(best.ratio, digits);
   const std::string up_to = best.to ? " up to " + rounded(*best.to, digits) : " from there on";
   if (!best.is_long && radii.least_connected)
-    return Recommendation{"auto", *radii.least_connected,
-                          "no range of alpha stands out: the longest over which parts and holes hardly change is " +
-                              factor + ", which may be chance for so few points"};
+    return Recommendation{
+        "auto", *radii.least_connected,
+        "no range of alpha stands out: the longest plateau is " + factor + ", which may be chance for so few points"};
   if (best.kind == PlateauKind::one_piece)
     return Recommendation{"plateau", best.alpha,
                           "from " + from + " on one part holds nearly all points that are covered, and it hardly " +
                               "changes" + up_to + ", " + factor};
   return Recommendation{"plateau", best.alpha,
-                        "from " + from + up_to + ", " + factor + ", " + counted(best.step.solid_components, "part") +
-                            " and " + counted(best.step.holes, "hole") + " hardly change"};
+                        "from " + from + up_to + ", " + factor + ", the shape has " +
+                            counts_in(radii.filtration, best, &FiltrationStep::solid_components, "part") + " and " +
+                            counts_in(radii.filtration, best, &FiltrationStep::holes, "hole")};
 }
 
 void require_plot(const std::string& path) {

@@ -27,7 +27,7 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
-    if (!known && path == "-") throw WrongUsage("-o -: found no --output-format, expected one of " + known_formats);
+    if (!known && path == "-") throw WrongUsage("-o - requires --output-format: one of " + known_formats);
     if (!known) refuse_ending(path, known_formats, "--output-format");
     targets.push_back({path, *known});
   }
@@ -77,9 +77,9 @@ std::vector<double> parse_ascending(const std::string& option, const std::string
     const ParsedNumber number = parse_whole_number(part);
     if (number.fault != NumberFault::none || !(number.value > 0))
       throw WrongUsage(option + ": found " + in_quotes(part) +
-                       ", expected a radius: a number above 0, several with commas between them, or " + or_else);
+                       ", expected numbers above 0 with commas between them, or " + or_else);
     if (!radii.empty() && number.value <= radii.back())
-      throw WrongUsage(option + ": found " + in_quotes(part) + " behind " + text_of(radii.back()) +
+      throw WrongUsage(option + ": found " + in_quotes(part) + " after " + text_of(radii.back()) +
                        ", expected ascending radii");
     radii.push_back(number.value);
     begin = end + 1;

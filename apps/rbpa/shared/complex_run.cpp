@@ -28,7 +28,7 @@ void caution_about_memory(const Run& run, double bytes_a_point, std::size_t poin
   if (!there || wanted <= *there) return;
   run.warning(counted(points, "point") + (points == 1 ? " takes about " : " take about ") + bytes_text(wanted) +
               " of memory here, more than the " + bytes_text(*there) +
-              " available (rbpa stream makes the same in the memory of its --memory)");
+              " available (rbpa stream makes the same within the limit of its --memory)");
 }
 
 }  // namespace

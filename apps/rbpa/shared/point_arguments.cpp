@@ -81,12 +81,12 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
                              : Condition(*arguments.where, *names);
   }
   if (arguments.vertices)
-    require_format(text || ogr || format == Format::wkt || format == Format::geojson, "--vertices",
-                   "without lines and polygons", "geojson, wkt, or text with a column of it");
-  if (arguments.layer) require_format(ogr, "--layer", "without layers", "one of GDAL");
-  const bool image = format == Format::png || format == Format::pgm;
-  if (arguments.pixels.foreground) require_format(image, "--foreground", "without pixels", "png or pgm");
-  if (arguments.pixels.threshold) require_format(image, "--threshold", "without pixels", "png or pgm");
+    require_format(has_lines(format), "--vertices", "without lines and polygons",
+                   "one of " + endings(Use::points, has_lines));
+  if (arguments.layer) require_format(ogr, "--layer", "without layers", "a file that GDAL reads (--format ogr)");
+  for (const auto& [given, option] :
+       {std::pair(&arguments.pixels.foreground, "--foreground"), std::pair(&arguments.pixels.threshold, "--threshold")})
+    if (*given) require_format(is_image(format), option, "without pixels", "one of " + endings(Use::points, is_image));
   return source;
 }
 

@@ -269,7 +269,8 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
   else if (arguments.levels == "hrbpa")
     request.leaf_capacity = usual_leaf_capacity;
   else if (arguments.levels)
-    request.levels = parse_ascending("--levels", *arguments.levels, "hrbpa, or hrbpa:K");
+    request.levels = parse_ascending("--levels", *arguments.levels,
+                                     "hrbpa or hrbpa:K, the radii of the levels of rbpa mesh --method hrbpa");
   if (arguments.min_persistence) request.choice.min_persistence = parse_min_persistence(*arguments.min_persistence);
   if (arguments.top)
     request.choice.top = parse_whole("--top", *arguments.top, {.least = 1});

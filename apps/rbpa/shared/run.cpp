@@ -37,7 +37,7 @@ void Run::complete_heights(std::vector<double>& z) const {
   if (without == z.size())
     z.clear();
   else if (without > 0)
-    warning(counted(without, "point") + (without == 1 ? " has" : " have") + " no z, and 0 is written");
+    warning(counted(without, "point") + (without == 1 ? " has" : " have") + " no z: 0 is written in its place");
 }
 
 void Run::summarize(const std::string& text) const {

@@ -31,8 +31,8 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
 
 inline void add_waters_option(CLI::App& verb, bool& waters) {
   add_switch(verb, "--waters", waters,
-             "Take the atoms of water in a molecule's file as well; by default they are left out unless "
-             "--where uses resname");
+             "Read the atoms of water of a molecule too (by default they are left out, unless --where uses "
+             "resname)");
 }
 
 inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
@@ -63,11 +63,11 @@ void add_format_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--shift-longitude", arguments.shift_longitude,
              "Add 360 to longitudes below 0: for points on both sides of the antimeridian");
   verb.add_option("--foreground", arguments.pixels.foreground,
-                  "Take the dark or the light pixels of an image as points (by default those that its border "
-                  "mostly is not)")
+                  "Take the dark or the light pixels of an image as points (by default the dark ones if most pixels "
+                  "of its border are light, and the reverse)")
       ->type_name("NAME");
   verb.add_option("--threshold", arguments.pixels.threshold,
-                  "Count pixels as light from this share of white on (default 0.5)")
+                  "Count a pixel as light if it has at least this share of white (default 0.5)")
       ->type_name("T");
   add_stats_option(verb, arguments.stats);
 }
@@ -88,10 +88,11 @@ void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& 
         if (arguments.points.empty()) arguments.points = file;
       });
   add_format_options(verb, arguments);
-  verb.add_option("--group-by", arguments.group_by,
-                  what +
-                      " for each group of points: those with the same text in a column of a table, number in a field "
-                      "of LAS, PLY or PCD, or property of a Feature of GeoJSON")
+  verb.add_option(
+          "--group-by", arguments.group_by,
+          what +
+              " for each group of points: those with the same value in a column of text, in a field of LAS, PLY "
+              "or PCD, or in a property of GeoJSON")
       ->type_name("COLUMN");
   add_switch(verb, "--group-by-file", arguments.group_by_file, what + " for each file of points");
 }
@@ -118,7 +119,7 @@ inline void add_cover_option(CLI::App& verb, std::optional<std::string>& cover) 
 /// Adds the options about `auto` and `min` for verbs without --alpha.
 template <typename Arguments>
 void add_auto_options(CLI::App& verb, Arguments& arguments) {
-  verb.add_option("--components", arguments.components, "Allow `auto` at most K solid components")
+  verb.add_option("--components", arguments.components, "Let auto have at most K solid components")
       ->type_name("K")
       ->capture_default_str();
   add_cover_option(verb, arguments.cover);
@@ -128,23 +129,24 @@ template <typename Arguments>
 void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
   verb.add_option("--alpha", radius.alpha,
-                  "Set the largest circumradius (required): a radius in units of the points, or inf; plateau: one "
+                  "Set the largest circumradius (required): a radius in units of the points, or inf; plateau: a radius "
                   "around which the shape hardly changes; plateau:K: the K-th best of these; min: the least that "
-                  "covers every point; auto: the least that does so in at most K solid components (rbpa alpha "
-                  "shows them all)")
+                  "covers every point; auto: the least that does so in at most --components solid components (rbpa "
+                  "alpha lists them all)")
       ->type_name("R|plateau[:K]|auto|min|inf");
   verb.add_option("--alpha-squared", radius.squared, "Set the square of the radius instead of --alpha, as in CGAL")
       ->type_name("A");
   verb.add_option("--alpha-inverse", radius.inverse,
                   "Set one over the radius instead of --alpha, as in Python's alphashape; 0 for inf")
       ->type_name("A");
-  verb.add_option("--components", radius.components, "Allow `auto` at most K solid components (default 1)")
+  verb.add_option("--components", radius.components, "Let auto have at most K solid components (default 1)")
       ->type_name("K");
   add_cover_option(verb, radius.cover);
   verb.callback([&radius] {
     const int given = radius.alpha.has_value() + radius.squared.has_value() + radius.inverse.has_value();
     const auto refuse = [](const char* why) { throw CLI::RequiredError(why, CLI::ExitCodes::RequiredError); };
-    if (given == 0) refuse("--alpha is required: a radius, plateau, auto, min or inf; rbpa alpha POINTS shows them");
+    if (given == 0)
+      refuse("--alpha is required: a radius, plateau, auto, min or inf (rbpa alpha POINTS lists the choices)");
     if (given > 1) refuse("--alpha, --alpha-squared and --alpha-inverse cannot be combined");
   });
 }

@@ -75,7 +75,7 @@ void run_report(const ReportArguments& arguments);
 struct InfoArguments : PointArguments, GroupArguments {
   std::optional<std::string> stats;
   bool json = false;
-  bool quiet = false;  ///< accepted for consistency; has no effect
+  bool quiet = false;
 };
 void run_info(const InfoArguments& arguments);
 

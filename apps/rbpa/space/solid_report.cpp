@@ -53,7 +53,8 @@ std::string text_of_solid(const SolidFacts& facts) {
          (facts.full ? "; full complex: " + counted(facts.full->components, "component") + ", " +
                            counted(facts.full->tunnels, "tunnel") + ", " + counted(facts.full->voids, "void")
                      : "") +
-         (facts.balls ? "; balls: volume " + rounded(facts.balls->volume, 6) + ", area " + rounded(facts.balls->area, 6)
+         (facts.balls ? "; union of balls: volume " + rounded(facts.balls->volume, 6) + ", area " +
+                            rounded(facts.balls->area, 6)
                       : "");
 }
 

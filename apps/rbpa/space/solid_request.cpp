@@ -45,6 +45,8 @@ Point3 parse_box(const std::string& text) {
   return {sides[0], sides[1], sides[2]};
 }
 
+bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
+
 /// Throws WrongUsage for options that do not apply to a periodic box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
@@ -54,9 +56,9 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
        {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
         std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
     if (is_given) throw WrongUsage(std::string(option) + " cannot be combined with --box");
-  if (request.voids && request.voids->format != Format::json && request.voids->format != Format::csv)
-    throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) +
-                     ", expected json or csv with --box, as periodic voids may be unbounded");
+  if (request.voids && !is_table_of_voids(request.voids->format))
+    throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) + ", expected one of " +
+                     endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
 }
 
 /// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
@@ -67,17 +69,16 @@ ComplexKind parse_walls(const SolidArguments& arguments) {
   return is_full ? ComplexKind::full : ComplexKind::solid;
 }
 
-bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
-
 void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& request) {
   if (arguments.pockets) {
     request.pockets = {*arguments.pockets, find_format(Use::voids, ending(*arguments.pockets)).value_or(Format::obj)};
     if (!is_table_of_voids(request.pockets->format))
-      throw WrongUsage("--pockets: found the ending " + in_quotes(ending(*arguments.pockets)) +
-                       ", expected csv or json");
+      throw WrongUsage("--pockets: found the ending " + in_quotes(ending(*arguments.pockets)) + ", expected one of " +
+                       endings(Use::voids, is_table_of_voids));
   }
   if (arguments.void_radii && (!request.voids || !is_table_of_voids(request.voids->format)))
-    throw WrongUsage("--void-radii requires --voids FILE.csv or FILE.json");
+    throw WrongUsage("--void-radii requires --voids FILE with one of the endings " +
+                     endings(Use::voids, is_table_of_voids));
   if (!request.voids && !request.pockets)
     for (const auto& [given, option] :
          {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})

@@ -62,8 +62,8 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
       edges += curve.edges.size();
       if (facts.has_repairs && facts.repairs[curves[i]]) repairs.push_back(*facts.repairs[curves[i]]);
     }
-    std::string line = which + " of length " + rounded(length, 6) + ", " + counted(edges, "edge") + ": " +
-                       list_of_causes(causes, rim_texts);
+    std::string line = which + (last - first == 1 ? " of length " : " of total length ") + rounded(length, 6) + ": " +
+                       counted(edges, "edge") + ", " + list_of_causes(causes, rim_texts);
     if (repairs.size() == 1)
       line += "; " + repair_text(repairs.front(), facts.radii);
     else if (!repairs.empty())
@@ -72,7 +72,7 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
   };
   for (std::size_t i = 0; i < named; ++i) add(i, i + 1, kind_names[static_cast<std::size_t>(facts.kinds[curves[i]])]);
   if (others > named)
-    add(0, others, "in all " + counted(counts[0], kind_names[0]) + " and " + counted(counts[1], kind_names[1]));
+    add(0, others, "all " + counted(counts[0], kind_names[0]) + " and " + counted(counts[1], kind_names[1]));
   if (islands > 0)
     add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }
@@ -171,14 +171,15 @@ std::string genus_text(const SurfaceFacts& facts) {
   const DroppedComponents& dropped = facts.dropped;
   if (dropped.components == 0) return text;
   if (dropped.genus > 0) text += " (" + std::to_string(dropped.of_genus) + " before)";
-  return text + ", without " + counted(dropped.components, "component") + " dropped (" +
-         percent(dropped.triangle_share()) + " of the triangles, " + percent(dropped.area_share()) + " of the area)";
+  return text + ", after " + counted(dropped.components, "component") + (dropped.components == 1 ? " was" : " were") +
+         " dropped (" + percent(dropped.triangle_share()) + " of the triangles, " + percent(dropped.area_share()) +
+         " of the area)";
 }
 
 std::vector<std::string> explanations(const SurfaceFacts& facts) {
   std::vector<std::string> lines;
   if (facts.outlier_factor)
-    lines.push_back(counted(facts.outliers.points.size(), "outlier") + " left out, more than " +
+    lines.push_back(counted(facts.outliers.points.size(), "outlier") + " left out: more than " +
                     text_of(*facts.outlier_factor) + " times as far from the 8th nearest point as the median, " +
                     rounded(facts.outliers.distance, 6));
   constexpr double worth_a_word = 0.05;

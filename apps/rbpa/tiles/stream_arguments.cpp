@@ -77,6 +77,13 @@ FolderContent content_of(const std::string& folder) {
 
 }  // namespace
 
+std::string stream_formats(bool with_meshes) {
+  std::string list =
+      endings(Use::shape, [](Format format) { return format == Format::geojson || format == Format::wkt; }) + ", " +
+      endings(Use::triangles, [](Format format) { return format == Format::npy; });
+  return with_meshes ? list + ", or ply where the name has a '*'" : list;
+}
+
 std::vector<std::string> files_in(const std::string& folder, const PointArguments& arguments, bool quiet) {
   FolderContent content = content_of(folder);
   std::sort(content.clouds.begin(), content.clouds.end());
@@ -131,9 +138,9 @@ StreamTarget parse_stream_target(const std::string& path, const std::optional<st
   if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
   std::optional<StreamFormat> format = path == "-" ? std::nullopt : stream_format(ending(path));
   if (!format && otherwise) format = stream_format(*otherwise);
-  if (!format && otherwise) refuse_name("--output-format", *otherwise, stream_formats);
-  if (!format && path == "-") throw WrongUsage("-o -: found no --output-format, expected geojson, wkt or npy");
-  if (!format) refuse_ending(path, stream_formats, "--output-format");
+  if (!format && otherwise) refuse_name("--output-format", *otherwise, stream_formats());
+  if (!format && path == "-") throw WrongUsage("-o - requires --output-format: one of " + stream_formats(false));
+  if (!format) refuse_ending(path, stream_formats(), "--output-format");
   if (*format == StreamFormat::ply) {
     const std::size_t star = path.rfind('*');
     if (star == std::string::npos || path.find('/', star) != std::string::npos)

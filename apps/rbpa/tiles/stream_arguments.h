@@ -12,7 +12,8 @@
 
 namespace rbpa::app {
 
-constexpr std::string_view stream_formats = "geojson, json, wkt, npy, or ply where the name has a '*'";
+/// Returns the endings of files to write for help and messages: of those of one file, and of meshes of tiles.
+std::string stream_formats(bool with_meshes = true);
 
 /// Parses a number of bytes; a suffix K, M, G or T multiplies it by a power of 1024.
 std::uint64_t parse_memory(const std::string& text);
