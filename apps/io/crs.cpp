@@ -251,16 +251,17 @@ std::optional<double> unit_of_wkt(std::string_view text) {
 
 Crs parse_crs(const std::string& text) {
   const std::optional<Crs> crs = system_of_name(text);
-  if (!crs) throw WrongUsage("--crs: found " + in_quotes(text) + ", expected an authority and a code: EPSG:28992");
+  if (!crs)
+    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected an authority and a code, such as EPSG:28992");
   if (is_vertical(*crs))
     throw WrongUsage("--crs: found " + in_quotes(text) +
-                     ", a system of heights, expected one of the plane: EPSG:28992");
+                     ", a system of heights, expected a horizontal one, such as EPSG:28992");
   // EPSG assigns the codes of systems from this range. Only its tables know which of them are assigned.
   constexpr int least = 1024, greatest = 32767;
   if (crs->authority == "EPSG" &&
       (crs->code.size() > 5 || std::stoi(crs->code) < least || std::stoi(crs->code) > greatest))
-    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected a code of EPSG, from " + std::to_string(least) +
-                     " to " + std::to_string(greatest));
+    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected a code as EPSG assigns them, from " +
+                     std::to_string(least) + " to " + std::to_string(greatest));
   return *crs;
 }
 

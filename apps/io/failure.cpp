@@ -1,14 +1,21 @@
 #include "io/failure.h"
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <utility>
 
 namespace rbpa::app {
 
 void bad_input(const std::string& where, const std::string& found, const std::string& expected) {
   throw BadInput(where + ": found " + found + ", expected " + expected);
+}
+
+void refuse_to_open(const std::string& name, const std::string& expected) {
+  if (errno == ENOENT) bad_input(name, "no such file", expected);
+  throw BadInput(name + ": cannot open: " + std::strerror(errno));
 }
 
 std::string at_line(std::string_view file, std::size_t line) { return std::string(file) + ":" + std::to_string(line); }

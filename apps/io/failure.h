@@ -36,6 +36,10 @@ class ClosedPipe : public std::runtime_error {
 /// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
 
+/// Throws BadInput after a call has failed to open a file: there is none, or "NAME: cannot open: " with the reason in
+/// errno.
+[[noreturn]] void refuse_to_open(const std::string& name, const std::string& expected);
+
 /// Returns "FILE:LINE", as compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 

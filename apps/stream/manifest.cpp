@@ -3,9 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -139,10 +137,9 @@ RunKey run_key_of(const StreamRequest& request) {
                  .keep_tiles = request.keep_tiles};
   for (const PointSource& source : request.sources) {
     struct stat status {};
-    if (stat(source.path.c_str(), &status) != 0)
-      bad_input(source.path, errno == ENOENT ? "no such file" : std::strerror(errno), "a file of points");
+    if (stat(source.path.c_str(), &status) != 0) refuse_to_open(source.path, "a file of points");
     if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // a folder is refused where it is read
-      bad_input(source.path, "a pipe, a socket or a device", "a file, which can be read twice");
+      bad_input(source.path, "a pipe, a socket or a device", "a regular file, as it is read twice");
     constexpr std::int64_t second = 1'000'000'000;
     run_key.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),
                               status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec});

@@ -211,7 +211,7 @@ TEST_SUITE("fill") {
     const std::string vertices = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n", ring = "3 0\n0 0 1\n1 1 2\n2 2 0\n";
     poly("0 2 0 0\n",
          ":1: found 0 vertices, which means that they are in a .node file, expected the vertices in this file");
-    poly("3 3 0 0\n0 0 0 0\n", ":1: found another dimension, expected 2");
+    poly("3 3 0 0\n0 0 0 0\n", ":1: found dimension 3, expected 2");
     poly("3 2 0 0\n0 0 0\n1 1\n", ":3: found the end of the line, expected y of a vertex");
     poly("3 2 0 0\n0 0 0\n2 1 0\n", ":3: found vertex 2, expected vertex 1");
     poly("3 2 0 0\n0 0 nan\n", ":2: found 'nan', expected y of a vertex: a finite number");

@@ -120,7 +120,7 @@ TEST_SUITE("first lines") {
     CHECK(space("v 0 0 1.0D+0\nv 1 0 2\nv 0 1 3\n", {}, Format::obj).points == places);
     CHECK(plane("MULTIPOINT (1.0D0 " + minus + "2, 3 4)", {.format = Format::wkt}).points == Points{{1, -2}, {3, 4}});
     CHECK(refusal([] { plane("POINT (1.0X0 2)", {.format = Format::wkt}); }) ==
-          "t.txt:1: found 'X0 2)', expected a blank, ',' or ')' behind a number");
+          "t.txt:1: found 'X0 2)', expected a blank, ',' or ')' after a number");
   }
 
   TEST_CASE("a header of --size-at has nothing that is nearly a number") {
@@ -219,7 +219,7 @@ TEST_SUITE("first lines") {
                              : table.header.starts_with("sep")                             ? "t.txt:2"
                                                                                            : "t.txt:3";
       const std::string expected =
-          at + ": found '" + table.found + "' and no line behind it, expected lines of points behind a header";
+          at + ": found '" + table.found + "' and no line after it, expected lines of points after a header";
       CHECK(refusal([&] { plane(table.header + "\n", {.format = table.format}); }) == expected);
       CHECK(refusal([&] { plane(table.header, {.format = table.format}); }) == expected);
       CHECK(refusal([&] { space(table.header + "\n", {}, table.format); }) == expected);
@@ -227,8 +227,8 @@ TEST_SUITE("first lines") {
     }
     CHECK(plane("x y z intensity\n0\n", {.format = Format::pts}).points.empty());
     CHECK(refusal([&] { plane(line + "\n"); }) ==
-          "t.txt:1: found '" + line + "' and no line behind it, expected lines of points behind a header");
-    CHECK(refusal([&] { plane("geometry\n"); }).starts_with("t.txt:1: found 'geometry' and no line behind it"));
+          "t.txt:1: found '" + line + "' and no line after it, expected lines of points after a header");
+    CHECK(refusal([&] { plane("geometry\n"); }).starts_with("t.txt:1: found 'geometry' and no line after it"));
     CHECK(plane("# x y\n").points.empty());
     const Folder folder;
     folder.file("j.xy", line + "\n");
@@ -273,13 +273,13 @@ TEST_SUITE("first lines") {
     CHECK(refusal([] { space("3\n\nC 0 0 1\nC 1 0 2\n"); }) ==
           "t.txt: found 2 lines of points, expected 3 as line 1 says (--skip-invalid reads what is there)");
     CHECK(refusal([] { space("1\n\nC 0 0 1\nC 1 0 2\n"); }) ==
-          "t.txt:4: found 'C 1 0 2', expected nothing behind the atoms, or more of them: 1 as line 1 says "
-          "(--skip-invalid reads what is there)");
+          "t.txt:4: found 'C 1 0 2' after the last atom, expected the end of the file or the next frame, as line 1 "
+          "counts 1 atom (--skip-invalid leaves out the rest)");
     const SpacePoints frames = space("1\nfirst\nC 0 0 1\n1\nsecond\nC 1 0 2\n");
     CHECK(frames.points == Places{{0, 0, 1}});
     CHECK(frames.warnings ==
           std::vector<std::string>{
-              "the atoms are the 1 as line 1 says, of the first frame; what follows them is left out"});
+              "the atoms are the 1 that line 1 counts, of the first frame; what follows them is left out"});
     // A count before x, y, z and an intensity is no number of atoms.
     CHECK(plane("2\n10.5 0 1 5\n1 0 2 5\n", {}, "m.xyz").points == Points{{10.5, 0}, {1, 0}});
     // Without a sign that these are atoms, numbers of elements are no coordinates.

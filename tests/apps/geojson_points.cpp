@@ -58,7 +58,7 @@ TEST_SUITE("GeoJSON in") {
     folder.file("p.xy", apps_test::corner);
     for (const std::string code : {"99999999", "0", "1023", "32768", "99999999999999999999"})
       CHECK(folder.rbpa("info p.xy --crs EPSG:" + code).err ==
-            "rbpa: --crs: found 'EPSG:" + code + "', expected a code of EPSG, from 1024 to 32767\n");
+            "rbpa: --crs: found 'EPSG:" + code + "', expected a code as EPSG assigns them, from 1024 to 32767\n");
     CHECK(folder.rbpa("info p.xy --crs EPSG:1024").code == 0);
     CHECK(folder.rbpa("info p.xy --crs EPSG:32767").code == 0);
     CHECK(folder.rbpa("info p.xy --crs ESRI:102100").code == 0);
@@ -180,18 +180,19 @@ TEST_SUITE("GeoJSON in") {
           at_1 + "coordinates in a Feature, expected a geometry that has them");
     CHECK(refusal(R"({"type":"Point","coordinates":[1,2],"coordinates":[1,2]})") ==
           at_1 + "coordinates twice in an object, expected once");
-    const std::string positions = ", expected coordinates: positions of two numbers or more, in lists";
-    CHECK(refusal(geometry("Point", "[1]")) == at_1 + "one number" + positions);
-    CHECK(refusal(geometry("Point", "1")) == at_1 + "a number" + positions);
-    CHECK(refusal(geometry("MultiPoint", "[1,[2,3]]")) == at_1 + "a list among numbers" + positions);
-    CHECK(refusal(geometry("MultiPoint", "[[1,2],[[2,3]]]")) == at_1 + "positions in different brackets" + positions);
-    CHECK(refusal(geometry("MultiPoint", "[[[[[1,2]]]]]")) == at_1 + "five nested brackets" + positions);
+    const std::string positions = ", expected positions of two numbers or more, such as [1, 2], and lists of them";
+    CHECK(refusal(geometry("Point", "[1]")) == at_1 + "a position of one number" + positions);
+    CHECK(refusal(geometry("Point", "1")) == at_1 + "a number in place of a list" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[1,[2,3]]")) == at_1 + "a list in a position" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[[1,2],[[2,3]]]")) ==
+          at_1 + "positions nested at different depths" + positions);
+    CHECK(refusal(geometry("MultiPoint", "[[[[[1,2]]]]]")) == at_1 + "lists nested five deep" + positions);
     CHECK(refusal(geometry("Point", "[\"1\",2]")) == at_1 + "'1', expected a list of coordinates");
     CHECK(refusal(geometry("Point", "{}")) == at_1 + "an object, expected a list of coordinates");
     CHECK(refusal(geometry("Point", "[[1,2]]")) ==
-          at_1 + "coordinates of another depth, expected depth 1, as in a Point");
+          at_1 + "coordinates nested 2 lists deep, expected 1, as those of a Point");
     CHECK(refusal(geometry("Polygon", "[[1,2]]")) ==
-          at_1 + "coordinates of another depth, expected depth 3, as in a Polygon");
+          at_1 + "coordinates nested 2 lists deep, expected 3, as those of a Polygon");
     // Endless brackets take no memory.
     CHECK(refusal(R"({"a":)" + std::string(1000000, '[')) == at_1 + "the end of the file, expected JSON");
   }

@@ -40,8 +40,8 @@ void check_memory(const Folder& folder, const std::string& command, const std::s
   const Outcome outcome = limited(folder, command, limit);
   CHECK(outcome.code == 3);
   CHECK(outcome.err.find(name + ": found more than ") != std::string::npos);
-  CHECK(outcome.err.find(" MB decompressed, expected at most a fifth of the ") != std::string::npos);
-  CHECK(outcome.err.ends_with(" MB of available memory, as reading takes several times as much" + way_out + "\n"));
+  CHECK(outcome.err.find(" MB of decompressed data, expected at most a fifth of the ") != std::string::npos);
+  CHECK(outcome.err.ends_with(" MB of available memory, as reading needs five times the size" + way_out + "\n"));
 }
 
 const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)";

@@ -261,7 +261,7 @@ TEST_SUITE("las") {
           name + "a header size of 100, expected from 227 to the size of the file, 465");
     CHECK(refusal(with(94, little(466, 2))).find("a header size of 466") != std::string::npos);
     CHECK(refusal(with(96, little(374, 4))) ==
-          name + "an offset to point data of 374, expected one behind the header, from 375 to 465");
+          name + "an offset to point data of 374, expected one after the header, from 375 to 465");
     CHECK(refusal(with(96, little(466, 4))).find("an offset to point data of 466") != std::string::npos);
     CHECK(refusal(with(104, little(6 | 0x80, 1))) == name +
                                                          "LAZ, which is compressed, expected LAS (pdal translate FILE "
@@ -303,7 +303,7 @@ TEST_SUITE("las") {
       CAPTURE(name);
       if (name.ends_with(".gz")) REQUIRE(folder.run("/bin/gzip", "-kf " + name.substr(0, name.size() - 3)).code == 0);
       const bool low = name.starts_with("low");
-      const std::string warning = low ? "13 whole records behind the 7 points in the header are left out"
+      const std::string warning = low ? "13 whole records after the 7 points in the header are left out"
                                       : "9 of the 20 points in the header are left out: the file ends before them";
       for (const std::string& verb : std::vector<std::string>{
                "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
@@ -353,7 +353,7 @@ TEST_SUITE("las") {
             const Outcome taken = folder.rbpa(verb + " --skip-invalid");
             CHECK(taken.code == 0);
             CHECK(taken.err.find("the header counts no points, and all " + points +
-                                 " whole records behind it are read") != std::string::npos);
+                                 " whole records after it are read") != std::string::npos);
             CHECK(taken.err.find("rbpa: " + points + " points") != std::string::npos);
           }
         }
@@ -404,7 +404,7 @@ TEST_SUITE("las") {
         refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
     CHECK(refused_condition("category == 2").starts_with("--where: found 'category', expected a number or a field"));
     CHECK(refused_condition("red == ").starts_with("--where: found the end, expected a number or"));
-    CHECK(refused_condition("red == 2 blue == 3") == "--where: found 'blue', expected and, or, or the end");
+    CHECK(refused_condition("red == 2 blue == 3") == "--where: found 'blue', expected 'and', 'or' or the end");
     CHECK(refused_condition("(red == 2") == "--where: found the end, expected ')'");
     CHECK(refused_condition("red in 2") == "--where: found '2', expected '('");
     CHECK(refused_condition("red in (2 3)") == "--where: found '3', expected ',' or ')'");

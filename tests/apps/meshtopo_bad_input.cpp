@@ -73,10 +73,11 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.off", head + "4 0 1 2\n", "m.off:6: found 3 corners ('4 0 1 2'), expected 4 as the line says");
     refuses_mesh("m.off", head + "three 0 1 2\n", "m.off:6: found 'three', expected the number of corners of a face");
     refuses_mesh("m.off", head + "3 0 1 2\n\n3 2 1 0\n",
-                 "m.off:8: found '3 2 1 0', expected nothing behind the 1 face line as line 2 says");
+                 "m.off:8: found '3 2 1 0', expected the end of the file after 1 face line as line 2 says");
     refuses_mesh("m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
-                 "m.off:5: found '255 255 255' and 0 lines behind a face line, expected 1 line, one for each element "
-                 "in the header, or no other words than theirs");
+                 "m.off:5: found '255 255 255' in a face line, and 0 lines after it, expected 1 line after it, one for "
+                 "each element "
+                 "in the header, or in the line words of these elements only");
     refuses_mesh("m.off", "OFF\n3 0 0\n0 0 0\n0 0 0 # long enough\n",
                  "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
   }
@@ -95,7 +96,8 @@ TEST_SUITE("meshtopo: bad input") {
     std::string stl(84, '\0');
     stl.replace(80, 4, "\xff\xff\xff\xff");
     refuses_mesh("m.stl", stl,
-                 "m.stl: found 84 bytes, expected 214748364834 for the 4294967295 facets that byte 80 announces");
+                 "m.stl: found 84 bytes, expected 214748364834 for the 4294967295 facets that the header counts in "
+                 "bytes 80 to 83");
   }
 
   TEST_CASE("errors in ASCII PLY are refused by line") {
@@ -141,11 +143,13 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.obj:4: found '-4', expected a vertex number from 1, or from -1 to -3");
     refuses_mesh("m.obj", head + "f 1 \\\n2 x/1\n",
                  "m.obj:4: found 'x/1', expected a vertex number from 1, or from -1 to -3");
-    refuses_mesh("m.obj", head + "f\n", "m.obj:4: found a face without corners, expected vertex numbers behind 'f'");
+    refuses_mesh("m.obj", head + "f\n", "m.obj:4: found a face without corners, expected vertex numbers after 'f'");
   }
 
   TEST_CASE("errors in STL are refused by line or facet") {
-    refuses_mesh("m.stl", "not a mesh", "m.stl: found 10 bytes, expected 'solid' or the 84 bytes before binary facets");
+    refuses_mesh(
+        "m.stl", "not a mesh",
+        "m.stl: found 10 bytes, expected text that begins with 'solid', or at least the 84 bytes of a binary header");
     const std::string text = stl_text(pyramid_triangles), bytes = stl_binary(pyramid_triangles);
     refuses_mesh("m.stl", text.substr(0, text.find("endsolid")),
                  "m.stl: found the end of the file, expected facet or endsolid");
@@ -156,7 +160,7 @@ TEST_SUITE("meshtopo: bad input") {
     refuses_mesh("m.stl", "solid\nmesh\n", "m.stl:2: found 'mesh', expected facet or endsolid");
     refuses_mesh("m.stl", "solid\nendsolid\nmore\n", "m.stl:3: found 'more', expected solid");
     refuses_mesh("m.stl", bytes.substr(0, bytes.size() - 1),
-                 "m.stl: found 383 bytes, expected 384 for the 6 facets that byte 80 announces");
+                 "m.stl: found 383 bytes, expected 384 for the 6 facets that the header counts in bytes 80 to 83");
     std::string broken = bytes;
     broken.replace(84 + 50 * 2 + 12 + 4, 4, float_bytes(std::numeric_limits<float>::infinity()));
     refuses_mesh("m.stl", broken, "m.stl: facet 2: found 'inf', expected a finite number");

@@ -97,9 +97,9 @@ TEST_SUITE("molecules") {
     CHECK(count("altloc in ('', 'A')") == 3);
     CHECK(count("element == 'X' and name < 3") ==
           0);  // a field that is no number is not read if the first condition decides
-    CHECK_THROWS_WITH(
-        read(pdb, Format::pdb, "element == 'N' and name < 3 or name < 3"),
-        "m:3: found 'N' as name, expected a number in a column that --where uses (== \"...\" compares a text)");
+    CHECK_THROWS_WITH(read(pdb, Format::pdb, "element == 'N' and name < 3 or name < 3"),
+                      "m:3: found 'N' as name, expected a number, as --where compares the column with numbers (== "
+                      "\"...\" compares it with a text)");
     CHECK(count("ELEMENT != 'X' or name < 3") == 4);
   }
 
@@ -143,7 +143,7 @@ TEST_SUITE("molecules") {
     CHECK(refusal("data_x\nloop_\n_atom_site.id\n'1\n", Format::cif) ==
           "m:4: found ''1', expected a value whose quotes end in its line");
     CHECK(refusal("data_x\n_struct.title\n;1\n", Format::cif) ==
-          "m:3: found a text of lines without an end, expected a line that begins with ';' behind it");
+          "m:3: found a text of lines that does not end, expected a later line that begins with ';'");
     CHECK(refusal(cif + cif.substr(cif.find("loop_\n_atom_site.")), Format::cif) ==
           "m:40: found a second loop of _atom_site in a block of data, expected one");
     std::string without = cif;

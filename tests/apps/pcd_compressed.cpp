@@ -152,10 +152,10 @@ TEST_SUITE("compressed pcd") {
       CHECK(message.find("expected ") != std::string::npos);
       if (size >= header && size < header + 8)
         CHECK(message == "p: found " + counted(size - header, "byte") +
-                             " of data, expected 8, the sizes of compressed data, and these");
+                             " of data, expected at least 8, the compressed and the decompressed size");
       if (size >= header + 8)
         CHECK(message == "p: found " + counted(size - header - 8, "byte") + " of compressed data, expected " +
-                             std::to_string(whole.size() - header - 8) + " as the number behind line 9 says");
+                             std::to_string(whole.size() - header - 8) + " as the compressed size after line 9 says");
     }
   }
 
@@ -177,16 +177,16 @@ TEST_SUITE("compressed pcd") {
   TEST_CASE("damaged data, and sizes that do not match the points, are refused") {
     const std::string zeros = lzf_repeated('\0', 36);
     CHECK(refusal(three(with_sizes(zeros, 35))) ==
-          "p: found 35 bytes as the decompressed size, expected 3 points as line 4 says, of 12 bytes each");
+          "p: found a decompressed size of 35 bytes, expected 3 points as line 4 says, with 12 bytes each");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
-          "p: behind line 5: found 35 bytes decompressed, expected 36");
+          "p: after line 5: found 35 bytes decompressed, expected 36");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 37), 36))) ==
-          "p: behind line 5: found damaged compressed data, expected data for 36 bytes");
+          "p: after line 5: found damaged compressed data, expected data for 36 bytes");
     CHECK(refusal(three(with_sizes(lzf_copy(36, 1), 36))) ==
-          "p: behind line 5: found damaged compressed data, expected data for 36 bytes");  // of nothing before it
-    CHECK(refusal(three(with_sizes(zeros.substr(0, zeros.size() - 1), 36))).starts_with("p: behind line 5: found "));
+          "p: after line 5: found damaged compressed data, expected data for 36 bytes");  // of nothing before it
+    CHECK(refusal(three(with_sizes(zeros.substr(0, zeros.size() - 1), 36))).starts_with("p: after line 5: found "));
     CHECK(refusal(three(with_sizes("", 36))) ==
-          "p: behind line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes decompressed");
+          "p: after line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes decompressed");
     CHECK(refusal(three(with_sizes(lzf_repeated('\xff', 36), 36))) ==
           "p: point 0: found '-nan', expected a finite number");
     CHECK(refusal("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA binary_squeezed\n") ==
@@ -199,11 +199,11 @@ TEST_SUITE("compressed pcd") {
                                              "WIDTH 1073741824\nHEIGHT 1073741824"};
     for (const std::string& points : counts) {
       const std::string message = refusal(three(with_sizes("xxxx", 0xffffffffU), points));
-      CHECK(message.starts_with("p: found 4294967295 bytes as the decompressed size, expected "));
+      CHECK(message.starts_with("p: found a decompressed size of 4294967295 bytes, expected "));
     }
     // The largest number of points that the sizes allow, with 4 bytes of data.
     CHECK(refusal(three(with_sizes("xxxx", 12 * std::size_t{357913941}), "POINTS 357913941")) ==
-          "p: behind line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes "
+          "p: after line 5: found 4 bytes of compressed data, expected 48806447 or more for 4294967292 bytes "
           "decompressed");
   }
 }

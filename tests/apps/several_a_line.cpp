@@ -130,8 +130,9 @@ TEST_SUITE("several elements a line") {
       CHECK(refusal(folder, name).find(name + ":") != std::string::npos);
     }
     CHECK(refusal(folder, "a.off") ==
-          "rbpa: a.off:3: found '255 0 0' and 4 lines behind a vertex line, expected 7 lines, one for each element in "
-          "the header, or no other words than theirs\n");
+          "rbpa: a.off:3: found '255 0 0' in a vertex line, and 4 lines after it, expected 7 lines after it, one for "
+          "each element in "
+          "the header, or in the line words of these elements only\n");
     folder.file("v.obj", "v 0 0 0 v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
     folder.file("w.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 f 3 2 1\n");
     folder.file("x.obj", "v 0 0 0 1 0 0 0 1 0 0 0 1\n");

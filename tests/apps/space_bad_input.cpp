@@ -215,9 +215,9 @@ TEST_SUITE("bad points of space") {
     CHECK(pcd(std::string(24, '\0'), "FIELDS x y z", "FIELDS x y h") ==
           "p: found points without 'z', expected the fields x, y and z");
     CHECK(pcd("", "FIELDS x y z", "FIELDS") == "p:2: found 'FIELDS', expected the names of fields");
-    CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4") == "p: found 2 words behind SIZE, expected 3, one for each of FIELDS");
-    CHECK(pcd("", "TYPE F F F\n", "") == "p: found 0 words behind TYPE, expected 3, one for each of FIELDS");
-    CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1") == "p: found 2 words behind COUNT, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4") == "p: found 2 words after SIZE, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "TYPE F F F\n", "") == "p: found 0 words after TYPE, expected 3, one for each of FIELDS");
+    CHECK(pcd("", "COUNT 1 1 1", "COUNT 1 1") == "p: found 2 words after COUNT, expected 3, one for each of FIELDS");
     CHECK(pcd("", "SIZE 4 4 4", "SIZE 4 4 3") ==
           "p: field z: found 'F 3', expected a type F, I or U and its size in bytes");
     for (const std::string count : {"-1", "65537", "18446744073709551615"})

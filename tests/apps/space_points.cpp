@@ -278,7 +278,7 @@ TEST_SUITE("points of space") {
     says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
     CHECK_THROWS_WITH_AS(
         read(first + " 1 1 x" + second + " 1 1 1\n", Format::obj),
-        "p:1: found 'x' behind a vertex, expected at most 5 numbers, a weight and a color, and one vertex a line",
+        "p:1: found 'x' after a vertex, expected at most 5 numbers, a weight and a color, and one vertex a line",
         BadInput);
     says(first + " 0 0 0" + second + " 1 256 1\n", Format::obj,
          "line 2 has a channel of '256', and not from 0 to 1 or to 255");
@@ -306,10 +306,10 @@ TEST_SUITE("points of space") {
       is(file);
       CHECK(file.warnings == std::vector<std::string>{"normals are left out: " + why});
     };
-    says("vn 0 0 1\n", "1 normal for 2 vertices, and no face assigns them");
-    says(n + n, "4 normals for 2 vertices, and no face assigns them");
-    says(n + "f 1//1 2//2 1//2\n", "vertex 1 has several in the faces around it, line 5");
-    says(n + "f 1//1 2 1//1\n", "no face gives vertex 2 one");
+    says("vn 0 0 1\n", "1 normal for 2 vertices, and no face says which belongs to which");
+    says(n + n, "4 normals for 2 vertices, and no face says which belongs to which");
+    says(n + "f 1//1 2//2 1//2\n", "vertex 1 has different normals in the faces around it, line 5");
+    says(n + "f 1//1 2 1//1\n", "no face gives a normal to vertex 2");
   }
 
   TEST_CASE("PCD is read as text and binary, with other fields between") {
@@ -430,7 +430,8 @@ TEST_SUITE("points of space") {
     CHECK_THROWS_WITH_AS(where("x,y,z\n1,2,3\n", "n == 1"), "p:1: found 'x,y,z', expected a header with a column 'n'",
                          BadInput);
     CHECK_THROWS_WITH_AS(where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
-                         "p:2: found 'NA', expected a number in a column that --where uses (== \"...\" compares a "
+                         "p:2: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" "
+                         "compares it with a "
                          "text) (--skip-invalid leaves out "
                          "lines that are no points)",
                          BadInput);

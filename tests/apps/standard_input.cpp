@@ -110,7 +110,7 @@ TEST_SUITE("standard input") {
     CHECK(folder.rbpa("fill - --size 1 -o f.off < p.wkt").code == 0);
     folder.file("p.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
     CHECK(folder.rbpa("fill - --size 1 -o f.off < p.poly").err ==
-          "rbpa: standard input: found no signature of a format, expected one of geojson, json, wkt, ewkt, poly, "
+          "rbpa: standard input: found no content of a known format, expected one of geojson, json, wkt, ewkt, poly, "
           "which "
           "--format names\n");
     const Outcome atoms = folder.rbpa("info - < a.pdb");
@@ -135,7 +135,8 @@ TEST_SUITE("standard input") {
     CHECK(refusal(collection(feature("\"id\":700,", "[null]", ""))) == "g:1: feature 2 (id 700)" + wrong);
     CHECK(refusal(collection(feature("", "[null]", ",\"id\":\"a\""))) == "g:1: feature 2 (id \"a\")" + wrong);
     CHECK(refusal(collection(feature("", "[null]", ""))) == "g:1: feature 2" + wrong);
-    CHECK(refusal(collection(feature("\"id\":5,", "[1]", ""))).starts_with("g:1: feature 2 (id 5): found one number"));
+    CHECK(refusal(collection(feature("\"id\":5,", "[1]", "")))
+              .starts_with("g:1: feature 2 (id 5): found a position of one number"));
     CHECK(refusal(collection(feature("\"id\":5,", "[1,2,]", ""))).starts_with("g:1: feature 2 (id 5): found '2,]'"));
     CHECK(refusal(collection(feature("\"id\":5,", "[1,2", ""))).starts_with("g:1: feature 2 (id 5): found '2}'"));
     CHECK(refusal(collection(feature("\"id\":5,", "[1,2]", "")), true)

@@ -48,14 +48,14 @@ const std::string two_cubes = "case_stl_undoes_repair/two_cubes_edge.stl";
 
 }  // namespace
 
-TEST_SUITE("STL: behind the last facet") {
+TEST_SUITE("STL: after the last facet") {
   TEST_CASE("attributes of any kind are left out, with a warning") {
     const std::string cube = stl_binary(pyramid_triangles);
     for (const auto& [tail, said] : std::vector<std::pair<std::string, std::string>>{
-             {"\n", "1 byte behind the last facet is"},
-             {std::string(92, '\0'), "92 bytes behind the last facet are"},
-             {"solid\n", "6 bytes behind the last facet are"},
-             {std::string(50, '\xFF'), "50 bytes behind the last facet are"}}) {
+             {"\n", "1 byte after the last facet is"},
+             {std::string(92, '\0'), "92 bytes after the last facet are"},
+             {"solid\n", "6 bytes after the last facet are"},
+             {std::string(50, '\xFF'), "50 bytes after the last facet are"}}) {
       for (const std::string& head : {std::string(), std::string("solid of a program\n")}) {
         const Folder folder;
         CAPTURE(said);

@@ -142,7 +142,7 @@ TEST_SUITE("messages") {
     CHECK(folder.rbpa("mesh p.xy --alpha '\n' -o m.off").err ==
           "rbpa: --alpha: found '\\n', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K\n");
     CHECK(folder.meshtopo("'" + name + "' --format off").err ==
-          "meshtopo: " + shown + ":2: found '1 0', expected nothing behind the 0 face lines as line 1 says\n");
+          "meshtopo: " + shown + ":2: found '1 0', expected the end of the file after 0 face lines as line 1 says\n");
     CHECK(folder.meshtopo("m.off --max-defects '\x1b'").err ==
           "meshtopo: --max-defects: found '\\x1b', expected a whole number from 0\n");
   }

@@ -199,7 +199,7 @@ TEST_SUITE("systems of coordinates") {
       const Outcome refused = folder.rbpa("info p.xy --crs EPSG:" + vertical_code);
       CHECK(refused.code == 2);
       CHECK(refused.err == "rbpa: --crs: found 'EPSG:" + vertical_code +
-                               "', a system of heights, expected one of the plane: EPSG:28992\n");
+                               "', a system of heights, expected a horizontal one, such as EPSG:28992\n");
     }
   }
 

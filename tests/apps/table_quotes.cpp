@@ -147,7 +147,7 @@ TEST_SUITE("quotes and separators") {
   }
 
   TEST_CASE("a quote that does not end is refused by its line, or left out alone") {
-    const std::string way = "found a text in quotes that does not end, expected a quote behind it";
+    const std::string way = "found a text in quotes that does not end, expected a closing quote";
     CHECK(refusal("x,y,name\n1,2,\"a\n3,4,b\n5,6,c\n") == "t.csv:2: " + way);
     CHECK(refusal("x,y,name\n1,2,\"a\n3,4,\"b\"\n5,6,c\n") == "t.csv:2: " + way);
     CHECK(read("x,y,name\n1,2,\"a\n3,4,b\n5,6,c\n", {.skip_invalid = true}).points == Points{{3, 4}, {5, 6}});

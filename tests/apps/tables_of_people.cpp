@@ -206,7 +206,8 @@ TEST_SUITE("tables of people") {
     CHECK(xs("\"my kind\" == \"it's\"") == Xs{3});
     // A text compared with a number, and fields that are neither.
     CHECK(refusal(text, where("grp == 6")) ==
-          "t:2: found 'A', expected a number in a column that --where uses (== \"...\" compares a text) "
+          "t:2: found 'A', expected a number, as --where compares the column with numbers (== \"...\" compares it with "
+          "a text) "
           "(--skip-invalid leaves out lines that are no points)");
     CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
     const auto refused = [](const std::string& condition) -> std::string {
@@ -219,7 +220,7 @@ TEST_SUITE("tables of people") {
     };
     CHECK(refused("grp < 'A'") == "--where: found ''A'', expected a number (a text is compared with == and !=)");
     CHECK(refused("3 == 'A'").find("expected a number or the name of a column") != std::string::npos);
-    CHECK(refused("grp in ('A', 3)") == "--where: found '3', expected a text in quotes, as before");
+    CHECK(refused("grp in ('A', 3)") == "--where: found '3', expected a text in quotes, as the list has texts");
     CHECK(refused("grp in ('A' 'B')") == "--where: found ''B'', expected ',' or ')'");
     CHECK(refused("'A' == grp").find("expected a number or the name of a column") != std::string::npos);
     CHECK(refused("grp == 'A").find("expected a number or the name of a column") != std::string::npos);
@@ -290,7 +291,7 @@ TEST_SUITE("tables of people") {
     };
     for (const std::size_t size : {std::size_t{3}, std::size_t{12}, compressed.size() / 2, compressed.size() - 1})
       refuses(compressed.substr(0, size), "the end of the file inside compressed data, expected a whole gzip file");
-    refuses(compressed + "junk", "4 bytes behind the compressed data, expected the end of the file");
+    refuses(compressed + "junk", "4 bytes after the compressed data, expected the end of the file");
     std::string wrong = compressed;
     wrong[wrong.size() - 6] ^= 1;  // of the check sum
     refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file");
@@ -386,7 +387,8 @@ TEST_SUITE("tables of people") {
     CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
     CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
     CHECK(refusal(holes, where("n == 5")) ==
-          "t:4: found 'NA', expected a number in a column that --where uses (== \"...\" compares a text) "
+          "t:4: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" compares it "
+          "with a text) "
           "(--skip-invalid leaves out lines "
           "that are no points)");
     const PointFile skipped = read(holes, where("n == 5", true));
@@ -414,7 +416,7 @@ TEST_SUITE("tables of people") {
     CHECK(refused("\"\" == 3") == "--where: found '\"\"'" + name);
     CHECK(refused("\"") == "--where: found '\"'" + name);
     CHECK(refused("== 3") == "--where: found '=='" + name);
-    CHECK(refused("point class") == "--where: found 'class', expected and, or, or the end");
+    CHECK(refused("point class") == "--where: found 'class', expected 'and', 'or' or the end");
 
     const Folder folder;
     folder.file("p.csv", "x,y,class\n0,0,6\n1,0,6\n0,1,6\n9,9,2\n");

@@ -99,7 +99,7 @@ TEST_SUITE("well-known text in") {
     CHECK(refusal("POINT (1 a)") == "p.wkt:1: found 'a', expected a number");
     CHECK(refusal("POINT (1 nan)") == "p.wkt:1: found 'nan', expected a finite number");
     CHECK(refusal("POINT (1 1e999)").starts_with("p.wkt:1: found '1e999', expected a number within the range"));
-    CHECK(refusal("POINT (1 2x)") == "p.wkt:1: found 'x)', expected a blank, ',' or ')' behind a number");
+    CHECK(refusal("POINT (1 2x)") == "p.wkt:1: found 'x)', expected a blank, ',' or ')' after a number");
     CHECK(refusal("POINT 1 2") == "p.wkt:1: found '1 2', expected '('");
     CHECK(refusal("POINT Q (1 2)") == "p.wkt:1: found ' Q (1 2)', expected '(' or EMPTY");
     CHECK(refusal("POLYGON (0 0, 1 1)") == "p.wkt:1: found '0 0, 1 1)', expected '('");

@@ -55,11 +55,12 @@ Content::File::File(const std::string& path, bool may_decompress)
     // A blocking open() of a pipe without a writer would wait forever.
     : name(path), decompresses(may_decompress), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
-  if (file.number() < 0 && errno == ENXIO) bad_input(path, "a socket or a device", "a file, which can be read twice");
-  if (file.number() < 0) bad_input(path, errno == ENOENT ? "no such file" : std::strerror(errno), expected);
+  if (file.number() < 0 && errno == ENXIO)
+    bad_input(path, "a socket or a device", "a regular file, as it is read twice");
+  if (file.number() < 0) refuse_to_open(path, expected);
   status = status_of(file.number(), name);
   if (S_ISDIR(status.st_mode)) bad_input(name, "a folder", expected);
-  if (!S_ISREG(status.st_mode)) bad_input(name, "a pipe or a device", "a file, which can be read twice");
+  if (!S_ISREG(status.st_mode)) bad_input(name, "a pipe or a device", "a regular file, as it is read twice");
   posix_fadvise(file.number(), 0, 0, POSIX_FADV_SEQUENTIAL);
   char first[3];
   const ssize_t count = pread(file.number(), first, sizeof first, 0);

@@ -25,8 +25,7 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor >= 0) return descriptor;
   if (errno == EINTR) stop_if_interrupted();
-  const std::string reason = errno == ENOENT ? "no such file" : std::strerror(errno);
-  bad_input(name, reason, expected);
+  refuse_to_open(name, expected);
 }
 
 /// Memory that reading needs for each byte: four bytes of text ("0 0" and a line end) become a point of 16, and stay.
@@ -68,13 +67,13 @@ void InputBytes::decompress(const Decompression& how) {
   while (!compressed.empty() || !gunzip.is_between_members()) {
     stop_if_interrupted();
     if (gunzip.is_between_members() && !is_gzip(compressed))
-      bad_input(name_, counted(compressed.size(), "byte") + " behind the compressed data", "the end of the file");
+      bad_input(name_, counted(compressed.size(), "byte") + " after the compressed data", "the end of the file");
     if (room_ - size_ < at_once) make_room(std::max(2 * room_, size_ + at_once));
     size_ += gunzip.inflate(compressed, data_.get() + size_, at_once);
     if (bytes_for_each * static_cast<double>(size_) > available)
-      bad_input(name_, "more than " + bytes_text(available / bytes_for_each) + " decompressed",
+      bad_input(name_, "more than " + bytes_text(available / bytes_for_each) + " of decompressed data",
                 "at most a fifth of the " + bytes_text(available) +
-                    " of available memory, as reading takes several times as much" + how.way_out);
+                    " of available memory, as reading needs five times the size" + how.way_out);
     if (size_ > always && size_ / greatest_ratio > compressed_size - compressed.size())
       bad_input(name_,
                 "more than " + bytes_text(static_cast<double>(size_)) + " decompressed from " +

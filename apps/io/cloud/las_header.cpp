@@ -22,10 +22,10 @@ std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::ve
                    : claimed_ == 0 ? "all of them)"
                                    : "as many as it counts)"));
   if (takes_all(skip_invalid)) {
-    warnings.push_back("the header counts no points, and " +
-                       (room_ == 1 ? "the whole record behind it is"
-                                   : "all " + std::to_string(room_) + " whole records behind it are") +
-                       " read");
+    warnings.push_back(
+        "the header counts no points, and " +
+        (room_ == 1 ? "the whole record after it is" : "all " + std::to_string(room_) + " whole records after it are") +
+        " read");
     return room_;
   }
   if (too_high) {
@@ -34,7 +34,7 @@ std::size_t LasCount::settle(bool skip_invalid, const std::string& name, std::ve
     return room_;
   }
   const std::size_t more = room_ - claimed_;
-  warnings.push_back(counted(more, "whole record") + " behind the " + counted(claimed_, "point") + " in the header " +
+  warnings.push_back(counted(more, "whole record") + " after the " + counted(claimed_, "point") + " in the header " +
                      (more == 1 ? "is" : "are") + " left out");
   return claimed_;
 }
@@ -72,7 +72,7 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
   if (begin < header.size || begin > size)
     bad_input(name, "an offset to point data of " + std::to_string(begin),
-              "one behind the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
+              "one after the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
   std::size_t left = size - begin;
   header.begin = begin;
   constexpr std::size_t signature = 2;

@@ -34,7 +34,7 @@ void require_end_of_vertex(std::string_view rest, const std::string& name, std::
   std::size_t numbers = 0;
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
     if (++numbers > most || parse_whole_number(word).fault == NumberFault::not_a_number)
-      bad_input(at_line(name, line), in_quotes(word) + " behind a vertex",
+      bad_input(at_line(name, line), in_quotes(word) + " after a vertex",
                 "at most " + std::to_string(most) + " numbers, a weight and a color, and one vertex a line");
 }
 
@@ -76,7 +76,7 @@ class ObjCloud final : public Cloud {
       if (word == "vn") {
         normals_.push_back(take_point(rest));
         if (!trimmed(rest).empty())
-          bad_input(at_line(name_, line), in_quotes(trimmed(rest)) + " behind a normal", "one normal a line");
+          bad_input(at_line(name_, line), in_quotes(trimmed(rest)) + " after a normal", "one normal a line");
       }
       if (word == "f") take_face(rest, block.count, line);
     });
@@ -126,7 +126,7 @@ class ObjCloud final : public Cloud {
         for (const Point3& normal : normals_) append(normal, block);
       else
         leave_out(counted(normals_.size(), "normal") + " for " + std::to_string(block.count) +
-                  " vertices, and no face assigns them");
+                  " vertices, and no face says which belongs to which");
       return;
     }
     std::vector<std::uint32_t> normal_of(block.count, none);
@@ -136,12 +136,12 @@ class ObjCloud final : public Cloud {
       std::uint32_t& normal = normal_of[corner.vertex];
       if (normal != none && normals_[normal] != normals_[corner.normal])
         return leave_out("vertex " + std::to_string(std::uint64_t{corner.vertex} + 1) +
-                         " has several in the faces around it, line " + std::to_string(corner.line));
+                         " has different normals in the faces around it, line " + std::to_string(corner.line));
       normal = corner.normal;
     }
     const auto without = std::find(normal_of.begin(), normal_of.end(), none);
     if (without != normal_of.end())
-      return leave_out("no face gives vertex " + std::to_string(without - normal_of.begin() + 1) + " one");
+      return leave_out("no face gives a normal to vertex " + std::to_string(without - normal_of.begin() + 1));
     for (const std::uint32_t normal : normal_of) append(normals_[normal], block);
   }
 

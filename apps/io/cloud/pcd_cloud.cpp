@@ -97,7 +97,7 @@ class PcdHeaderReader {
   void lay_out() {
     const auto require = [&](const std::vector<std::string_view>& words, const std::string& word) {
       if (words.size() != fields_.size())
-        bad_input(name_, counted(words.size(), "word") + " behind " + word,
+        bad_input(name_, counted(words.size(), "word") + " after " + word,
                   std::to_string(fields_.size()) + ", one for each of FIELDS");
     };
     require(sizes_, "SIZE");
@@ -196,18 +196,18 @@ std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
   const std::string_view data = header.data;
   if (data.size() < CompressedSizes::room)
     bad_input(name, counted(data.size(), "byte") + " of data",
-              std::to_string(CompressedSizes::room) + ", the sizes of compressed data, and these");
+              "at least " + std::to_string(CompressedSizes::room) + ", the compressed and the decompressed size");
   const CompressedSizes sizes(data);
   const std::size_t each = points.least_size(), there = data.size() - CompressedSizes::room;
   if (points.count > sizes.decompressed / each || points.count * each != sizes.decompressed)
-    bad_input(name, counted(sizes.decompressed, "byte") + " as the decompressed size",
-              announced(points) + ", of " + counted(each, "byte") + " each");
+    bad_input(name, "a decompressed size of " + counted(sizes.decompressed, "byte"),
+              announced(points) + ", with " + counted(each, "byte") + " each");
   if (sizes.compressed > there)
-    bad_input(
-        name, counted(there, "byte") + " of compressed data",
-        std::to_string(sizes.compressed) + " as the number behind line " + std::to_string(header.lines) + " says");
+    bad_input(name, counted(there, "byte") + " of compressed data",
+              std::to_string(sizes.compressed) + " as the compressed size after line " + std::to_string(header.lines) +
+                  " says");
   return decompress_lzf(data.substr(CompressedSizes::room, sizes.compressed), sizes.decompressed,
-                        name + ": behind line " + std::to_string(header.lines));
+                        name + ": after line " + std::to_string(header.lines));
 }
 
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {

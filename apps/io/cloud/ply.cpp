@@ -212,8 +212,9 @@ void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
     if (is_by_words_) return;
     if (!is_by_lines_)
       bad_input(at_line(name_, lines_.number()),
-                in_quotes(rest_) + " and " + counted(lines, "line") + " behind a " + element.noun,
-                counted(elements, "line") + ", one for each element in the header, or no other words than theirs");
+                in_quotes(rest_) + " in a " + element.noun + ", and " + counted(lines, "line") + " after it",
+                counted(elements, "line") +
+                    " after it, one for each element in the header, or in the line words of these elements only");
   }
   rest_ = {};
 }

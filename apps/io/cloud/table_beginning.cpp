@@ -32,8 +32,8 @@ class Starter {
     else if (is_by_name(request_.columns))
       bad_input(lines_.name(), "no header line", "one with the column names");
     if (!start_.has_line && start_.layout.header && !start_.announced)
-      bad_input(at_line(lines_.name(), start_.first_line), in_quotes(start_.header) + " and no line behind it",
-                "lines of points behind a header");
+      bad_input(at_line(lines_.name(), start_.first_line), in_quotes(start_.header) + " and no line after it",
+                "lines of points after a header");
     return std::move(start_);
   }
 
@@ -115,7 +115,7 @@ class Starter {
     for (const std::string_view field : table.fields) table.width.add(field);
     if (selection_.skips() && choice.lines > 0 && !choice.first_fits)
       bad_input(at_line(lines_.name(), lines_.number()), found_columns(table.width.all, lines_.line()),
-                std::to_string(choice.fields.all) + " as in lines behind it");
+                std::to_string(choice.fields.all) + " as in the lines after it");
     const std::size_t least = std::min<std::size_t>(table.fields.size(), request_.in_space ? 3 : 2);
     table.fields.resize(std::max(table.width.to_last_text, least));
     if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
@@ -145,7 +145,7 @@ class Starter {
   }
 
   [[noreturn]] void refuse_open() const {
-    bad_input(at_line(lines_.name(), lines_.number()), "a text in quotes that does not end", "a quote behind it");
+    bad_input(at_line(lines_.name(), lines_.number()), "a text in quotes that does not end", "a closing quote");
   }
 
   void finish(char separator) {

@@ -190,7 +190,7 @@ class TableCloud final : public Cloud {
     ++point_lines_;
     const std::size_t index = index_;
     selection_.attempt([&] {
-      if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a quote behind it");
+      if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a closing quote");
       const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
       const auto take = [this](const FieldCount& count) { take_width(count); };
       current_ = &block;
@@ -337,10 +337,11 @@ class TableCloud final : public Cloud {
   bool end_atoms() {
     const bool is_frame = parse_count(lines_.line()).has_value();
     if (!is_frame && !request_.skip_invalid)
-      bad_input(here(), in_quotes(lines_.line()),
-                "nothing behind the atoms, or more of them: " + said_of(*announced_) +
-                    " (--skip-invalid reads what is there)");
-    facts_.file.warnings.push_back("the atoms are the " + said_of(*announced_) +
+      bad_input(here(), in_quotes(lines_.line()) + " after the last atom",
+                "the end of the file or the next frame, as line " + std::to_string(announced_->line) + " counts " +
+                    counted(announced_->count, "atom") + " (--skip-invalid leaves out the rest)");
+    facts_.file.warnings.push_back("the atoms are the " + std::to_string(announced_->count) + " that line " +
+                                   std::to_string(announced_->line) + " counts" +
                                    (is_frame ? ", of the first frame" : "") + "; what follows them is left out");
     return false;
   }

@@ -36,7 +36,7 @@ class ObjReader {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       corners_.push_back(
           take_obj_number(word, word.substr(0, word.find('/')), "vertex", mesh_.positions.size(), name_, line));
-    if (corners_.empty()) bad_input(at_line(name_, line), "a face without corners", "vertex numbers behind 'f'");
+    if (corners_.empty()) bad_input(at_line(name_, line), "a face without corners", "vertex numbers after 'f'");
     mesh_.soup.add_face(corners_);
     mesh_.face_lines.push_back(line);
   }

@@ -29,7 +29,7 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   });
   if (data.has_more())
     bad_input(at_line(name, data.lines().number()), in_quotes(data.lines().line()),
-              "nothing behind the " + announced(face));
+              "the end of the file after " + announced(face));
   return mesh;
 }
 

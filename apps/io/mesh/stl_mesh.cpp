@@ -103,12 +103,14 @@ bool have_attributes(std::string_view bytes, std::size_t facets) {
 
 MeshFile read_binary(std::string_view bytes, const std::string& name) {
   if (bytes.size() < header_size)
-    bad_input(name, counted(bytes.size(), "byte"),
-              "'solid' or the " + std::to_string(header_size) + " bytes before binary facets");
+    bad_input(
+        name, counted(bytes.size(), "byte"),
+        "text that begins with 'solid', or at least the " + std::to_string(header_size) + " bytes of a binary header");
   const std::size_t facets = announced_facets(bytes), end = header_size + facet_size * facets;
   if (bytes.size() < end)
-    bad_input(name, counted(bytes.size(), "byte"),
-              std::to_string(end) + " for the " + counted(facets, "facet") + " that byte 80 announces");
+    bad_input(
+        name, counted(bytes.size(), "byte"),
+        std::to_string(end) + " for the " + counted(facets, "facet") + " that the header counts in bytes 80 to 83");
   const std::size_t behind = bytes.size() - end;
   if (behind > 0 && have_attributes(bytes, facets)) {
     MeshFile mesh = facets_at(bytes, facets, name, behind_attributes);
@@ -117,7 +119,7 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
   }
   MeshFile mesh = facets_at(bytes, facets, name, [](const char* facet) { return facet + facet_size; });
   if (behind > 0)
-    mesh.warnings.push_back(counted(behind, "byte") + " behind the last facet " + (behind == 1 ? "is" : "are") +
+    mesh.warnings.push_back(counted(behind, "byte") + " after the last facet " + (behind == 1 ? "is" : "are") +
                             " left out");
   return mesh;
 }
@@ -143,7 +145,7 @@ class AsciiReader {
     if (line.find_first_not_of(blank) != std::string_view::npos) return false;
     if (rest.find_first_not_of(blank) != std::string_view::npos) return false;
     const std::size_t left_out = line.size() + rest.size();
-    mesh_.warnings.push_back(counted(left_out, "byte") + " behind the last solid " + (left_out == 1 ? "is" : "are") +
+    mesh_.warnings.push_back(counted(left_out, "byte") + " after the last solid " + (left_out == 1 ? "is" : "are") +
                              " left out");
     return true;
   }

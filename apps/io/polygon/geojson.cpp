@@ -252,7 +252,7 @@ class Events {
     return id.empty() ? "" : " (id " + shown(id) + ")";
   }
   bool check(const char* fault) const {
-    if (fault != nullptr) refuse(fault, "coordinates: positions of two numbers or more, in lists");
+    if (fault != nullptr) refuse(fault, "positions of two numbers or more, such as [1, 2], and lists of them");
     return true;
   }
 
@@ -326,7 +326,8 @@ class Events {
       refuse("a " + frame.type, "Point or MultiPoint (--vertices takes the vertices of lines and polygons)");
     const std::size_t before = polygons_ == nullptr ? 0 : polygons_->polygons.size();
     if (!frame.geometry->finish(*kind, file_, polygons_))
-      refuse("coordinates of another depth", "depth " + std::to_string(kind->depth) + ", as in a " + frame.type);
+      refuse("coordinates nested " + std::to_string(frame.geometry->depth()) + " lists deep",
+             std::to_string(kind->depth) + ", as those of a " + frame.type);
     if (polygons_ != nullptr) polygons_->end_geometry(before, no_feature);
   }
 

@@ -31,23 +31,23 @@ class GeoJsonGeometry {
 
   const char* open() {
     constexpr int deepest = 4;
-    if (coordinates_ > 0) return "a list among numbers";
-    if (open_ == deepest) return "five nested brackets";
+    if (coordinates_ > 0) return "a list in a position";
+    if (open_ == deepest) return "lists nested five deep";
     ++open_;
     return nullptr;
   }
 
   const char* add(double coordinate) {
-    if (open_ == 0) return "a number";
+    if (open_ == 0) return "a number in place of a list";
     if (coordinates_ < position_.size()) position_[coordinates_] = coordinate;
     ++coordinates_;
     return nullptr;
   }
 
   const char* close(PointFile& file) {
-    if (coordinates_ == 1) return "one number";
+    if (coordinates_ == 1) return "a position of one number";
     if (coordinates_ > 0) {
-      if (depth_ != 0 && depth_ != open_) return "positions in different brackets";
+      if (depth_ != 0 && depth_ != open_) return "positions nested at different depths";
       depth_ = open_;
       file.points.push_back({position_[0], position_[1]});
       file.z.push_back(coordinates_ > 2 ? position_[2] : std::numeric_limits<double>::quiet_NaN());
@@ -62,6 +62,8 @@ class GeoJsonGeometry {
     return nullptr;
   }
 
+  /// Returns the number of lists around the coordinates of a point; 0 if there is no point.
+  int depth() const { return depth_; }
   /// Removes the closing points of rings, and appends the polygons of the rings to `polygons` unless that is null.
   /// Returns false if the depth of the brackets is not that of the kind.
   bool finish(const GeoJsonKind& kind, PointFile& file, PolygonFile* polygons) {

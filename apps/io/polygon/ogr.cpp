@@ -54,7 +54,7 @@ class OgrReader {
   PointFile read(const std::optional<std::string>& layer_name) {
     constexpr unsigned how = GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR;
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(source_.c_str(), how));
-    if (!dataset) bad_input(source_, shown(gdal_.reason()), "a vector file that GDAL reads");
+    if (!dataset) throw BadInput(source_ + ": GDAL cannot read it: " + shown(gdal_.reason()));
     OGRLayer& layer = find_layer(*dataset, layer_name);
     take_crs(layer);
     layer.ResetReading();
@@ -64,7 +64,7 @@ class OgrReader {
       geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
     }
     // Half of a file is no result.
-    if (gdal_.has_failed()) bad_input(source_, shown(gdal_.reason()), "a whole vector file");
+    if (gdal_.has_failed()) throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()));
     constexpr int if_known = 0;
     const GIntBig announced = layer.GetFeatureCount(if_known);
     if (announced >= 0 && static_cast<std::size_t>(announced) != features_)

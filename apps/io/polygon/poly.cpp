@@ -69,7 +69,8 @@ class PolyReader {
   void read_vertices(std::vector<Point>& points) {
     const std::size_t vertices = count("the number of vertices");
     if (vertices == 0) refuse("0 vertices, which means that they are in a .node file", "the vertices in this file");
-    if (whole("the dimension", 3) != 2) refuse("another dimension", "2");
+    if (const std::size_t dimension = whole("the dimension", 3); dimension != 2)
+      refuse("dimension " + std::to_string(dimension), "2");
     for (std::size_t i = 0; i < vertices; ++i) {
       next_line("a vertex: its number, x and y");
       const std::size_t number_of = whole("the number of a vertex", vertices);
@@ -95,7 +96,7 @@ class PolyReader {
     }
     for (std::size_t v = 0; v < ends_.size(); ++v)
       if (ends_[v][0] != none && ends_[v][1] == none)
-        bad_input(name_, "one segment at vertex " + std::to_string(first_ + v), "two, or none: rings");
+        bad_input(name_, "one segment at vertex " + std::to_string(first_ + v), "two or none, as segments make rings");
     std::vector<bool> seen(ends_.size(), false);
     std::vector<Ring> rings;
     for (std::uint32_t v = 0; v < ends_.size(); ++v) {
@@ -124,7 +125,8 @@ class PolyReader {
     else if (second == none)
       second = static_cast<std::uint32_t>(other);
     else
-      refuse("a third segment at vertex " + std::to_string(first_ + v), "two at each: rings, without lines inside");
+      refuse("a third segment at vertex " + std::to_string(first_ + v),
+             "two, as segments make rings, without lines inside");
   }
 
   std::vector<Point> read_hole_points() {

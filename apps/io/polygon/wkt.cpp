@@ -218,7 +218,7 @@ void WktGeometries::take_position(std::vector<Point>& points) {
     if (i < 2) coordinate[i] = number.value;
     if (i == 2 && !measured_) heights_.take(z = number.value);
     text_.remove_prefix(static_cast<std::size_t>(number.end - text_.data()));
-    if (!ends_at(text_.data())) refuse("a blank, ',' or ')' behind a number");
+    if (!ends_at(text_.data())) refuse("a blank, ',' or ')' after a number");
   }
   points.push_back({coordinate[0], coordinate[1]});
   z_.push_back(z);

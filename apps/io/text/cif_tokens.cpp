@@ -83,7 +83,7 @@ void CifTokens::take_lines() {
     at_ += 2;
     return;
   }
-  bad_input(at_line(name_, token_line_), "a text of lines without an end", "a line that begins with ';' behind it");
+  bad_input(at_line(name_, token_line_), "a text of lines that does not end", "a later line that begins with ';'");
 }
 
 }  // namespace rbpa::app

@@ -42,7 +42,7 @@ class Parser {
   void parse() {
     take();
     take_alternatives(0);
-    if (!word_.empty()) refuse("and, or, or the end");
+    if (!word_.empty()) refuse("'and', 'or' or the end");
   }
 
  private:
@@ -174,7 +174,7 @@ class Parser {
     bool first = true;
     do {
       if (are_texts) {
-        if (!is_text()) refuse("a text in quotes, as before");
+        if (!is_text()) refuse("a text in quotes, as the list has texts");
         take_text(field);
       } else {
         result_.insert(result_.end(), {left, take_operand(), {Step::equal}});

@@ -19,8 +19,9 @@
 
 namespace rbpa::app {
 
+/// The end of a message about a word that is no number.
 constexpr std::string_view of_where =
-    " in a column that --where uses (== \"...\" compares a text)";  ///< end of a message about a number
+    ", as --where compares the column with numbers (== \"...\" compares it with a text)";
 
 class LineSelection {
  public:

@@ -159,7 +159,7 @@ TEST_CASE("an error in a file is named by its line or point, as when it is read 
   std::string bytes = apps_test::bytes_of(las);
   check({.path = folder.file("cut.las", bytes.substr(0, bytes.size() - 5)), .format = Format::las});
   CHECK(refusal({.path = "/dev/null"}) ==
-        "/dev/null: found a pipe or a device, expected a file, which can be read twice");
+        "/dev/null: found a pipe or a device, expected a regular file, as it is read twice");
   CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);
 }
 

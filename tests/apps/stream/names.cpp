@@ -76,7 +76,7 @@ TEST_CASE("a pipe or a device is refused at once, before anything is made of fil
     for (const std::string before : {"", "p.xy "})
       check_refused(
           folder, "stream " + before + name + " --alpha 1 -o t.npy",
-          std::string(name) + ": found a pipe, a socket or a device, expected a file, which can be read twice");
+          std::string(name) + ": found a pipe, a socket or a device, expected a regular file, as it is read twice");
     fs::remove(folder.path(name));
   }
   check_refused(folder, "stream /dev/null --format xy --alpha 1 -o t.npy",
