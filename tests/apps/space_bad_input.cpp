@@ -228,7 +228,7 @@ TEST_SUITE("bad points of space") {
     CHECK(pcd("", "POINTS 2", "POINTS 3") == "p: found 3 points, expected 2 times 1 as WIDTH and HEIGHT say");
     CHECK(pcd("", "WIDTH 2", "WIDTH two") == "p:6: found 'WIDTH two', expected a number of points");
     CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "") ==
-          "p: found a header without POINTS, expected how many there are");
+          "p: found a header without POINTS, expected the number of points");
     CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "WIDTH 4294967296\nHEIGHT 4294967297\n") ==
           "p: found WIDTH and HEIGHT beyond any file, expected 4294967296 times 4294967297 as WIDTH and HEIGHT say");
     CHECK(pcd("", "HEIGHT 1", "DEPTH 1") == "p:7: found 'DEPTH 1', expected a line of the header, or DATA");

@@ -76,8 +76,7 @@ class ArrayCloud final : public Cloud {
   std::size_t end_early(std::size_t size, std::size_t step) {
     const std::string& name = sources_.front().name();
     if (is_whole_)
-      bad_input(name, std::to_string(first_ + size / step) + " of the points",
-                std::to_string(array_.rows) + " as the header says");
+      bad_input(name, counted(first_ + size / step, "row"), std::to_string(array_.rows) + " as the header says");
     if (size % step != 0) bad_input(name, counted(first_ * step + size, "byte"), "a multiple of 16 (pairs of float64)");
     array_.rows = first_ + size / step;
     return size / step;

@@ -125,7 +125,7 @@ class PcdHeaderReader {
   }
 
   void count_points() {
-    if (!count_ && !width_) bad_input(name_, "a header without POINTS", "how many there are");
+    if (!count_ && !width_) bad_input(name_, "a header without POINTS", "the number of points");
     const std::size_t height = height_.value_or(1);
     const bool fits = !width_ || height == 0 || *width_ <= ~std::size_t{0} / height;
     if (width_ && (!fits || (count_ && *count_ != *width_ * height)))
