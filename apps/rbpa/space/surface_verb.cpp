@@ -68,9 +68,11 @@ ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
   const bool has_normals = !file.normals.empty();
   // Without points, normals are not missing.
   if (how.source == NormalSource::given && !has_normals && !file.points.empty())
-    bad_input(input(), "no normals", "some, or --normals estimate or none");
+    bad_input(input(), "no normals",
+              "a normal for each point (--normals estimate computes them, --normals none does without)");
   if (request_.colors_normals && (how.source ? *how.source != NormalSource::estimate : has_normals))
-    bad_input(input(), "normals, whose confidence is not known", "none, or --normals estimate for --color normals");
+    bad_input(input(), "normals, whose confidence is not known",
+              "none, as --color normals requires (or --normals estimate)");
   how.normals = std::move(file.normals);
   how.explain = true;
   how.threads = options().threads;
