@@ -56,9 +56,7 @@ void ComplexRun::finish() {
 }
 
 std::string ComplexRun::why_empty(std::size_t distinct) const {
-  if (distinct < 3) return "fewer than three distinct points (" + std::to_string(distinct) + ")";
-  if (are_collinear(points())) return "all points are collinear";
-  return "no triangle has circumradius <= " + text_of(alpha);
+  return why_no_triangle(distinct, are_collinear(points()), alpha);
 }
 
 void ComplexRun::summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const {

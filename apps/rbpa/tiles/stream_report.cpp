@@ -4,6 +4,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "rbpa/plane/collinear.h"
 #include "shared/arguments.h"
 #include "shared/stats.h"
 
@@ -42,12 +43,8 @@ void write_stream_stats(OutputFile& file, const StreamRequest& request, const St
 void say_stream_result(const StreamRequest& request, const StreamResult& result) {
   if (result.caution) say("rbpa", *result.caution);
   const PartialCounts& counts = result.counts;
-  if (counts.triangles == 0) {
-    const std::uint64_t distinct = counts.points - counts.duplicates;
-    say("rbpa",
-        "the complex is empty: " + (distinct < 3 ? "fewer than three distinct points (" + std::to_string(distinct) + ")"
-                                                 : "no triangle has circumradius <= " + text_of(request.alpha)));
-  }
+  if (counts.triangles == 0)
+    say("rbpa", "the complex is empty: " + why_no_triangle(counts.points - counts.duplicates, false, request.alpha));
   if (request.quiet) return;
   std::string text = text_of_points(counts.points, counts.duplicates) + " in " + counted(result.tiles, "tile") + ", " +
                      counted(counts.triangles, "triangle") + ", " + std::to_string(counts.isolated) + " isolated";

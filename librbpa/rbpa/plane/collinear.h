@@ -1,7 +1,9 @@
-// What: tests whether points lie on one line; the complex of such points is empty for every alpha.
+// What: tests whether points lie on one line, where every complex is empty; and says why a complex has no triangle.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string>
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
@@ -12,5 +14,9 @@ namespace rbpa {
 /// Requires: finite points.
 /// Cost:     linear; stops at the first point off the line.
 RBPA_API bool are_collinear(std::span<const Point> points);
+
+/// Returns why a complex has no triangle: "fewer than three distinct points (2)", "all points are collinear" or "no
+/// triangle has circumradius <= 0.5".
+RBPA_API std::string why_no_triangle(std::size_t distinct, bool collinear, double alpha);
 
 }  // namespace rbpa

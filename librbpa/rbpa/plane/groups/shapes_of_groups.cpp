@@ -28,13 +28,6 @@ namespace {
 
 constexpr double no_alpha = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns why there is no triangle at any radius, or nothing.
-std::optional<std::string> without_triangles(const AlphaComplex& complex) {
-  if (complex.distinct == 0) return "no points";
-  if (complex.distinct < 3) return "fewer than three distinct points (" + std::to_string(complex.distinct) + ")";
-  return std::nullopt;
-}
-
 /// The shapes of a run of groups, before they are appended to those of others.
 struct ShapesOfChunk {
   GroupPoints gathered;
@@ -122,9 +115,8 @@ class GroupShaper {
       made.polygons.push_back(std::move(polygon));
     }
     if (!complex.triangles.empty()) return "no part has an area >= " + text(options_.filter.min_part_area);
-    if (const std::optional<std::string> why = without_triangles(complex)) return *why;
-    if (are_collinear(group.points)) return "all points are collinear";
-    return "no triangle has circumradius <= " + text(alpha);
+    if (complex.distinct == 0) return "no points";
+    return why_no_triangle(complex.distinct, are_collinear(group.points), alpha);
   }
 
   /// Returns the given radius of a group; nothing if a rule chooses it.
