@@ -1,26 +1,19 @@
-// Measures fill() against CGAL's Delaunay refinement, and inputs on which fronts get slow (docs/explanation/plane.md,
-// section 28).
+// Measures fill() against CGAL's Delaunay refinement, and on inputs on which fronts get slow
+// (docs/explanation/plane.md, section 28).
 //   bench_fill [--runs=N] [--points=N]      3 runs of each in turn, of up to 1,000,000 triangles
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
-#include <string>
-#include <vector>
 
-#include "bench/arguments.h"
-#include "bench/fill_contest.h"
-#include "bench/machine.h"
-#include "bench/stopwatch.h"
-#include "bench/timings.h"
+#include "bench/options.h"
+#include "bench/peers.h"
+#include "bench/tables.h"
 #include "rbpa/fill.h"
 
 namespace rbpa_bench {
 namespace {
 
 using Ring = std::vector<rbpa::Point>;
-
-const Ring plate = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 Ring star(std::size_t rays, double inner) {
   Ring ring;
@@ -48,87 +41,58 @@ Ring comb(std::size_t teeth) {
   return ring;
 }
 
-struct Times {
-  Timings of = {};  ///< microseconds per triangle
-  std::size_t triangles = 0;
-  void add(const FillRun& run) {
-    triangles = run.triangles;
-    of.of.push_back(1e6 * run.seconds / static_cast<double>(run.triangles));
-  }
-};
-
-/// CGAL's criterion is the longest edge, ours is the target length: with a criterion 1.5 times as long, both make about
-/// equally many triangles.
-void against_cgal(std::size_t most, int runs) {
-  std::printf("Microseconds of processor time a triangle: median (min–max).\n\n");
-  std::printf("| unit square | triangles | fill | CGAL's triangles | CGAL's Delaunay_mesher_2 | fill / CGAL |\n");
-  std::printf("|---|--:|--:|--:|--:|--:|\n");
-  for (std::size_t count = 10000; count <= most; count *= 10) {
-    const double size = std::sqrt(4 / std::sqrt(3.0) / static_cast<double>(count));
-    Times ours, peer;
-    for (int run = 0; run < runs; ++run) {
-      ours.add(fill_by_rbpa(plate, size, false));
-      peer.add(fill_by_cgal(plate, 1.5 * size));
-    }
-    std::printf("| size %.3g | %zu | %s | %zu | %s | %.2f |\n", size, ours.triangles, ours.of.text(2).c_str(),
-                peer.triangles, peer.of.text(2).c_str(), ours.of.median() / peer.of.median());
-    std::fflush(stdout);
-  }
-}
-
-void slow_inputs(int runs) {
-  struct Row {
-    std::string name;
-    Ring ring;
-    double size;
-    bool graded;
-  };
-  std::printf("\n| input | triangles | fill, µs a triangle |\n|---|--:|--:|\n");
-  for (const auto& [name, ring, size, graded] : {Row{"comb, 20 teeth of 2⁻⁴⁹ × 5, grade 0.05", comb(20), 1, true},
-                                                 Row{"star, 1,000 rays", star(1000, 1e-4), 0.01, false},
-                                                 Row{"star, 1,000 rays, no cuts", star(1000, 1e-4), 10, false}}) {
-    Times ours;
-    for (int run = 0; run < runs; ++run) ours.add(fill_by_rbpa(ring, size, graded));
-    std::printf("| %s | %zu | %s |\n", name.c_str(), ours.triangles, ours.of.text(1).c_str());
-    std::fflush(stdout);
-  }
-}
-
-void without_a_size(std::size_t most, int runs) {
-  std::printf(
-      "\n| star, vertices | fill at infinity, µs a triangle | CGAL's constrained Delaunay, µs a triangle "
-      "|\n|--:|--:|--:|\n");
-  for (std::size_t count = 10000; count <= most; count *= 10) {
-    const Ring ring = star(count / 2, 0.5);
-    Times ours, peer;
-    for (int run = 0; run < runs; ++run) {
-      ours.add(fill_by_rbpa(ring, std::numeric_limits<double>::infinity(), false));
-      peer.add(triangulate_by_cgal(ring));
-    }
-    std::printf("| %zu | %s | %s |\n", ring.size(), ours.of.text(2).c_str(), peer.of.text(2).c_str());
-    std::fflush(stdout);
-  }
-}
-
-}  // namespace
-
-FillRun fill_by_rbpa(const Ring& ring, double size, bool graded) {
+/// Fills one ring by the library. At a size of infinity no point is added.
+Run fill_by_rbpa(const Ring& ring, double size, bool graded = false) {
   std::vector<rbpa::Polygon> polygons(1);
   for (std::uint32_t i = 0; i < ring.size(); ++i) polygons[0].shell.points.push_back(i);
   rbpa::FillOptions options{.size = size};
   if (graded) options.grade = 0.05;
   const Stopwatch watch;
   const rbpa::Filling filling = rbpa::fill(ring, polygons, options);
-  return {filling.triangles.size(), watch.processor_seconds()};
+  return watch.run(filling.triangles.size());
 }
 
+/// Measures ours, and a peer that may make another number of triangles.
+void measure(const std::string& name, int runs, const std::function<Run()>& ours,
+             const std::function<Run()>& peer = {}) {
+  std::vector<Contestant> contestants = {{"fill", ours}};
+  if (peer) contestants.push_back({"CGAL", peer, /*is_exact=*/false});
+  std::vector<std::string> cells = {name};
+  const std::vector<Outcome> of = in_turn(contestants, {.runs = runs, .by_processor = true});
+  for (const Outcome& outcome : of) {
+    cells.push_back(text("%zu", outcome.count));
+    cells.push_back(outcome.seconds.text(2, 1e6 / static_cast<double>(outcome.count)) + outcome.failure);
+  }
+  cells.resize(5);
+  print_row(cells);
+}
+
+}  // namespace
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv, {}, {.runs = 3});
-  if (!arguments) return 2;
-  std::printf("%s; one thread, %d runs of each in turn.\n\n", rbpa_bench::machine_and_build().c_str(), arguments->runs);
-  rbpa_bench::against_cgal(arguments->points, arguments->runs);
-  rbpa_bench::slow_inputs(arguments->runs);
-  rbpa_bench::without_a_size(arguments->points / 10, arguments->runs);
+  using namespace rbpa_bench;
+  const auto [most, runs] = read_sizes(argc, argv, {.runs = 3});
+  std::printf("%s; one thread, %d runs of each in turn.\n\n", machine().c_str(), runs);
+  std::printf("Microseconds of processor time a triangle: median (min–max).\n\n");
+  print_head({"polygon"}, {"triangles", "fill", "CGAL's triangles", "CGAL"});
+  // CGAL's criterion is the longest edge, ours is the target length: with a criterion 1.5 times as long, both make
+  // about equally many triangles.
+  const Ring plate = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (std::size_t count = 10000; count <= most; count *= 10) {
+    const double size = std::sqrt(4 / std::sqrt(3.0) / static_cast<double>(count));
+    measure(
+        text("unit square, size %.3g", size), runs, [&] { return fill_by_rbpa(plate, size); },
+        [&] { return fill_by_cgal(plate, 1.5 * size); });
+  }
+  for (std::size_t count = 10000; count <= most / 10; count *= 10) {
+    const Ring ring = star(count / 2, 0.5);
+    measure(
+        text("star of %zu vertices, size inf; CGAL: constrained Delaunay", ring.size()), runs,
+        [&] { return fill_by_rbpa(ring, INFINITY); }, [&] { return triangulate_by_cgal(ring); });
+  }
+  const Ring teeth = comb(20), rays = star(1000, 1e-4);
+  measure("comb, 20 teeth of 2⁻⁴⁹ × 5, grade 0.05", runs, [&] { return fill_by_rbpa(teeth, 1, true); });
+  measure("star, 1,000 rays", runs, [&] { return fill_by_rbpa(rays, 0.01); });
+  measure("star, 1,000 rays, no cuts", runs, [&] { return fill_by_rbpa(rays, 10); });
 }

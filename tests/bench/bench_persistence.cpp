@@ -2,19 +2,14 @@
 // process, one thread each.
 //   bench_persistence [--points=N] [--runs=N]      1,000,000 points, the least of 3 runs; GUDHI up to 100,000 points
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
+#include <numbers>
 
-#include "bench/arguments.h"
-#include "bench/machine.h"
-#include "bench/memory.h"
-#include "bench/persistence_gudhi.h"
-#include "bench/stopwatch.h"
+#include "bench/options.h"
+#include "bench/peers.h"
+#include "bench/process.h"
+#include "bench/tables.h"
 #include "rbpa/space/persistence/solid_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/solid/solid.h"
@@ -25,12 +20,11 @@ namespace rbpa_bench {
 namespace {
 
 using rbpa_test::Points3;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_by_gudhi = 100'000;
 
 Points3 noisy_torus(std::size_t count, std::uint64_t seed) {
   rbpa_test::Random random(seed);
-  constexpr double turn = 6.283185307179586;
+  constexpr double turn = 2 * std::numbers::pi;
   Points3 points;
   for (std::size_t i = 0; i < count; ++i) {
     const double along = turn * random.unit(), around = turn * random.unit();
@@ -40,66 +34,75 @@ Points3 noisy_torus(std::size_t count, std::uint64_t seed) {
   return points;
 }
 
-struct Seconds {
-  double solid = infinity, radii = infinity, pairs = infinity;
-};
-
-/// Returns the least time of each part.
-Seconds measure_rbpa(const Points3& points, int runs, std::array<std::size_t, 3>& pairs) {
-  Seconds least;
-  for (int run = 0; run < runs; ++run) {
-    const Stopwatch of_solid;
-    { const rbpa::Solid solid = rbpa::solid(points, infinity, {.threads = 1}); }
-    const double solid = of_solid.processor_seconds();
-    const Stopwatch watch;
-    const rbpa::SolidFiltration filtration = rbpa::solid_filtration(points, {.threads = 1});
-    const double all_radii = watch.processor_seconds();
-    const std::vector<rbpa::SolidPair> found = rbpa::solid_persistence(filtration);
-    const double all = watch.processor_seconds();
-    pairs = {};
-    for (const rbpa::SolidPair& pair : found)
-      pairs[static_cast<std::size_t>(pair.dimension)] += pair.death.value_or(infinity) > pair.birth * (1 + 1e-9);
-    least = {std::min(least.solid, solid), std::min(least.radii, all_radii - solid),
-             std::min(least.pairs, all - all_radii)};
-  }
-  return least;
+/// Returns for each dimension the number of pairs that last longer than rounding.
+std::array<std::size_t, 3> lasting(const std::vector<rbpa::SolidPair>& found) {
+  std::array<std::size_t, 3> pairs{};
+  for (const rbpa::SolidPair& pair : found)
+    pairs[static_cast<std::size_t>(pair.dimension)] += pair.death.value_or(INFINITY) > pair.birth * (1 + 1e-9);
+  return pairs;
 }
 
 /// Compares numbers of pairs. GUDHI rounds radii of flat tetrahedra, which makes some pairs longer than nothing.
 bool are_near(const std::array<std::size_t, 3>& a, const std::array<std::size_t, 3>& b) {
-  for (std::size_t dimension = 0; dimension < 3; ++dimension)
-    if (1000 * (std::max(a[dimension], b[dimension]) - std::min(a[dimension], b[dimension])) > a[dimension])
-      return false;
-  return true;
+  return std::equal(a.begin(), a.end(), b.begin(), [](std::size_t one, std::size_t other) {
+    return 1000 * (std::max(one, other) - std::min(one, other)) <= one;
+  });
 }
 
 void measure(const std::string& name, const Points3& points, int runs) {
-  std::array<std::size_t, 3> pairs{};
-  const auto n = static_cast<double>(points.size());
-  const auto ns = [&](double seconds) { return 1e9 * seconds / n; };
-  const Seconds ours = measure_rbpa(points, runs, pairs);
-  std::printf("| %s | %zu | %.0f | %.0f | %.0f |", name.c_str(), points.size(), ns(ours.solid), ns(ours.radii),
-              ns(ours.pairs));
-  if (points.size() > most_by_gudhi) {
-    std::printf(" – | – | – |\n");
-  } else {
-    PersistenceRun gudhi{.pairs = {}, .complex_seconds = infinity, .pairs_seconds = infinity};
-    for (int run = 0; run < runs; ++run) {
-      const PersistenceRun now = persistence_by_gudhi(points);
-      gudhi = {now.pairs, std::min(gudhi.complex_seconds, now.complex_seconds),
-               std::min(gudhi.pairs_seconds, now.pairs_seconds)};
-    }
-    std::printf(" %.0f | %.0f | %.1f |%s\n", ns(gudhi.complex_seconds), ns(gudhi.pairs_seconds),
-                (gudhi.complex_seconds + gudhi.pairs_seconds) / (ours.solid + ours.radii + ours.pairs),
-                are_near(gudhi.pairs, pairs) ? "" : " not equal");
+  rbpa::SolidFiltration filtration;
+  std::vector<rbpa::SolidPair> pairs;
+  PersistenceRun gudhi;
+  Timings of_complex;
+  const auto timed = [](auto step) {
+    const Stopwatch watch;
+    step();
+    return watch.run(0);
+  };
+  std::vector<Contestant> contestants = {
+      {"solid",
+       [&] { return timed([&] { const rbpa::Solid solid = rbpa::solid(points, INFINITY, {.threads = 1}); }); }},
+      {"radii",
+       [&] {
+         filtration = {};
+         return timed([&] { filtration = rbpa::solid_filtration(points, {.threads = 1}); });
+       }},
+      {"pairs",
+       [&] {
+         pairs = {};
+         return timed([&] { pairs = rbpa::solid_persistence(filtration); });
+       }},
+      {"GUDHI", [&] {
+         gudhi = persistence_by_gudhi(points);
+         of_complex.of.push_back(gudhi.complex.processor_seconds);
+         return gudhi.all;
+       }}};
+  if (points.size() > most_by_gudhi) contestants.pop_back();
+  const std::vector<Outcome> of = in_turn(contestants, {.runs = runs, .by_processor = true});
+  const auto ns = [&](double seconds) { return text("%.0f", 1e9 * seconds / static_cast<double>(points.size())); };
+  const double solid = of[0].seconds.least(), radii = of[1].seconds.least(), paired = of[2].seconds.least();
+  std::vector<std::string> cells = {
+      name, text("%zu", points.size()), ns(solid), ns(radii - solid), ns(paired), "–", "–", "–"};
+  if (of.size() > 3) {
+    const double all = of[3].seconds.least();
+    cells[5] = ns(of_complex.least());
+    cells[6] = ns(all - of_complex.least());
+    cells[7] = text("%.1f", all / (radii + paired)) + (are_near(gudhi.pairs, lasting(pairs)) ? "" : " not equal");
   }
-  std::fflush(stdout);
+  print_row(cells);
 }
 
-void measure_all(std::size_t points, int runs) {
-  std::printf(
-      "| points | count | solid() | radii | pairs | GUDHI's complex | GUDHI's pairs | GUDHI / rbpa, from points |\n"
-      "|---|--:|--:|--:|--:|--:|--:|--:|\n");
+}  // namespace
+}  // namespace rbpa_bench
+
+int main(int argc, char** argv) {
+  using namespace rbpa_bench;
+  const auto [points, runs] = read_sizes(argc, argv, {.runs = 3});
+  std::printf("%s; one thread, nanoseconds of the processor a point, the least of %d runs of each in turn.\n\n",
+              machine().c_str(), runs);
+  keep_memory();
+  print_head({"points"},
+             {"count", "solid()", "radii", "pairs", "GUDHI's complex", "GUDHI's pairs", "GUDHI / rbpa, from points"});
   std::vector<std::size_t> counts = {std::min(points, most_by_gudhi)};
   if (points > most_by_gudhi) counts.push_back(points);
   for (const std::size_t count : counts) {
@@ -107,16 +110,4 @@ void measure_all(std::size_t points, int runs) {
     measure("jittered grid", rbpa_test::jittered_cubes(count, 2), runs);
     measure("noisy torus", noisy_torus(count, 3), runs);
   }
-}
-
-}  // namespace
-}  // namespace rbpa_bench
-
-int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv, {}, {.runs = 3});
-  if (!arguments) return 2;
-  std::printf("%s; one thread, nanoseconds of the processor a point, the least of %d runs of each in turn.\n\n",
-              rbpa_bench::machine_and_build().c_str(), arguments->runs);
-  rbpa_bench::keep_memory();
-  rbpa_bench::measure_all(arguments->points, arguments->runs);
 }

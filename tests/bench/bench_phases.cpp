@@ -1,24 +1,21 @@
 // Measures the phases of rbpa(), in one thread: the tables of docs/reference/performance.md.
-//   bench_phases [--runs=N] [--points=N] [--alpha=SPACINGS]
-//                the least of 5 runs, 1,000,000 points, no radius; alpha in mean spacings of each set
+//   bench_phases [--runs=N] [--points=N]      the least of 5 runs, 1,000,000 points
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <utility>
-#include <vector>
 
-#include "bench/arguments.h"
-#include "bench/memory.h"
+#include "bench/measure.h"
+#include "bench/options.h"
+#include "bench/process.h"
+#include "bench/tables.h"
 #include "bench/workload.h"
 #include "rbpa/plane/mesh/assembly.h"
 #include "rbpa/plane/patches/find_patch.h"
 #include "rbpa/plane/predicate/radius.h"
 #include "rbpa/plane/remainder/remainder.h"
 #include "rbpa/plane/tile/for_each_tile.h"
-#include "support/spacing.h"
 
 namespace rbpa_bench {
 namespace {
@@ -31,27 +28,27 @@ constexpr std::array<const char*, phases> names = {
 
 using Seconds = std::array<double, phases>;
 
-class Stopwatch {
+/// Adds the time since the last lap to a phase.
+class Laps {
  public:
-  explicit Stopwatch(Seconds& seconds) : seconds_(seconds) {}
+  explicit Laps(Seconds& seconds) : seconds_(seconds) {}
   void lap(Phase phase) {
-    const Clock::time_point now = Clock::now();
-    seconds_[phase] += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
+    seconds_[phase] += watch_.seconds();
+    watch_ = {};
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Seconds& seconds_;
-  Clock::time_point last_ = Clock::now();
+  Stopwatch watch_ = {};
 };
 
 /// Runs rbpa() step by step.
-Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
+Seconds run(const rbpa_test::Points& points) {
+  const rbpa::Radius radius;  // none
   Seconds seconds{};
   rbpa::SolidAlphaComplex complex;
   rbpa::Threads threads;
-  Stopwatch watch(seconds);
+  Laps watch(seconds);
   rbpa::Assembly assembly(points, complex, threads);
   const rbpa::Sites& sites = assembly.sites();
   const rbpa::PointGrid& grid = sites.grid();
@@ -92,40 +89,31 @@ Seconds run(const rbpa_test::Points& points, const rbpa::Radius& radius) {
   return seconds;
 }
 
-void report(const Arguments& arguments) {
+void report(const Sizes& sizes) {
   const std::vector<Workload> workloads = {uniform, grid, clusters, kuzmin, lidar};
-  std::vector<Seconds> best;
-  std::printf("|");
-  for (const Workload& workload : workloads) {
-    const rbpa_test::Points points = workload.make(arguments.points);
-    const rbpa::Radius radius = std::isfinite(arguments.alpha)
-                                    ? rbpa::Radius(arguments.alpha * rbpa_test::mean_spacing(points))
-                                    : rbpa::Radius();
-    Seconds& least = best.emplace_back();
-    least.fill(std::numeric_limits<double>::infinity());
-    for (int i = 0; i < arguments.runs; ++i) {
-      const Seconds seconds = run(points, radius);
+  std::vector<Seconds> least(workloads.size());
+  for (std::size_t i = 0; i < workloads.size(); ++i) {
+    const rbpa_test::Points points = workloads[i].make(sizes.points);
+    least[i].fill(INFINITY);
+    for (int times = 0; times < sizes.runs; ++times) {
+      const Seconds seconds = run(points);
       for (std::size_t phase = 0; phase < phases; ++phase)
-        least[phase] = std::min(least[phase], 1e9 * seconds[phase] / static_cast<double>(points.size()));
+        least[i][phase] = std::min(least[i][phase], 1e9 * seconds[phase] / static_cast<double>(points.size()));
     }
-    std::printf(" | %s", workload.name.c_str());
   }
-  std::printf(" |\n|---|");
-  for (std::size_t i = 0; i < workloads.size(); ++i) std::printf("--:|");
+  print_head({""}, columns({}, workloads));
   for (std::size_t phase = 0; phase < phases; ++phase) {
-    std::printf("\n| %s", names[phase]);
-    for (const Seconds& least : best) std::printf(" | %.1f", least[phase]);
-    std::printf(" |");
+    std::vector<std::string> cells = {names[phase]};
+    for (const Seconds& of : least) cells.push_back(text("%.1f", of[phase]));
+    print_row(cells);
   }
-  std::printf("\n");
 }
 
 }  // namespace
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv, {.alpha = true});
-  if (!arguments) return 2;
+  const rbpa_bench::Sizes sizes = rbpa_bench::read_sizes(argc, argv);
   rbpa_bench::keep_memory();
-  rbpa_bench::report(*arguments);
+  rbpa_bench::report(sizes);
 }

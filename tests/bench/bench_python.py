@@ -1,10 +1,8 @@
 """Compares the Python package with the C++ call, with SciPy and a filter in NumPy, and with GEOS' concave hull.
 
-usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--processor]
-                                     [--plot FILE.png] [--markdown]
+usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--plot FILE.png] [--markdown]
 
-Contestants take turns, so that other work on the machine affects all of them; the median of the runs counts. With
---processor, processor seconds of all threads are measured, which other work affects less.
+Contestants take turns, so that other work on the machine affects all of them; the median of the runs counts.
 """
 
 from __future__ import annotations
@@ -21,38 +19,36 @@ from typing import Callable, Tuple
 import numpy as np
 import rbpa
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 
-
-Passed = Tuple[float, float, int]
-"""Seconds, of the clock and of the processor, and the number of triangles."""
+Passed = Tuple[float, int]
+"""Seconds and the number of triangles."""
 
 
 class Program:
     """The C++ call, in a process of its own that waits for its turn."""
 
-    def __init__(self, points: np.ndarray, alpha: float, threads: int, folder: str) -> None:
+    def __init__(self, points: np.ndarray, alpha: float, folder: str) -> None:
         file = pathlib.Path(folder, "points")
         points.tofile(file)
         program = pathlib.Path(rbpa.__file__).parents[2] / "bin" / "bench_arrays"
         self.process = subprocess.Popen(
-            [program, file, repr(alpha), str(threads)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            [program, file, repr(alpha), "0"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         )
 
     def __call__(self) -> Passed:
         assert self.process.stdin and self.process.stdout
         self.process.stdin.write("\n")
         self.process.stdin.flush()
-        seconds, processor, triangles = self.process.stdout.readline().split()
-        return float(seconds), float(processor), int(triangles)
+        seconds, _, triangles = self.process.stdout.readline().split()
+        return float(seconds), int(triangles)
 
 
 def timed(call: Callable[[], int]) -> Callable[[], Passed]:
     def run() -> Passed:
-        start, processor_start = time.perf_counter(), time.process_time()
+        start = time.perf_counter()
         triangles = call()
-        return time.perf_counter() - start, time.process_time() - processor_start, triangles
+        return time.perf_counter() - start, triangles
 
     return run
 
@@ -74,14 +70,11 @@ def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--points", type=int, default=1_000_000)
     arguments.add_argument("--runs", type=int, default=5)
-    arguments.add_argument("--threads", type=int, default=0, help="threads of rbpa; 0: all processors")
-    arguments.add_argument("--processor", action="store_true")
     arguments.add_argument("--plot")
     arguments.add_argument("--markdown", action="store_true")
     given = arguments.parse_args()
     points = np.random.default_rng(1).random((given.points, 2))
     alpha = 1.2 / given.points**0.5
-    threads = given.threads or None
 
     from geos import Hulls
 
@@ -93,10 +86,10 @@ def main() -> None:
 
     with tempfile.TemporaryDirectory() as folder:
         contestants: dict[str, Callable[[], Passed]] = {
-            "C++ triangulate()": Program(points, alpha, given.threads, folder),
-            "rbpa.alpha_shape": timed(lambda: len(rbpa.alpha_shape(points, alpha, threads=threads).simplices)),
-            "rbpa.concave_hull": timed(lambda: 0 * len(rbpa.concave_hull(points, alpha, allow_holes=True, threads=threads))),
+            "C++ alpha_complex()": Program(points, alpha, folder),
+            "rbpa.alpha_shape": timed(lambda: len(rbpa.alpha_shape(points, alpha).simplices)),
             "SciPy Delaunay, NumPy filter": timed(lambda: scipy_filtered(points, alpha)),
+            "rbpa.concave_hull": timed(lambda: 0 * len(rbpa.concave_hull(points, alpha, allow_holes=True))),
             "GEOS concave hull": timed(geos_hull),
         }
         seconds: dict[str, list[float]] = {name: [] for name in contestants}
@@ -105,34 +98,27 @@ def main() -> None:
             for name, run in contestants.items():
                 if seconds[name] and sum(seconds[name]) > 30:
                     continue  # it was slow enough
-                clock, processor, triangles[name] = run()
-                passed = processor if given.processor else clock
+                passed, triangles[name] = run()
                 if round_number:  # the first warms up
                     seconds[name].append(passed)
                 print(f"{name:30} {passed:8.3f} s", file=sys.stderr)
     found = {n for n in triangles.values() if n}
     assert len(found) == 1, f"the contestants found {triangles} triangles"
     median = {name: statistics.median(times) for name, times in seconds.items()}
-    rows = [
-        ("C++ triangulate()", "C++ triangulate()"),
-        ("rbpa.alpha_shape", "C++ triangulate()"),
-        ("SciPy Delaunay, NumPy filter", "rbpa.alpha_shape"),
-        ("rbpa.concave_hull", "rbpa.concave_hull"),
-        ("GEOS concave hull", "rbpa.concave_hull"),
-    ]
+    others = ["", "C++ alpha_complex()", "rbpa.alpha_shape", "", "rbpa.concave_hull"]
     if given.markdown:
         print("| | seconds, median | least | times as long as |\n|---|---|---|---|")
-    for name, other in rows:
-        ratio = "" if name == other else f"{median[name] / median[other]:.2f} × {other}"
+    for name, other in zip(contestants, others):
+        ratio = f"{median[name] / median[other]:.2f} × {other}" if other else ""
         if given.markdown:
             print(f"| {name} | {median[name]:.3f} | {min(seconds[name]):.3f} | {ratio} |")
         else:
             print(f"{name:30} {median[name]:8.3f} s, least {min(seconds[name]):8.3f} s  {ratio}")
     if given.plot:
-        draw(median, "seconds of the processor" if given.processor else "seconds", given.plot)
+        draw(median, given.plot)
 
 
-def draw(median: dict[str, float], unit: str, file: str) -> None:
+def draw(median: dict[str, float], file: str) -> None:
     import matplotlib
 
     matplotlib.use("Agg")
@@ -142,7 +128,7 @@ def draw(median: dict[str, float], unit: str, file: str) -> None:
     names = list(median)[::-1]
     bars = axes.barh(names, [median[n] for n in names], color=["#9ecae1" if n[0] in "rC" else "#cccccc" for n in names])
     axes.bar_label(bars, [f" {median[n]:.3g} s" for n in names])
-    axes.set(xlabel=unit)
+    axes.set(xlabel="seconds")
     axes.spines[["top", "right"]].set_visible(False)
     axes.margins(x=0.15)
     figure.savefig(file, dpi=120)

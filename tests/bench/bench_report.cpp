@@ -1,157 +1,188 @@
 // Compares rbpa() with CGAL and any other program, in turn on the same points, and prints the tables of
 // docs/reference/performance.md: times, memory, and the targets. Standard output is Markdown.
-//   bench_report [--points=N] [--runs=N] [--threads=1,2] [--trap-points=N] [--large] [--check]
-//                [--peer NAME=COMMAND]…
+//   bench_report [--points=N] [--runs=N] [--threads=1,2] [--large] [--check] [--peer NAME=COMMAND]…
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include <exception>
 
-#include "bench/measure.h"
-#include "bench/memory.h"
-#include "bench/peer.h"
-#include "bench/report_arguments.h"
+#include "bench/contest.h"
+#include "bench/options.h"
+#include "bench/process.h"
 #include "bench/tables.h"
-#include "bench/targets.h"
+#include "bench/workload.h"
 
 namespace rbpa_bench {
 namespace {
 
-constexpr double infinity = INFINITY;
+struct Task {
+  Workload workload;
+  std::size_t points;
+  double alpha;
+  std::string alpha_text;
+};
 
 /// Plan of a table of contests.
 struct Plan {
   std::string heading;
-  std::vector<Contestant> contestants;
+  std::vector<Method> methods;
   std::vector<Task> tasks;
-  bool with_memory = false;
-  std::vector<std::optional<double>> bytes = {};  ///< of each contestant of each task
+  std::vector<double> bytes = {};  ///< of each method of each task, where they are wanted
+};
+
+struct Arguments {
+  std::vector<unsigned> threads = {1, 2};
+  std::vector<std::string> peers = {};
+  bool large = false, check = false;
 };
 
 class Report {
  public:
-  explicit Report(const ReportArguments& arguments) : arguments_(arguments) {
+  Report(const Sizes& sizes, const Arguments& arguments) : sizes_(sizes), check_(arguments.check) {
     for (const unsigned threads : arguments.threads) ours_.push_back(rbpa_with(threads));
-    for (const auto& [name, command] : arguments.peers) peers_.push_back(peer(name, command));
+    for (const std::string& argument : arguments.peers) peers_.push_back(peer(argument));
+    const std::size_t n = sizes.points;
+    for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
+      delaunay_.tasks.push_back({workload, n, INFINITY, "∞"});
+    delaunay_.tasks.push_back({uniform, n / 10, INFINITY, "∞"});
+    if (arguments.large) delaunay_.tasks.push_back({uniform, 16 * n, INFINITY, "∞"});
   }
 
-  void run() const {
-    print_machine(arguments_.runs);
+  void run() {
+    const std::size_t n = sizes_.points, few = n / 10;
+    std::printf("%s; %d runs of each in turn after one that does not count; memory stays with the process.\n\n",
+                machine().c_str(), sizes_.runs);
     std::printf(
         "Nanoseconds a point: median (least–most); how many times the median of %s. `in N`: N runs only, as they take "
-        "long.\n\n",
+        "long.\n",
         ours_[0].name.c_str());
     std::fflush(stdout);  // otherwise child processes would print it again
-    const std::size_t points = arguments_.points;
-    Plan delaunay = without_radius(points), alpha = with_radius(points), few = with_radius_and_few(points / 10);
-    for (Plan* plan : {&delaunay, &few}) weigh_all(*plan);
+    // Peers find all Delaunay triangles, so that they compete with the others without a radius.
+    delaunay_.methods = ours_and({cgal_points(), cgal_indices()});
+    delaunay_.methods.insert(delaunay_.methods.end(), peers_.begin(), peers_.end());
+    Plan of_few = {"With a radius, fewer points",
+                   ours_and({cgal_points_filtered(), cgal_indices_filtered(), cgal_alpha_shape()}),
+                   {{uniform, few, 3, "3"}}};
+    for (Plan* plan : {&delaunay_, &of_few}) weigh(*plan);
     keep_memory();
 
-    Measured measured;
-    measured.delaunay = hold(delaunay);
-    measured.alpha = hold(alpha);
-    hold(few);
-    if (arguments_.trap_points > 0) measured.traps = hold(traps(arguments_.trap_points));
-    measured.sweep = hold(sweep(points));
-    std::printf("### Targets\n\n");
-    print(targets(measured, points));
+    const std::vector<Contest> delaunay = hold(delaunay_);
+    const std::vector<Contest> alpha =
+        hold({"With a radius; α in mean spacings",
+              ours_and({cgal_points_filtered(), cgal_indices_filtered(), cgal_points(), cgal_indices()}),
+              {{uniform, n, 3, "3"}, {jittered, n, 3, "3"}, {grid, n, 3, "3"}}});
+    hold(of_few);
+    const double spacing = spacing_along_curves(curves.make(few));
+    const std::vector<Contest> traps = hold({"Traps",
+                                             ours_and({cgal_points_filtered()}),
+                                             {{circle, few, 0.99, "0.99 radii"},
+                                              {circle, few, 2, "2 radii"},
+                                              {circle_line_cluster, few, 0.99, "0.99 radii"},
+                                              {circle_line_cluster, few, 2, "2 radii"},
+                                              {curves, few, 100 * spacing, "100 spacings"},
+                                              {concentric, few, 0.07, "0.07 radii"},
+                                              {concentric, few, 2, "2 radii"}}});
+    Plan sweep{"From one radius to the next; α in mean spacings", ours_and({cgal_points_filtered()}), {}};
+    for (const double radius : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
+      sweep.tasks.push_back({uniform, n, radius, text("%g", radius)});
+    print_targets(delaunay, alpha[0], traps, hold(sweep));
   }
 
  private:
-  std::vector<Contestant> ours_and(std::vector<Contestant> others) const {
+  std::vector<Method> ours_and(std::vector<Method> others) const {
     others.insert(others.begin(), ours_.begin(), ours_.end());
     return others;
   }
 
-  /// Peers find all Delaunay triangles, so that they compete with the others without a radius.
-  Plan without_radius(std::size_t points) const {
-    Plan plan{"Without a radius", ours_and({cgal_points, cgal_indices}), {}, true};
-    plan.contestants.insert(plan.contestants.end(), peers_.begin(), peers_.end());
-    for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
-      plan.tasks.push_back({workload, points, infinity, "∞"});
-    plan.tasks.push_back({uniform, points / 10, infinity, "∞"});
-    if (arguments_.large) plan.tasks.push_back({uniform, 16 * points, infinity, "∞"});
-    return plan;
-  }
-
-  Plan with_radius(std::size_t points) const {
-    return {"With a radius; α in mean spacings",
-            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_points, cgal_indices}),
-            {{uniform, points, 3, "3"}, {jittered, points, 3, "3"}, {grid, points, 3, "3"}}};
-  }
-
-  Plan with_radius_and_few(std::size_t points) const {
-    return {"With a radius, fewer points",
-            ours_and({cgal_points_filtered, cgal_indices_filtered, cgal_alpha_shape}),
-            {{uniform, points, 3, "3"}},
-            true};
-  }
-
-  Plan traps(std::size_t points) const {
-    const double spacing = spacing_along_curves(curves.make(points));
-    return {"Traps",
-            ours_and({cgal_points_filtered}),
-            {{circle, points, 0.99, "0.99 radii"},
-             {circle, points, 2, "2 radii"},
-             {circle_line_cluster, points, 0.99, "0.99 radii"},
-             {circle_line_cluster, points, 2, "2 radii"},
-             {curves, points, 100 * spacing, "100 spacings"},
-             {concentric, points, 0.07, "0.07 radii"},
-             {concentric, points, 2, "2 radii"}}};
-  }
-
-  Plan sweep(std::size_t points) const {
-    Plan plan{"From one radius to the next; α in mean spacings", ours_and({cgal_points_filtered}), {}};
-    for (const double alpha : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
-      char text[16];
-      std::snprintf(text, sizeof text, "%g", alpha);
-      plan.tasks.push_back({uniform, points, alpha, text});
-    }
-    return plan;
-  }
-
-  static void weigh_all(Plan& plan) {
+  /// Measures the memory of each method but of other programs.
+  void weigh(Plan& plan) const {
     for (const Task& task : plan.tasks)
-      for (const Contestant& contestant : plan.contestants) plan.bytes.push_back(weigh(task, contestant));
+      for (const Method& method : plan.methods) {
+        const bool is_peer =
+            std::any_of(peers_.begin(), peers_.end(), [&](const Method& p) { return p.name == method.name; });
+        const auto work = [&]() -> double {
+          const rbpa_test::Points points = task.workload.make(task.points);
+          return rise_of_peak([&] { method.run(points, task.alpha, nullptr); });
+        };
+        plan.bytes.push_back(is_peer ? NAN : in_child<double>(work).value_or(NAN));
+      }
   }
 
   std::vector<Contest> hold(const Plan& plan) const {
-    std::printf("### %s\n\n", plan.heading.c_str());
-    print_time_head(plan.contestants);
+    std::printf("\n### %s\n\n", plan.heading.c_str());
+    print_head({"points"}, columns({"number", "α", "triangles"}, plan.methods));
     std::vector<Contest> contests;
     std::size_t weighed = 0;
     for (const Task& task : plan.tasks) {
-      Contest contest =
-          measure(task, plan.contestants, {.runs = arguments_.runs, .warm = true, .check = arguments_.check});
+      const rbpa_test::Points points = task.workload.make(task.points);
+      Contest contest{task.workload.name, task.alpha_text, points.size(),
+                      in_turn(on(points, task.alpha, plan.methods), {.runs = sizes_.runs, .warm = true})};
+      if (check_) compare_sets(points, task.alpha, plan.methods, contest);
       for (Outcome& outcome : contest.outcomes)
-        if (plan.with_memory)
-          if (const std::optional<double> bytes = plan.bytes[weighed++]) outcome.bytes = bytes;
-      print_time_row(contest);
+        if (!plan.bytes.empty()) outcome.bytes = plan.bytes[weighed++];
+      print_times(contest);
       contests.push_back(std::move(contest));
     }
-    std::printf("\n");
-    print_clocks(contests);
-    if (plan.with_memory) {
-      std::printf("Bytes a point: peak of resident memory beyond the input, in a process of its own.\n\n");
-      print_memory(contests);
-    }
+    if (!plan.bytes.empty()) print_bytes(contests);
     return contests;
   }
 
-  const ReportArguments& arguments_;
-  std::vector<Contestant> ours_, peers_;
+  static void print_targets(const std::vector<Contest>& delaunay, const Contest& alpha,
+                            const std::vector<Contest>& traps, const std::vector<Contest>& sweep) {
+    const std::string one = rbpa_with(1).name;
+    std::vector<Target> targets;
+    const auto add = [&](const Contest& contest, const Method& method, double with_one, double with_two) {
+      const std::string what = text("%s %zu, α = %s: %s / ", contest.set.c_str(), contest.points, contest.alpha.c_str(),
+                                    method.name.c_str());
+      targets.push_back({what + one, "≥", with_one, contest.ratio(method.name, one)});
+      if (with_two == 0) return;
+      const std::string two = rbpa_with(2).name;
+      targets.push_back({what + two, "≥", with_two, contest.ratio(method.name, two)});
+    };
+    for (const Contest& contest : delaunay) {
+      if (&contest == &delaunay[6]) break;
+      const bool is_even = contest.set == grid.name || contest.set == lidar.name;
+      add(contest, cgal_points(), is_even ? 2.2 : 2, is_even ? 3.8 : 3.5);
+    }
+    add(alpha, cgal_points_filtered(), 2.2, 4);
+    add(delaunay[6], cgal_points(), 2, 3.4);
+    for (const Contest& contest : traps) add(contest, cgal_points_filtered(), 1, 0);
+    if (delaunay.size() > 7)
+      targets.push_back({"uniform, α = ∞, a point: sixteen times the points / a tenth of them", "≤", 1.35,
+                         delaunay[7].nanoseconds(one) / delaunay[6].nanoseconds(one)});
+    std::vector<double> a_triangle;
+    for (const Contest& contest : sweep)
+      a_triangle.push_back(contest.nanoseconds(one) * static_cast<double>(contest.points) /
+                           static_cast<double>(contest.outcomes[0].count));
+    const auto [least, most] = std::minmax_element(a_triangle.begin(), a_triangle.end());
+    targets.push_back({"uniform, α from 0.5 to 1000 spacings, a triangle: worst / best", "≤", 1.5, *most / *least});
+    targets.push_back(
+        {"α = ∞, a point: grid / jittered", "≤", 1.3, delaunay[2].nanoseconds(one) / delaunay[1].nanoseconds(one)});
+    print(targets);
+  }
+
+  Sizes sizes_;
+  bool check_;
+  std::vector<Method> ours_ = {}, peers_ = {};
+  Plan delaunay_ = {"Without a radius", {}, {}};
 };
 
 }  // namespace
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse_report(argc, argv);
-  if (!arguments) return 2;
-  std::printf("`bench_report");
-  for (int i = 1; i < argc; ++i) std::printf(" %s", argv[i]);
-  std::printf("`\n\n");
-  rbpa_bench::Report(*arguments).run();
+  using namespace rbpa_bench;
+  Arguments arguments;
+  const Sizes sizes =
+      read_sizes(argc, argv, {},
+                 {{"--threads", &arguments.threads, "of rbpa, 1,2; others are compared with the first"},
+                  {"--large", &arguments.large, "also measure sixteen times the points"},
+                  {"--check", &arguments.check, "compare sets of triangles, not only their numbers"},
+                  {"--peer", &arguments.peers, "NAME=COMMAND: COMMAND IN OUT takes part (tests/bench/contest.h)"}});
+  try {
+    Report(sizes, arguments).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_report: %s\n", error.what());
+    return 2;
+  }
 }

@@ -1,10 +1,11 @@
 // Measures how much of the complex tiles decide: the figures of docs/explanation/plane.md, section 11, as a Markdown
 // table.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
+#include <cmath>
 #include <cstdio>
-#include <limits>
 
-#include "bench/arguments.h"
+#include "bench/options.h"
+#include "bench/tables.h"
 #include "bench/workload.h"
 #include "rbpa/plane/grid/point_grid.h"
 #include "rbpa/plane/patches/find_patch.h"
@@ -51,42 +52,35 @@ std::size_t points_of_tiles(const rbpa::PointGrid& grid, std::uint32_t points_pe
   return points;
 }
 
-void print_row(const std::string& set, const rbpa_test::Points& points, double alpha, const char* alpha_text) {
+void measure(const std::string& set, const rbpa_test::Points& points, double alpha) {
   rbpa::Threads threads;
   const rbpa::Sites sites(points, threads);
   const rbpa::PointGrid& grid = sites.grid();
   const FoundByTiles by_tiles = found_by_tiles(sites, alpha);
   const std::size_t triangles = rbpa::rbpa(points, alpha).mesh.n_faces();
-  const auto distinct = static_cast<double>(grid.points().size());
-  std::printf("| %s | %zu | %s | %zu | %zu | %.2f | %zu | %.2f | %.2f | %.2f |\n", set.c_str(), points.size(),
-              alpha_text, triangles, by_tiles.tiles,
-              100 * static_cast<double>(by_tiles.triangles) / static_cast<double>(triangles),
-              triangles - by_tiles.triangles, 100 * static_cast<double>(by_tiles.settled) / distinct,
-              static_cast<double>(points_of_tiles(grid, rbpa::points_per_tile)) / distinct,
-              static_cast<double>(points_of_tiles(grid, 1024)) / distinct);
-  std::fflush(stdout);
-}
-
-void report(std::size_t count) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
-  std::printf(
-      "| points | number | α | triangles | tiles | found on tiles, %% | left over | settled points, %% | of tiles, "
-      "2048 "
-      "| "
-      "1024 |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
-    print_row(workload.name, workload.make(count), infinity, "∞");
-  for (const Workload& trap : {circle_line_cluster, concentric, curves})
-    print_row(trap.name, trap.make(count / 10), infinity, "∞");
-  print_row(uniform.name, uniform.make(count), 3, "3");
+  const auto share = [](std::size_t part, std::size_t of) {
+    return static_cast<double>(part) / static_cast<double>(of);
+  };
+  const std::size_t distinct = grid.points().size();
+  print_row({set, text("%zu", points.size()), std::isinf(alpha) ? "∞" : text("%g", alpha), text("%zu", triangles),
+             text("%zu", by_tiles.tiles), text("%.2f", 100 * share(by_tiles.triangles, triangles)),
+             text("%zu", triangles - by_tiles.triangles), text("%.2f", 100 * share(by_tiles.settled, distinct)),
+             text("%.2f", share(points_of_tiles(grid, rbpa::points_per_tile), distinct)),
+             text("%.2f", share(points_of_tiles(grid, 1024), distinct))});
 }
 
 }  // namespace
 }  // namespace rbpa_bench
 
 int main(int argc, char** argv) {
-  const auto arguments = rbpa_bench::parse(argc, argv);
-  if (!arguments) return 2;
-  rbpa_bench::report(arguments->points);
+  using namespace rbpa_bench;
+  const std::size_t count = read_sizes(argc, argv).points;
+  std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
+  print_head({"points"}, {"number", "α", "triangles", "tiles", "found on tiles, %", "left over", "settled points, %",
+                          "of tiles, 2048", "1024"});
+  for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
+    measure(workload.name, workload.make(count), INFINITY);
+  for (const Workload& trap : {circle_line_cluster, concentric, curves})
+    measure(trap.name, trap.make(count / 10), INFINITY);
+  measure(uniform.name, uniform.make(count), 3);
 }

@@ -1,6 +1,17 @@
 #include "bench/contest.h"
 
-#include "bench/stopwatch.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "bench/process.h"
+#include "bench/tables.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/paper.h"
 #include "rbpa/plane/alpha_complex.h"
@@ -9,113 +20,160 @@
 namespace rbpa_bench {
 namespace {
 
-Run told_by(const Stopwatch& watch) {
-  return {.seconds = watch.seconds(), .triangles = 0, .processor_seconds = watch.processor_seconds()};
-}
+using Points = std::span<const rbpa::Point>;
+
+std::size_t size_of(const rbpa::SolidAlphaComplex& found) { return found.mesh.n_faces(); }
+std::size_t size_of(const rbpa::Hierarchy& found) { return found.complex.mesh.n_faces(); }
+std::size_t size_of(const rbpa::AlphaComplex& found) { return found.triangles.size(); }
+Triangles listed(const rbpa::SolidAlphaComplex& found) { return rbpa::triangles(found); }
+Triangles listed(const rbpa::Hierarchy& found) { return rbpa::triangles(found.complex); }
+Triangles listed(const rbpa::AlphaComplex& found) { return {found.triangles.begin(), found.triangles.end()}; }
 
 template <typename Compute>
-Run timed(Compute compute, std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
-  const Stopwatch watch;
-  const rbpa::SolidAlphaComplex complex = compute(points, alpha, rbpa::Options{.threads = threads, .progress = {}});
-  Run run = told_by(watch);
-  if (list) *list = rbpa::triangles(complex);
-  run.triangles = complex.mesh.n_faces();
-  return run;
+Method method(const std::string& name, Compute compute) {
+  return {name, [compute](Points points, double alpha, Triangles* list) {
+            const Stopwatch watch;
+            const auto found = compute(points, alpha);
+            const Run run = watch.run(size_of(found));
+            if (list) *list = listed(found);
+            return run;
+          }};
 }
 
-template <typename Compute>
-Run timed_levels(Compute compute, std::span<const rbpa::Point> points, double alpha,
-                 const rbpa::HierarchyOptions& options) {
-  const Stopwatch watch;
-  const rbpa::Hierarchy hierarchy = compute(points, alpha, options);
-  Run run = told_by(watch);
-  run.triangles = hierarchy.complex.mesh.n_faces();
-  return run;
+std::string with_threads(const std::string& name, unsigned threads) {
+  return threads == 1 ? name : text("%s %u threads", name.c_str(), threads);
 }
 
-/// Returns the name, followed by the number of threads if there are several.
-std::string named(const std::string& name, unsigned threads) {
-  if (threads == 1) return name;
-  return name + " " + (threads == 0 ? "all" : std::to_string(threads)) + " threads";
+Method arrays(const std::string& name, unsigned threads, bool neighbors) {
+  return method(with_threads(name, threads), [=](Points points, double alpha) {
+    return rbpa::alpha_complex(points, alpha, {.neighbors = neighbors, .threads = threads});
+  });
 }
+
+/// Returns triangles in a form that does not depend on orientation, order and repetitions: corners ascending, the
+/// lowest of equal points, sorted.
+Triangles as_set(Triangles triangles, const std::vector<std::uint32_t>& lowest) {
+  for (rbpa_test::Triangle& t : triangles) {
+    for (std::uint32_t& corner : t) corner = lowest[corner];
+    std::sort(t.begin(), t.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+bool is_exact(const Method& method, double alpha) { return method.takes_alpha || std::isinf(alpha); }
 
 }  // namespace
 
-Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads, Triangles* list) {
-  return timed(rbpa::rbpa, points, alpha, threads, list);
+Method rbpa_with(unsigned threads) {
+  return method(with_threads("rbpa", threads), [=](Points points, double alpha) {
+    return rbpa::rbpa(points, alpha, {.threads = threads, .progress = {}});
+  });
 }
 
-Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads, bool neighbors, Triangles* list) {
-  rbpa::AlphaComplexOptions options;
-  options.threads = threads;
-  options.neighbors = neighbors;
-  const Stopwatch watch;
-  const rbpa::AlphaComplex found = rbpa::alpha_complex(points, alpha, options);
-  Run run = told_by(watch);
-  if (list) list->assign(found.triangles.begin(), found.triangles.end());
-  run.triangles = found.triangles.size();
-  return run;
+Method arrays_with(unsigned threads) { return arrays("arrays", threads, false); }
+Method neighbors_with(unsigned threads) { return arrays("arrays, neighbors", threads, true); }
+
+Method hrbpa(std::size_t leaf_capacity) {
+  return method("hrbpa", [=](Points points, double alpha) {
+    return rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
+  });
 }
 
-Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha) {
-  return timed(rbpa::paper::rbpa, points, alpha, 1, nullptr);
+Method paper_rbpa() {
+  return method("the paper's RBPA", [](Points points, double alpha) {
+    return rbpa::paper::rbpa(points, alpha, {.threads = 1, .progress = {}});
+  });
 }
 
-Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha) {
-  return timed_levels(rbpa::paper::hrbpa, points, alpha, {.threads = 1, .progress = {}});
+Method paper_hrbpa() {
+  return method("the paper's HRBPA", [](Points points, double alpha) {
+    return rbpa::paper::hrbpa(points, alpha, {.threads = 1, .progress = {}});
+  });
 }
 
-Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity) {
-  return timed_levels(rbpa::hrbpa, points, alpha, {.leaf_capacity = leaf_capacity, .threads = 1, .progress = {}});
+std::vector<Contestant> on(Points points, double alpha, const std::vector<Method>& methods) {
+  std::vector<Contestant> contestants;
+  for (const Method& method : methods)
+    contestants.push_back(
+        {method.name, [=, run = method.run] { return run(points, alpha, nullptr); }, is_exact(method, alpha)});
+  return contestants;
 }
 
-Run run_hrbpa(std::span<const rbpa::Point> points, double alpha) { return run_hrbpa_with(points, alpha, usual_leaves); }
-
-Contestant rbpa_with(unsigned threads) {
-  return {named("rbpa", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
-            return run_rbpa(points, alpha, threads, list);
-          }};
+void compare_sets(Points points, double alpha, const std::vector<Method>& methods, Contest& contest) {
+  const std::vector<std::uint32_t> lowest = rbpa_test::lowest_equal(points);
+  Triangles expected;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Outcome& outcome = contest.outcomes[i];
+    if (!outcome.is_good() || !is_exact(methods[i], alpha)) continue;
+    Triangles found, others;
+    try {
+      methods[i].run(points, alpha, &found);
+    } catch (const std::exception& error) {
+      outcome.failure = error.what();
+      continue;
+    }
+    if (found.empty() && outcome.count > 0) continue;  // it does not list its triangles
+    found = as_set(std::move(found), lowest);
+    if (i == 0) expected = found;
+    std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(others));
+    if (!others.empty() || found.size() != expected.size())
+      outcome.wrong = text("%zu of %zu triangles are others", others.size(), found.size());
+  }
 }
 
-Contestant arrays_with(unsigned threads) {
-  return {named("arrays", threads), [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
-            return run_arrays(points, alpha, threads, false, list);
-          }};
-}
-Contestant neighbors_with(unsigned threads) {
-  return {named("arrays, neighbors", threads),
-          [threads](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
-            return run_arrays(points, alpha, threads, true, list);
-          }};
+Method peer(const std::string& argument) {
+  const std::size_t sign = argument.find('=');
+  if (sign == 0 || sign == std::string::npos || sign + 1 == argument.size())
+    throw std::invalid_argument("--peer: found '" + argument + "', expected NAME=COMMAND");
+  const auto run = [command = argument.substr(sign + 1)](std::span<const rbpa::Point> points, double, Triangles* list) {
+    const Folder folder;
+    const std::string in = folder / "points", out = folder / "triangles", errors = folder / "errors";
+    write_values(in, std::vector(points.begin(), points.end()));
+    std::fflush(stdout);
+    const Stopwatch watch;
+    const int status =
+        std::system((command + " '" + in + "' '" + out + "' </dev/null >/dev/null 2>'" + errors + "'").c_str());
+    Run ended = watch.run(0);
+    std::string last, why;
+    std::ifstream file(errors);
+    for (std::string line; std::getline(file, line);) {
+      std::sscanf(line.c_str(), "seconds %lf", &ended.seconds);
+      if (!line.empty()) last = ": " + line;
+    }
+    if (WIFSIGNALED(status)) throw std::runtime_error(text("ended by signal %d", WTERMSIG(status)) + last);
+    if (WEXITSTATUS(status) != 0) throw std::runtime_error(text("ended with %d", WEXITSTATUS(status)) + last);
+    Triangles triangles = read_values<rbpa_test::Triangle>(out);
+    for (const rbpa_test::Triangle& triangle : triangles)
+      for (const std::uint32_t corner : triangle)
+        if (corner >= points.size()) throw std::runtime_error(text("named point %u of %zu", corner, points.size()));
+    ended.count = triangles.size();
+    ended.processor_seconds = ended.seconds;
+    if (list) *list = std::move(triangles);
+    return ended;
+  };
+  return {argument.substr(0, sign), run, /*takes_alpha=*/false};
 }
 
-const Contestant paper_rbpa{"the paper's RBPA", [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
-                              return run_paper_rbpa(points, alpha);
-                            }};
-const Contestant paper_hrbpa{"the paper's HRBPA", [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
-                               return run_paper_hrbpa(points, alpha);
-                             }};
-const Contestant hrbpa{
-    "hrbpa", [](std::span<const rbpa::Point> points, double alpha, Triangles*) { return run_hrbpa(points, alpha); }};
-const Contestant cgal_indices{"CGAL indices",
-                              [](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
-                                return run_cgal_indices(points, alpha, Filter::none, list);
-                              },
-                              /*takes_alpha=*/false};
-const Contestant cgal_indices_filtered{"CGAL indices + filter",
-                                       [](std::span<const rbpa::Point> points, double alpha, Triangles* list) {
-                                         return run_cgal_indices(points, alpha, Filter::circumradius, list);
-                                       }};
-const Contestant cgal_points{"CGAL points",
-                             [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
-                               return run_cgal_points(points, alpha, Filter::none);
-                             },
-                             /*takes_alpha=*/false};
-const Contestant cgal_points_filtered{"CGAL points + filter",
-                                      [](std::span<const rbpa::Point> points, double alpha, Triangles*) {
-                                        return run_cgal_points(points, alpha, Filter::circumradius);
-                                      }};
-const Contestant cgal_alpha_shape{"CGAL Alpha_shape_2", [](std::span<const rbpa::Point> points, double alpha,
-                                                           Triangles*) { return run_cgal_alpha_shape(points, alpha); }};
+const std::vector<Method>& cold_methods() {
+  static const std::vector<Method> all = {rbpa_with(1),      rbpa_with(2),      arrays_with(1), arrays_with(2),
+                                          neighbors_with(1), neighbors_with(2), cgal_points()};
+  return all;
+}
+
+ColdRun run_cold(std::size_t method, const std::string& points_file) {
+  const std::vector<double> told = run_again(text("--one %zu '%s'", method, points_file.c_str()), 4);
+  return {{told[0], told[1], static_cast<std::size_t>(told[2])}, told[3]};
+}
+
+void answer_cold_run(int argc, char** argv) {
+  if (argc != 4 || std::string_view(argv[1]) != "--one") return;
+  const auto points = read_values<rbpa::Point>(argv[3]);
+  const Method& method = cold_methods().at(std::stoul(argv[2]));
+  Run run;
+  const double bytes = rise_of_peak([&] { run = method.run(points, INFINITY, nullptr); });
+  std::printf("%.9g %.9g %zu %.0f\n", run.seconds, run.processor_seconds, run.count, bytes);
+  std::exit(0);
+}
 
 }  // namespace rbpa_bench

@@ -1,16 +1,15 @@
-// What: the contestants rbpa, hrbpa and CGAL, and the result of a run.
-// Law:  on the same points and alpha all contestants that accept alpha find the same number of triangles.
+// What: the methods rbpa, hrbpa, CGAL and any other program as contestants on points in the plane, and their runs in
+//       fresh processes.
+// Law:  on the same points and alpha all methods that take alpha find the same number of triangles.
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "bench/measure.h"
 #include "rbpa/base/point.h"
-#include "rbpa/hrbpa.h"
 #include "rbpa/plane/triangles_by_level.h"
 #include "support/triangle.h"
 
@@ -18,69 +17,61 @@ namespace rbpa_bench {
 
 using Triangles = std::vector<rbpa_test::Triangle>;
 
-/// Clock of a measured time.
-enum class Clock {
-  here,     ///< this process: from points in memory to the finished result; freeing it is not counted
-  peer,     ///< another program's own
-  process,  ///< from the start to the end of another program, its files included
-};
-
-struct Run {
-  double seconds;
-  std::size_t triangles;
-  Clock clock = Clock::here;
-  std::optional<double> process_bytes = {};      ///< the peak of another program, all of it
-  std::optional<double> processor_seconds = {};  ///< processor seconds of all threads, if the clock is ours
-};
-
-/// Contestant: computes triangles of points.
-struct Contestant {
+/// Computes triangles of points.
+struct Method {
   std::string name;
   /// If the result is a list of input indices, or can be converted to one after the measured time, it is left in `list`
   /// unless that is null. Throws std::runtime_error when there is no result.
   std::function<Run(std::span<const rbpa::Point> points, double alpha, Triangles* list)> run;
   bool takes_alpha = true;  ///< if false, it finds all Delaunay triangles whatever alpha is
-  bool is_program = false;  ///< another program, whose memory is measured from outside
 };
 
-/// Runs rbpa::rbpa(): a halfedge mesh with input indices. 0 threads: one for each processor.
-Run run_rbpa(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, Triangles* list = nullptr);
+Method rbpa_with(unsigned threads);       ///< rbpa::rbpa(): a halfedge mesh with input indices
+Method arrays_with(unsigned threads);     ///< rbpa::alpha_complex(): triangles in canonical order as arrays
+Method neighbors_with(unsigned threads);  ///< rbpa::alpha_complex() with neighbors
+/// Returns rbpa::hrbpa() with one thread: the mesh of rbpa(), from the bottom up.
+Method hrbpa(std::size_t leaf_capacity = rbpa::usual_leaf_capacity);
+Method paper_rbpa();
+Method paper_hrbpa();
 
-/// Runs rbpa::alpha_complex(): triangles in canonical order as arrays, on request with neighbors.
-Run run_arrays(std::span<const rbpa::Point> points, double alpha, unsigned threads = 1, bool neighbors = false,
-               Triangles* list = nullptr);
+/// Return CGAL's Delaunay triangulation with input indices, to a list of index triples; and its best case, the
+/// triangulation of a range of its own points, which it sorts, without indices. With a filter the result is a list of
+/// the triangles of circumradius at most alpha, in plain double arithmetic.
+Method cgal_indices();
+Method cgal_indices_filtered();
+Method cgal_points();
+Method cgal_points_filtered();
+/// Returns CGAL's Alpha_shape_2: the faces that it classifies as interior at alpha.
+Method cgal_alpha_shape();
 
-/// Run rbpa() and hrbpa() of the paper.
-Run run_paper_rbpa(std::span<const rbpa::Point> points, double alpha);
-Run run_paper_hrbpa(std::span<const rbpa::Point> points, double alpha);
+/// Returns the methods as contestants on these points, which are not copied.
+std::vector<Contestant> on(std::span<const rbpa::Point> points, double alpha, const std::vector<Method>& methods);
 
-/// Runs rbpa::hrbpa(): the mesh of rbpa(), from the bottom up, with one thread.
-Run run_hrbpa(std::span<const rbpa::Point> points, double alpha);
-constexpr std::size_t usual_leaves = rbpa::usual_leaf_capacity;
-Run run_hrbpa_with(std::span<const rbpa::Point> points, double alpha, std::size_t leaf_capacity);
+/// Runs the methods again and compares the triangles themselves with those of the first method, as sets.
+void compare_sets(std::span<const rbpa::Point> points, double alpha, const std::vector<Method>& methods,
+                  Contest& contest);
 
-/// Filter of triangles by circumradius, in plain double arithmetic.
-enum class Filter { none, circumradius };
+/// Returns any program as a method, of an argument NAME=COMMAND. The shell runs the command with two file names behind
+/// it: points to read, as native float64 pairs x y x y …, and triangles to write, as native uint32 triples of indices
+/// into them. Its time is the value of a line `seconds VALUE` on its standard error, or else that of its whole process,
+/// files included. It finds all Delaunay triangles. A run throws std::runtime_error when the command ended with a code
+/// or a signal, wrote no triangles or an incomplete one, or named a point that does not exist. Throws
+/// std::invalid_argument when the argument has no name or no command.
+Method peer(const std::string& argument);
 
-/// Runs CGAL's Delaunay triangulation with input indices, to a list of index triples.
-Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list = nullptr);
+/// Returns the methods of cold runs: the meshes and arrays of one thread and two, and CGAL.
+const std::vector<Method>& cold_methods();
 
-/// Runs CGAL's best case: its triangulation of a range of its own points, which it sorts, without indices. The result
-/// is the triangulation itself, or, with a filter, a list of its faces.
-Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter);
+struct ColdRun {
+  Run run;
+  double bytes;  ///< peak rise of resident memory above the state with the points loaded
+};
 
-/// Runs CGAL's Alpha_shape_2: the faces that it classifies as interior at alpha.
-Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha);
+/// Runs the cold method of that number on a file of points (write_values()), in a fresh process of this program, with
+/// page faults: the cost for the user of a program. Its main() begins with answer_cold_run().
+ColdRun run_cold(std::size_t method, const std::string& points_file);
 
-Contestant rbpa_with(unsigned threads);
-Contestant arrays_with(unsigned threads);
-Contestant neighbors_with(unsigned threads);
-extern const Contestant paper_rbpa, paper_hrbpa;
-extern const Contestant hrbpa;
-extern const Contestant cgal_indices;  ///< without a filter
-extern const Contestant cgal_indices_filtered;
-extern const Contestant cgal_points;  ///< without a filter
-extern const Contestant cgal_points_filtered;
-extern const Contestant cgal_alpha_shape;
+/// Ends the process of a cold run, after printing its result; does nothing in any other process.
+void answer_cold_run(int argc, char** argv);
 
 }  // namespace rbpa_bench

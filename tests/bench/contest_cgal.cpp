@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "bench/contest.h"
-#include "bench/stopwatch.h"
 
 namespace rbpa_bench {
 namespace {
@@ -32,6 +31,9 @@ using SortTraits = CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pa
 using AlphaStorage = CGAL::Triangulation_data_structure_2<CGAL::Alpha_shape_vertex_base_2<Kernel>,
                                                           CGAL::Alpha_shape_face_base_2<Kernel>>;
 using AlphaShape = CGAL::Alpha_shape_2<CGAL::Delaunay_triangulation_2<Kernel, AlphaStorage>>;
+
+/// Filter of triangles by circumradius, in plain double arithmetic.
+enum class Filter { none, circumradius };
 
 bool circumradius_at_most(const Point& a, const Point& b, const Point& c, double alpha) {
   const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
@@ -52,20 +54,13 @@ std::vector<Point> as_points(std::span<const rbpa::Point> points) {
   return all;
 }
 
-Run told_by(const Stopwatch& watch, std::size_t triangles) {
-  return {.seconds = watch.seconds(), .triangles = triangles, .processor_seconds = watch.processor_seconds()};
-}
-
-}  // namespace
-
-Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list) {
+Run run_indices(std::span<const rbpa::Point> points, double alpha, Filter filter, Triangles* list) {
   const Stopwatch watch;
   std::vector<IndexedPoint> indexed;
   indexed.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) indexed.push_back({Point(points[i].x, points[i].y), i});
   // Sorting pairs in place and inserting them one after the other is a quarter faster than insert(first, last), which
-  // sorts
-  // indices; CGAL's other policy of the Hilbert curve is slower than this one on grids.
+  // sorts indices; CGAL's other policy of the Hilbert curve is slower than this one on grids.
   CGAL::spatial_sort(indexed.begin(), indexed.end(), SortTraits());
   IndexedDelaunay triangulation;
   IndexedDelaunay::Face_handle near = nullptr;
@@ -80,31 +75,52 @@ Run run_cgal_indices(std::span<const rbpa::Point> points, double alpha, Filter f
   for (const auto face : triangulation.finite_face_handles())
     if (passes(face, alpha, filter))
       triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  const Run run = told_by(watch, triangles.size());
+  const Run run = watch.run(triangles.size());
   if (list) *list = std::move(triangles);
   return run;
 }
 
-Run run_cgal_points(std::span<const rbpa::Point> points, double alpha, Filter filter) {
+Run run_points(std::span<const rbpa::Point> points, double alpha, Filter filter) {
   const std::vector<Point> own = as_points(points);
   const Stopwatch watch;
   const PlainDelaunay triangulation(own.begin(), own.end());
-  if (filter == Filter::none) return told_by(watch, triangulation.number_of_faces());
+  if (filter == Filter::none) return watch.run(triangulation.number_of_faces());
   std::vector<PlainDelaunay::Face_handle> faces;
   faces.reserve(triangulation.number_of_faces());
   for (const auto face : triangulation.finite_face_handles())
     if (passes(face, alpha, filter)) faces.push_back(face);
-  return told_by(watch, faces.size());
+  return watch.run(faces.size());
 }
 
-Run run_cgal_alpha_shape(std::span<const rbpa::Point> points, double alpha) {
+Run run_alpha_shape(std::span<const rbpa::Point> points, double alpha) {
   const std::vector<Point> own = as_points(points);
   const Stopwatch watch;
   const AlphaShape shape(own.begin(), own.end(), alpha * alpha, AlphaShape::GENERAL);
   std::size_t interior = 0;
   for (const auto face : shape.finite_face_handles())
     if (shape.classify(face) == AlphaShape::INTERIOR) ++interior;
-  return told_by(watch, interior);
+  return watch.run(interior);
+}
+
+Method indices(const char* name, Filter filter) {
+  return {name,
+          [filter](auto points, double alpha, Triangles* list) { return run_indices(points, alpha, filter, list); },
+          filter != Filter::none};
+}
+
+Method points_alone(const char* name, Filter filter) {
+  return {name, [filter](auto points, double alpha, Triangles*) { return run_points(points, alpha, filter); },
+          filter != Filter::none};
+}
+
+}  // namespace
+
+Method cgal_indices() { return indices("CGAL indices", Filter::none); }
+Method cgal_indices_filtered() { return indices("CGAL indices + filter", Filter::circumradius); }
+Method cgal_points() { return points_alone("CGAL points", Filter::none); }
+Method cgal_points_filtered() { return points_alone("CGAL points + filter", Filter::circumradius); }
+Method cgal_alpha_shape() {
+  return {"CGAL Alpha_shape_2", [](auto points, double alpha, Triangles*) { return run_alpha_shape(points, alpha); }};
 }
 
 }  // namespace rbpa_bench

@@ -4,6 +4,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -19,10 +20,14 @@ using Halfedge = SurfaceMesh::Halfedge_index;
 using HalfedgePairs = std::vector<std::pair<Halfedge, Halfedge>>;
 namespace Euler = CGAL::Euler;
 
-SurfaceMesh room_for(const Task& task) {
-  SurfaceMesh mesh;
+void make_room(SurfaceMesh& mesh, const Task& task) {
   mesh.reserve(task.vertices, static_cast<SurfaceMesh::size_type>(task.vertices + task.triangles.size() + 1),
                static_cast<SurfaceMesh::size_type>(task.triangles.size()));
+}
+
+SurfaceMesh room_for(const Task& task) {
+  SurfaceMesh mesh;
+  make_room(mesh, task);
   for (std::uint32_t v = 0; v < task.vertices; ++v) mesh.add_vertex();
   return mesh;
 }
@@ -38,11 +43,15 @@ SurfaceMesh mesh_of(const Task& task) {
   return mesh;
 }
 
+}  // namespace
+
+template <>
 void copy_with_room(const SurfaceMesh& from, SurfaceMesh& to) {
   to = from;
   to.reserve(2 * from.num_vertices(), 2 * from.num_edges(), 2 * from.num_faces());
 }
 
+template <>
 Shape shape_of(const SurfaceMesh& mesh) {
   Shape shape{mesh.number_of_vertices(), mesh.number_of_edges()};
   for (const auto f : mesh.faces()) {
@@ -54,45 +63,14 @@ Shape shape_of(const SurfaceMesh& mesh) {
   return shape;
 }
 
-Halfedge halfedge_of(const SurfaceMesh& mesh, std::uint32_t from, std::uint32_t to) {
+namespace {
+
+Halfedge halfedge(const SurfaceMesh& mesh, std::uint32_t from, std::uint32_t to) {
   const Halfedge h = mesh.halfedge(Vertex(from), Vertex(to));
   if (h == SurfaceMesh::null_halfedge()) throw std::runtime_error("a site is not in the mesh");
   return h;
 }
-Halfedge first_side(const SurfaceMesh& mesh, const Site& site) { return halfedge_of(mesh, site[0], site[1]); }
-
-template <typename Locate, typename Step>
-std::unique_ptr<Contestant> at_sites(SurfaceMesh mesh, const Task& task, Locate locate, Step step) {
-  using Handles = decltype(locate(mesh, task.sites.front()));
-  std::vector<Handles> sites;
-  for (const Site& site : task.sites) sites.push_back(locate(mesh, site));
-  using Result = AtSites<SurfaceMesh, Handles, decltype(&copy_with_room), Step, decltype(&shape_of)>;
-  return std::make_unique<Result>(std::move(mesh), std::move(sites), &copy_with_room, step, &shape_of);
-}
-
-template <typename Prepare, typename Run>
-class AtOnce : public Contestant {
- public:
-  AtOnce(Prepare prepare, Run run) : prepare_(prepare), run_(run) {}
-  double pass() override {
-    mesh_ = SurfaceMesh();
-    auto prepared = prepare_(mesh_);
-    const double begin = seconds_of_thread();
-    run_(mesh_, prepared);
-    return seconds_of_thread() - begin;
-  }
-  Shape shape() const override { return shape_of(mesh_); }
-
- private:
-  SurfaceMesh mesh_;
-  Prepare prepare_;
-  Run run_;
-};
-
-template <typename Prepare, typename Run>
-std::unique_ptr<Contestant> at_once(Prepare prepare, Run run) {
-  return std::make_unique<AtOnce<Prepare, Run>>(prepare, run);
-}
+Halfedge halfedge_of(const SurfaceMesh& mesh, const Site& site) { return halfedge(mesh, site[0], site[1]); }
 
 void split_edge(SurfaceMesh& mesh, Halfedge h) {
   const Halfedge o = mesh.opposite(h), to_new = Euler::split_edge(h, mesh);
@@ -121,91 +99,58 @@ Soup soup_of(const Task& task) {
 
 }  // namespace
 
-std::vector<Entry> cgal_entries(Operation operation) {
-  switch (operation) {
+Contestant cgal_at(const Task& task) {
+  const auto at = [&](auto locate, auto step) { return at_sites(mesh_of(task), task, locate, step); };
+  switch (task.operation) {
     case Operation::split_edge:
-      return {{"cgal", [](const Task& task) { return at_sites(mesh_of(task), task, first_side, split_edge); }}};
+      return at(halfedge_of, split_edge);
     case Operation::split_face:
-      return {{"cgal", [](const Task& task) {
-                 return at_sites(mesh_of(task), task, first_side,
-                                 [](SurfaceMesh& m, Halfedge h) { Euler::add_center_vertex(h, m); });
-               }}};
+      return at(halfedge_of, [](SurfaceMesh& m, Halfedge h) { Euler::add_center_vertex(h, m); });
     case Operation::flip:
-      return {{"cgal", [](const Task& task) {
-                 return at_sites(mesh_of(task), task, first_side, [](SurfaceMesh& m, Halfedge h) {
-                   const Halfedge o = m.opposite(h);
-                   if (m.is_border(h) || m.is_border(o)) return;
-                   if (CGAL::halfedge(m.target(m.next(h)), m.target(m.next(o)), m).second) return;
-                   Euler::flip_edge(h, m);
-                 });
-               }}};
+      return at(halfedge_of, [](SurfaceMesh& m, Halfedge h) {
+        const Halfedge o = m.opposite(h);
+        if (m.is_border(h) || m.is_border(o)) return;
+        if (CGAL::halfedge(m.target(m.next(h)), m.target(m.next(o)), m).second) return;
+        Euler::flip_edge(h, m);
+      });
     case Operation::collapse:
-      return {{"cgal", [](const Task& task) {
-                 return at_sites(mesh_of(task), task, first_side, [](SurfaceMesh& m, Halfedge h) {
-                   if (Euler::does_satisfy_link_condition(m.edge(h), m)) Euler::collapse_edge(m.edge(h), m);
-                 });
-               }}};
+      return at(halfedge_of, [](SurfaceMesh& m, Halfedge h) {
+        if (Euler::does_satisfy_link_condition(m.edge(h), m)) Euler::collapse_edge(m.edge(h), m);
+      });
     case Operation::split_vertex:
-      return {{"cgal", [](const Task& task) {
-                 return at_sites(
-                     mesh_of(task), task,
-                     [](const SurfaceMesh& m, const Site& s) {
-                       const Halfedge left = halfedge_of(m, s[0], s[1]), right = halfedge_of(m, s[0], s[2]);
-                       return std::pair(m.opposite(right), m.prev(left));
-                     },
-                     split_vertex);
-               }}};
+      return at(
+          [](const SurfaceMesh& m, const Site& s) {
+            return std::pair(m.opposite(halfedge(m, s[0], s[2])), m.prev(halfedge(m, s[0], s[1])));
+          },
+          split_vertex);
     case Operation::open_curve:
-      return {{"cgal", [](const Task& task) {
-                 return at_sites(mesh_of(task), task, first_side,
-                                 [](SurfaceMesh& m, Halfedge h) { Euler::make_hole(h, m); });
-               }}};
-    case Operation::close_curve:
-      return {{"cgal", [](const Task& task) {
-                 SurfaceMesh mesh = mesh_of(task);
-                 for (const Site& site : task.sites) Euler::make_hole(first_side(mesh, site), mesh);
-                 return at_sites(std::move(mesh), task, first_side,
-                                 [](SurfaceMesh& m, Halfedge h) { Euler::fill_hole(h, m); });
-               }}};
+      return at(halfedge_of, [](SurfaceMesh& m, Halfedge h) { Euler::make_hole(h, m); });
+    case Operation::close_curve: {
+      SurfaceMesh mesh = mesh_of(task);
+      for (const Site& site : task.sites) Euler::make_hole(halfedge_of(mesh, site), mesh);
+      return at_sites(mesh, task, halfedge_of, [](SurfaceMesh& m, Halfedge h) { Euler::fill_hole(h, m); });
+    }
     case Operation::add_triangles:
-      return {{"cgal", [](const Task& task) {
-                 return at_once(
-                     [&task](SurfaceMesh& m) {
-                       m = room_for(task);
-                       m.reserve(task.vertices,
-                                 static_cast<SurfaceMesh::size_type>(task.vertices + task.triangles.size() + 1),
-                                 static_cast<SurfaceMesh::size_type>(task.triangles.size()));
-                       return 0;
-                     },
-                     [&task](SurfaceMesh& m, int) { add_all(m, task); });
-               }}};
+      return at_once<SurfaceMesh>([&task](SurfaceMesh& m) { return m = room_for(task), make_room(m, task), 0; },
+                                  [&task](SurfaceMesh& m, int) { add_all(m, task); });
     case Operation::build_mesh:
-      return {{"cgal", [](const Task& task) {
-                 return at_once([](SurfaceMesh&) { return 0; },
-                                [soup = soup_of(task)](SurfaceMesh& m, int) {
-                                  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points,
-                                                                                              soup.triangles, m);
-                                });
-               }}};
+      return at_once<SurfaceMesh>([](SurfaceMesh&) { return 0; },
+                                  [soup = soup_of(task)](SurfaceMesh& m, int) {
+                                    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points,
+                                                                                                soup.triangles, m);
+                                  });
     case Operation::sew_curves:
-      return {{"cgal", [](const Task& task) {
-                 return at_once(
-                     [&task, start = mesh_of(task)](SurfaceMesh& m) {
-                       m = start;
-                       HalfedgePairs pairs;
-                       for (std::size_t i = 0; i < task.steps; ++i)
-                         pairs.push_back({first_side(m, task.sites[i]), first_side(m, task.sites[task.steps + i])});
-                       return pairs;
-                     },
-                     [](SurfaceMesh& m, const HalfedgePairs& pairs) {
-                       CGAL::Polygon_mesh_processing::stitch_borders(m, pairs);
-                     });
-               }}};
-    case Operation::unglue:
-    case Operation::glue:
       break;
   }
-  return {};
+  return at_once<SurfaceMesh>(
+      [&task, start = mesh_of(task)](SurfaceMesh& m) {
+        m = start;
+        HalfedgePairs pairs;
+        for (std::size_t i = 0; i < task.steps; ++i)
+          pairs.push_back({halfedge_of(m, task.sites[i]), halfedge_of(m, task.sites[task.steps + i])});
+        return pairs;
+      },
+      [](SurfaceMesh& m, const HalfedgePairs& pairs) { CGAL::Polygon_mesh_processing::stitch_borders(m, pairs); });
 }
 
 }  // namespace meshops_bench

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,17 +35,15 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-class Contestant {
- public:
-  Contestant() = default;
-  Contestant(const Contestant&) = delete;
-  Contestant& operator=(const Contestant&) = delete;
-  virtual ~Contestant() = default;
-  /// Operates at all sites of a fresh copy. Returns: the seconds of processor time.
-  virtual double pass() = 0;
-  /// Returns the shape of the mesh after the last pass.
-  virtual Shape shape() const = 0;
+struct Contestant {
+  std::function<double()> pass;  ///< operates on a fresh copy; returns seconds of this thread's processor time
+  std::function<Shape()> shape;  ///< returns the shape of the mesh after the last pass
 };
+
+/// Return the contestant for a task, which must outlive it. OpenMesh does not sew curves.
+Contestant meshops_at(const Task& task);
+Contestant openmesh_at(const Task& task);
+Contestant cgal_at(const Task& task);
 
 /// Returns the processor time of this thread; other work on the machine that takes turns with it does not count.
 inline double seconds_of_thread() {
@@ -54,38 +52,40 @@ inline double seconds_of_thread() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Contestant that calls step(mesh, site) at every site, one after the other. `copy(from, to)` reserves room for the
-/// elements that the steps add.
-template <typename Mesh, typename Handles, typename Copy, typename Step, typename ShapeOf>
-class AtSites : public Contestant {
- public:
-  AtSites(Mesh mesh, std::vector<Handles> sites, Copy copy, Step step, ShapeOf shape_of)
-      : start_(std::move(mesh)), sites_(std::move(sites)), copy_(copy), step_(step), shape_of_(shape_of) {}
+/// Each type of mesh specializes these. copy_with_room() reserves room for the elements that steps add.
+template <typename Mesh>
+void copy_with_room(const Mesh& from, Mesh& to);
+template <typename Mesh>
+Shape shape_of(const Mesh& mesh);
 
-  double pass() override {
-    copy_(start_, mesh_);
-    const double begin = seconds_of_thread();
-    for (const Handles& site : sites_) step_(mesh_, site);
-    return seconds_of_thread() - begin;
-  }
-  Shape shape() const override { return shape_of_(mesh_); }
+/// Returns a contestant that calls step(mesh, handles) for each site, with the result of locate(mesh, site).
+template <typename Mesh, typename Locate, typename Step>
+Contestant at_sites(const Mesh& start, const Task& task, Locate locate, Step step) {
+  using Handles = decltype(locate(start, task.sites.front()));
+  std::vector<Handles> sites;
+  for (const Site& site : task.sites) sites.push_back(locate(start, site));
+  const auto mesh = std::make_shared<Mesh>();
+  return {[=] {
+            copy_with_room(start, *mesh);
+            const double begin = seconds_of_thread();
+            for (const Handles& site : sites) step(*mesh, site);
+            return seconds_of_thread() - begin;
+          },
+          [=] { return shape_of(*mesh); }};
+}
 
- private:
-  Mesh start_, mesh_;
-  std::vector<Handles> sites_;
-  Copy copy_;
-  Step step_;
-  ShapeOf shape_of_;
-};
-
-struct Entry {
-  std::string_view name;
-  std::unique_ptr<Contestant> (*make)(const Task& task);
-};
-
-/// Return the contestants that can do the operation, which may be none.
-std::vector<Entry> meshops_entries(Operation operation);
-std::vector<Entry> openmesh_entries(Operation operation);
-std::vector<Entry> cgal_entries(Operation operation);
+/// Returns a contestant that operates on the whole mesh at once: prepare(mesh) is not timed, run(mesh, its result) is.
+template <typename Mesh, typename Prepare, typename Run>
+Contestant at_once(Prepare prepare, Run run) {
+  const auto mesh = std::make_shared<Mesh>();
+  return {[=] {
+            *mesh = Mesh();
+            auto prepared = prepare(*mesh);
+            const double begin = seconds_of_thread();
+            run(*mesh, prepared);
+            return seconds_of_thread() - begin;
+          },
+          [=] { return shape_of(*mesh); }};
+}
 
 }  // namespace meshops_bench

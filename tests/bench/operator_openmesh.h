@@ -2,7 +2,6 @@
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <vector>
 
 #include "bench/operator_contest.h"
 
@@ -12,48 +11,21 @@ struct TriMesh : OpenMesh::TriMesh_ArrayKernelT<> {
   TriMesh();
 };
 
+/// Adds the vertices of a task, with room for its triangles.
+void add_vertices(TriMesh& mesh, const Task& task);
 /// Builds a mesh by OpenMesh's add_face().
 TriMesh mesh_of(const Task& task);
+template <>
 void copy_with_room(const TriMesh& from, TriMesh& to);
+template <>
 Shape shape_of(const TriMesh& mesh);
 
 OpenMesh::VertexHandle vertex(std::uint32_t index);
 OpenMesh::HalfedgeHandle halfedge(const TriMesh& mesh, std::uint32_t from, std::uint32_t to);
-OpenMesh::FaceHandle face(const TriMesh& mesh, const Site& site);
 
-/// Contestant whose step gets the result of `locate(mesh, site)` for each site.
-template <typename Locate, typename Step>
-std::unique_ptr<Contestant> at_sites(TriMesh mesh, const Task& task, Locate locate, Step step) {
-  using Handles = decltype(locate(mesh, task.sites.front()));
-  std::vector<Handles> sites;
-  for (const Site& site : task.sites) sites.push_back(locate(mesh, site));
-  using Result = AtSites<TriMesh, Handles, decltype(&copy_with_room), Step, decltype(&shape_of)>;
-  return std::make_unique<Result>(std::move(mesh), std::move(sites), &copy_with_room, step, &shape_of);
-}
-
-/// Contestant that operates on the whole mesh at once: prepare(mesh) is not timed, run(mesh) is.
-template <typename Prepare, typename Run>
-class AtOnce : public Contestant {
- public:
-  AtOnce(Prepare prepare, Run run) : prepare_(prepare), run_(run) {}
-  double pass() override {
-    mesh_ = TriMesh();
-    prepare_(mesh_);
-    const double begin = seconds_of_thread();
-    run_(mesh_);
-    return seconds_of_thread() - begin;
-  }
-  Shape shape() const override { return shape_of(mesh_); }
-
- private:
-  TriMesh mesh_;
-  Prepare prepare_;
-  Run run_;
-};
-
-template <typename Prepare, typename Run>
-std::unique_ptr<Contestant> at_once(Prepare prepare, Run run) {
-  return std::make_unique<AtOnce<Prepare, Run>>(prepare, run);
-}
+/// Return the handles of a site.
+OpenMesh::HalfedgeHandle halfedge_of(const TriMesh& mesh, const Site& site);
+OpenMesh::EdgeHandle edge_of(const TriMesh& mesh, const Site& site);
+OpenMesh::FaceHandle face_of(const TriMesh& mesh, const Site& site);
 
 }  // namespace meshops_bench

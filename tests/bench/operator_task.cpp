@@ -80,31 +80,16 @@ class SiteFinder {
   SiteFinder(const Task& task, std::mt19937& random) : mesh_(mesh_of(task)), random_(random) {}
 
   std::vector<Site> edges(std::size_t count) {
-    std::vector<Site> sites;
-    for (const meshops::Edge e : shuffled<meshops::Edge>(mesh_.n_edges())) {
-      if (sites.size() == count) break;
-      sites.push_back(ends(mesh_.halfedge_handle(e, 0)));
-    }
-    return sites;
+    return some<meshops::Edge>(mesh_.n_edges(), count, [](meshops::Edge) { return true; });
   }
   std::vector<Site> faces(std::size_t count) {
-    std::vector<Site> sites;
-    for (const meshops::Face f : shuffled<meshops::Face>(mesh_.n_faces())) {
-      if (sites.size() == count) break;
-      sites.push_back(corners_of(mesh_, f));
-    }
-    return sites;
+    return some<meshops::Face>(mesh_.n_faces(), count, [](meshops::Face) { return true; });
   }
   /// Returns edges that can be flipped one after the other.
   std::vector<Site> flips(std::size_t count) {
-    std::vector<Site> sites;
-    for (const meshops::Edge e : shuffled<meshops::Edge>(mesh_.n_edges())) {
-      if (sites.size() == count) break;
-      if (meshops::flip_blocker(mesh_, e)) continue;
-      sites.push_back(ends(mesh_.halfedge_handle(e, 0)));
-      meshops::flip(mesh_, e);
-    }
-    return sites;
+    return some<meshops::Edge>(
+        mesh_.n_edges(), count, [&](meshops::Edge e) { return !meshops::flip_blocker(mesh_, e); },
+        [&](meshops::Edge e) { meshops::flip(mesh_, e); });
   }
   /// Returns halfedges of inner vertices whose stars share no vertex, and which can be collapsed one after the other.
   std::vector<Site> collapses() {
@@ -133,9 +118,6 @@ class SiteFinder {
     return apart([&](meshops::Vertex v) { return corners_of(mesh_, mesh_.face_handle(mesh_.halfedge_handle(v))); },
                  [](const Site&) { return true; });
   }
-  std::vector<Site> edges_apart() {
-    return apart([&](meshops::Vertex v) { return ends(mesh_.halfedge_handle(v)); }, [](const Site&) { return true; });
-  }
 
  private:
   template <typename Element>
@@ -144,6 +126,21 @@ class SiteFinder {
     for (std::size_t i = 0; i < count; ++i) elements.emplace_back(static_cast<int>(i));
     std::shuffle(elements.begin(), elements.end(), random_);
     return elements;
+  }
+  Site site_of(meshops::Edge e) const { return ends(mesh_.halfedge_handle(e, 0)); }
+  Site site_of(meshops::Face f) const { return corners_of(mesh_, f); }
+  /// Returns the sites of `count` of the elements in random order that accept() lets pass, each before use() of it.
+  template <typename Element, typename Accept, typename Use = void (*)(Element)>
+  std::vector<Site> some(
+      std::size_t of, std::size_t count, Accept accept, Use use = [](Element) {}) {
+    std::vector<Site> sites;
+    for (const Element element : shuffled<Element>(of)) {
+      if (sites.size() == count) break;
+      if (!accept(element)) continue;
+      sites.push_back(site_of(element));
+      use(element);
+    }
+    return sites;
   }
   Site ends(meshops::Halfedge h) const {
     return {index(mesh_.from_vertex_handle(h)), index(mesh_.to_vertex_handle(h)), 0};
@@ -189,9 +186,6 @@ std::vector<Site> find_sites(const Task& task, std::mt19937& random) {
     case Operation::open_curve:
     case Operation::close_curve:
       return finder.faces_apart();
-    case Operation::unglue:
-    case Operation::glue:
-      return finder.edges_apart();
     case Operation::add_triangles:
     case Operation::build_mesh:
     case Operation::sew_curves:
@@ -203,9 +197,8 @@ std::vector<Site> find_sites(const Task& task, std::mt19937& random) {
 }  // namespace
 
 std::string_view name(Operation operation) {
-  constexpr std::string_view names[] = {"split_edge",   "split_face",    "flip",        "collapse",
-                                        "split_vertex", "open_curve",    "close_curve", "unglue",
-                                        "glue",         "add_triangles", "build_mesh",  "sew_curves"};
+  constexpr std::string_view names[] = {"split_edge", "split_face",  "flip",          "collapse",   "split_vertex",
+                                        "open_curve", "close_curve", "add_triangles", "build_mesh", "sew_curves"};
   return names[static_cast<std::size_t>(operation)];
 }
 

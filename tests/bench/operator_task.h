@@ -19,8 +19,6 @@ enum class Operation {
   split_vertex,
   open_curve,
   close_curve,
-  unglue,
-  glue,
   add_triangles,
   build_mesh,
   sew_curves
@@ -38,8 +36,8 @@ struct Task {
   Operation operation;
   std::uint32_t vertices = 0;
   std::vector<Corners> triangles;
-  std::vector<Site> sites;  ///< empty if the operation is for the whole mesh
-  std::size_t steps = 0;    ///< number of operations in a pass, by which the time is divided
+  std::vector<Site> sites = {};  ///< empty if the operation is for the whole mesh
+  std::size_t steps = 0;         ///< number of operations in a pass, by which the time is divided
 };
 
 enum class Ground {

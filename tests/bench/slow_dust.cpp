@@ -1,6 +1,5 @@
 #include <array>
 
-#include "bench/slow_generate.h"
 #include "bench/slow_paths.h"
 
 namespace rbpa_bench {
@@ -110,98 +109,84 @@ Points crowds(std::size_t count, int number, double width, double share, std::ui
   });
 }
 
+/// Returns groups of points 1e-9 apart.
+Points close_together(std::size_t count, std::size_t each, std::uint64_t seed) {
+  const std::size_t groups = count / each;
+  Points points = rbpa_test::uniform(groups, seed);
+  for (std::size_t i = 0; i < (each - 1) * groups; ++i) {
+    const Point by = polar(1e-9, static_cast<double>(i) / static_cast<double>(count));
+    points.push_back({points[i % groups].x + by.x, points[i % groups].y + by.y});
+  }
+  return shuffled(points, seed + 1);
+}
+
 }  // namespace
 
-void add_slow_dust(std::vector<SlowPath>& all) {
-  const char* kind = "dust";
-  const auto add = [&](const char* name, Points (*make)(std::size_t)) { all.push_back({kind, {name, make}}); };
-  add("Cantor dust", [](std::size_t n) {
-    return scattered(n, 31, [](Random& random) {
-      const double x = cantor(random);
-      return Point{x, cantor(random)};
-    });
+void add_slow_dust(SlowPaths& all) {
+  all.kind = "dust";
+  all.each("Cantor dust", 31, [](Random& random) {
+    const double x = cantor(random);
+    return Point{x, cantor(random)};
   });
-  add("Cantor set of lines", [](std::size_t n) {
-    return scattered(n, 32, [](Random& random) {
-      const double x = cantor(random);
-      return Point{x, random.unit()};
-    });
+  all.each("Cantor set of lines", 32, [](Random& random) {
+    const double x = cantor(random);
+    return Point{x, random.unit()};
   });
-  add("Sierpinski triangle", sierpinski_triangle);
-  add("Sierpinski carpet", sierpinski_carpet);
-  add("fern", fern);
-  add("Hénon's attractor", henon);
-  add("Lévy flight", levy_flight);
-  add("cascade", cascade);
+  all.add("Sierpinski triangle", sierpinski_triangle);
+  all.add("Sierpinski carpet", sierpinski_carpet);
+  all.add("fern", fern);
+  all.add("Hénon's attractor", henon);
+  all.add("Lévy flight", levy_flight);
+  all.add("cascade", cascade);
 
-  kind = "crowd";
-  add("half within 1e-6", [](std::size_t n) { return crowds(n, 1, 1e-6, 0.5, 50); });
-  add("half within 1e-12", [](std::size_t n) { return crowds(n, 1, 1e-12, 0.5, 52); });
-  add("all but 1 % within 1e-6", [](std::size_t n) { return crowds(n, 1, 1e-6, 0.99, 54); });
-  add("100 crowds of 1e-6", [](std::size_t n) { return crowds(n, 100, 1e-6, 0.5, 56); });
-  add("100 crowds of 1e-6 alone", [](std::size_t n) { return crowds(n, 100, 1e-6, 1, 58); });
-  add("1000 crowds of 1e-4", [](std::size_t n) { return crowds(n, 1000, 1e-4, 0.9, 60); });
-  add("clusters, three decades", [](std::size_t n) { return gaussian_clusters(n, 3); });
-  add("clusters, six decades", [](std::size_t n) { return gaussian_clusters(n, 6); });
-  add("clusters, ten scales", [](std::size_t n) { return rbpa_test::clusters(n / 10, 62); });
-  add("Kuzmin", [](std::size_t n) { return kuzmin.make(n); });
-  add("three decades", [](std::size_t n) { return decades.make(n); });
-  add("normal", [](std::size_t n) {
-    return scattered(n, 63, [](Random& random) {
-      const double x = normal(random);
-      return Point{x, normal(random)};
-    });
+  all.kind = "crowd";
+  all.add("half within 1e-6", [](std::size_t n) { return crowds(n, 1, 1e-6, 0.5, 50); });
+  all.add("half within 1e-12", [](std::size_t n) { return crowds(n, 1, 1e-12, 0.5, 52); });
+  all.add("all but 1 % within 1e-6", [](std::size_t n) { return crowds(n, 1, 1e-6, 0.99, 54); });
+  all.add("100 crowds of 1e-6", [](std::size_t n) { return crowds(n, 100, 1e-6, 0.5, 56); });
+  all.add("100 crowds of 1e-6 alone", [](std::size_t n) { return crowds(n, 100, 1e-6, 1, 58); });
+  all.add("1000 crowds of 1e-4", [](std::size_t n) { return crowds(n, 1000, 1e-4, 0.9, 60); });
+  all.add("clusters, three decades", [](std::size_t n) { return gaussian_clusters(n, 3); });
+  all.add("clusters, six decades", [](std::size_t n) { return gaussian_clusters(n, 6); });
+  all.add("clusters, ten scales", [](std::size_t n) { return rbpa_test::clusters(n / 10, 62); });
+  all.add("Kuzmin", [](std::size_t n) { return kuzmin.make(n); });
+  all.add("three decades", [](std::size_t n) { return decades.make(n); });
+  all.each("normal", 63, [](Random& random) {
+    const double x = normal(random);
+    return Point{x, normal(random)};
   });
-  add("Cauchy", [](std::size_t n) {
-    return scattered(n, 64, [](Random& random) {
-      const double x = std::tan(std::numbers::pi * (random.unit() - 0.5));
-      return Point{x, std::tan(std::numbers::pi * (random.unit() - 0.5))};
-    });
+  all.each("Cauchy", 64, [](Random& random) {
+    const double x = std::tan(std::numbers::pi * (random.unit() - 0.5));
+    return Point{x, std::tan(std::numbers::pi * (random.unit() - 0.5))};
   });
-  add("two densities", two_level_sampling);
-  add("ring", [](std::size_t n) {
-    return scattered(n, 65, [](Random& random) {
-      const double radius = random.between(0.99, 1);
-      return polar(radius, random.unit());
-    });
+  all.add("two densities", two_level_sampling);
+  all.each("ring", 65, [](Random& random) {
+    const double radius = random.between(0.99, 1);
+    return polar(radius, random.unit());
   });
 
-  kind = "duplicates";
-  add("every point twice", [](std::size_t n) {
+  all.kind = "duplicates";
+  all.add("every point twice", [](std::size_t n) {
     Points points = rbpa_test::uniform(n / 2, 66);
     points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n / 2));
     return shuffled(points, 67);
   });
-  add("up to ten times", [](std::size_t n) { return rbpa_test::duplicates(n * 2 / 11, 10, 68); });
-  add("half of them one point", [](std::size_t n) {
+  all.add("up to ten times", [](std::size_t n) { return rbpa_test::duplicates(n * 2 / 11, 10, 68); });
+  all.add("half of them one point", [](std::size_t n) {
     Points points = rbpa_test::uniform(n / 2, 69);
     points.resize(n, points[7]);
     return shuffled(points, 70);
   });
-  add("a hundred distinct", [](std::size_t n) { return rbpa_test::random_grid(10, n, true, 71); });
-  add("on a coarse lattice", [](std::size_t n) {
+  all.add("a hundred distinct", [](std::size_t n) { return rbpa_test::random_grid(10, n, true, 71); });
+  all.add("on a coarse lattice", [](std::size_t n) {
     return scattered(n, 72, [side = columns_for(n)](Random& random) {
       const double x = random.integer(0, side);
       return Point{x, static_cast<double>(random.integer(0, side))};
     });
   });
-  add("pairs 1e-9 apart", [](std::size_t n) {
-    Points points = rbpa_test::uniform(n / 2, 73);
-    for (std::size_t i = 0; i < n / 2; ++i) {
-      const Point by = polar(1e-9, static_cast<double>(i) / static_cast<double>(n));
-      points.push_back({points[i].x + by.x, points[i].y + by.y});
-    }
-    return shuffled(points, 74);
-  });
-  add("triples 1e-9 apart", [](std::size_t n) {
-    Points points = rbpa_test::uniform(n / 3, 75);
-    for (std::size_t i = 0; i < 2 * (n / 3); ++i) {
-      const Point by = polar(1e-9, static_cast<double>(i) / static_cast<double>(n));
-      points.push_back({points[i % (n / 3)].x + by.x, points[i % (n / 3)].y + by.y});
-    }
-    return shuffled(points, 76);
-  });
-  add("pairs a bit apart", [](std::size_t n) { return rbpa_test::nearest_doubles(n / 2, 77); });
+  all.add("pairs 1e-9 apart", [](std::size_t n) { return close_together(n, 2, 73); });
+  all.add("triples 1e-9 apart", [](std::size_t n) { return close_together(n, 3, 75); });
+  all.add("pairs a bit apart", [](std::size_t n) { return rbpa_test::nearest_doubles(n / 2, 77); });
 }
 
 }  // namespace rbpa_bench

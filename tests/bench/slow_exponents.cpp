@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "bench/slow_generate.h"
 #include "bench/slow_paths.h"
 
 namespace rbpa_bench {
@@ -54,42 +53,36 @@ Points uniform_and(std::size_t count, Point stranger) {
 
 }  // namespace
 
-void add_slow_exponents(std::vector<SlowPath>& all) {
-  const auto add = [&](const char* name, Points (*make)(std::size_t), const char* text = "∞",
-                       double (*alpha)(const Points&) = nullptr) {
-    all.push_back({"exponents", {name, make}, text, alpha, 2, 2});
-  };
-  const char* along_x = "30 spacings";
-  add("(x, exp(−x²)), x within ±9", bell_and_tails);
-  add("(x, exp(−x²)), x within ±9", bell_and_tails, along_x, thirty_along_x);
-  add("(x, x²) · 2⁻²⁰⁰", tiny_parabola);
-  add("(x, x²) · 2⁻²⁰⁰", tiny_parabola, along_x, thirty_along_x);
-  add("circle · 2⁻²⁰⁰", tiny_circle);
-  add("circle · 2⁻²⁰⁰", tiny_circle, along_x, thirty_along_x);
-  add("10ᵘ, u within ±150", powers_of_ten);
-  add("10ᵘ, u within ±150", powers_of_ten, "2.7e180", far_apart);
-  const auto at_1e60 = [](std::size_t n) { return uniform_and(n, {1e60, 0}); };
-  const auto at_1e_40 = [](std::size_t n) { return uniform_and(n, {0.5, 1e-40}); };
-  add("uniform and (1e60, 0)", at_1e60);
-  add("uniform and (1e60, 0)", at_1e60, "1 spacing", one);
-  add("uniform and (0.5, 1e-40)", at_1e_40);
-  add("uniform and (0.5, 1e-40)", at_1e_40, "1 spacing", one);
-  add("uniform · 2²⁰⁰", [](std::size_t n) { return rbpa_test::scaled(uniform.make(n), 200); });
-  add("uniform · 2⁻²⁰⁰", [](std::size_t n) { return rbpa_test::scaled(uniform.make(n), -200); });
-  add("uniform and a hundred strangers", [](std::size_t n) {
-    return rbpa_test::with_strangers(n - std::min(n / 2, strangers), std::min(n / 2, strangers), 114);
-  });
-  add("three exponents", [](std::size_t n) { return rbpa_test::mixed_exponents(n * 4 / 13, 115); });
-  add("denormals", [](std::size_t n) { return rbpa_test::denormals(2 * columns_for(n), n, 116); });
-}
-
 std::vector<SlowPath> slow_paths() {
-  std::vector<SlowPath> all;
+  SlowPaths all;
   add_slow_curves(all);
   add_slow_dust(all);
   add_slow_rows(all);
-  add_slow_exponents(all);
-  return all;
+  all.kind = "exponents";
+  all.max_rbpa = all.max_hrbpa = 2;
+  const char* along_x = "30 spacings";
+  all.add("(x, exp(−x²)), x within ±9", bell_and_tails);
+  all.add("(x, exp(−x²)), x within ±9", bell_and_tails, along_x, thirty_along_x);
+  all.add("(x, x²) · 2⁻²⁰⁰", tiny_parabola);
+  all.add("(x, x²) · 2⁻²⁰⁰", tiny_parabola, along_x, thirty_along_x);
+  all.add("circle · 2⁻²⁰⁰", tiny_circle);
+  all.add("circle · 2⁻²⁰⁰", tiny_circle, along_x, thirty_along_x);
+  all.add("10ᵘ, u within ±150", powers_of_ten);
+  all.add("10ᵘ, u within ±150", powers_of_ten, "2.7e180", far_apart);
+  const auto at_1e60 = [](std::size_t n) { return uniform_and(n, {1e60, 0}); };
+  const auto at_1e_40 = [](std::size_t n) { return uniform_and(n, {0.5, 1e-40}); };
+  all.add("uniform and (1e60, 0)", at_1e60);
+  all.add("uniform and (1e60, 0)", at_1e60, "1 spacing", one);
+  all.add("uniform and (0.5, 1e-40)", at_1e_40);
+  all.add("uniform and (0.5, 1e-40)", at_1e_40, "1 spacing", one);
+  all.add("uniform · 2²⁰⁰", [](std::size_t n) { return rbpa_test::scaled(uniform.make(n), 200); });
+  all.add("uniform · 2⁻²⁰⁰", [](std::size_t n) { return rbpa_test::scaled(uniform.make(n), -200); });
+  all.add("uniform and a hundred strangers", [](std::size_t n) {
+    return rbpa_test::with_strangers(n - std::min(n / 2, strangers), std::min(n / 2, strangers), 114);
+  });
+  all.add("three exponents", [](std::size_t n) { return rbpa_test::mixed_exponents(n * 4 / 13, 115); });
+  all.add("denormals", [](std::size_t n) { return rbpa_test::denormals(2 * columns_for(n), n, 116); });
+  return all.list;
 }
 
 }  // namespace rbpa_bench

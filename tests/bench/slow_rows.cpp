@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "bench/slow_generate.h"
 #include "bench/slow_paths.h"
 
 namespace rbpa_bench {
@@ -63,86 +62,71 @@ Points comb(std::size_t count, int teeth, std::uint64_t seed) {
 
 }  // namespace
 
-void add_slow_rows(std::vector<SlowPath>& all) {
-  const char* kind = "line";
-  const auto add = [&](const char* name, Points (*make)(std::size_t)) { all.push_back({kind, {name, make}}); };
-  add("line, one point off", [](std::size_t n) { return line_with(n, 0, {{0.5, 0.25}}, 80); });
-  add("line, one point far off", [](std::size_t n) { return line_with(n, 0, {{0.5, 1e6}}, 81); });
-  add("slanting line, one point off", [](std::size_t n) { return line_with(n, 0.3, {{0.5, 0.25}}, 82); });
-  add("line, one point off either side", [](std::size_t n) { return line_with(n, 0, {{0.5, 1}, {0.4, -1}}, 83); });
-  add("line, a tenth off", [](std::size_t n) {
+void add_slow_rows(SlowPaths& all) {
+  all.kind = "line";
+  all.add("line, one point off", [](std::size_t n) { return line_with(n, 0, {{0.5, 0.25}}, 80); });
+  all.add("line, one point far off", [](std::size_t n) { return line_with(n, 0, {{0.5, 1e6}}, 81); });
+  all.add("slanting line, one point off", [](std::size_t n) { return line_with(n, 0.3, {{0.5, 0.25}}, 82); });
+  all.add("line, one point off either side", [](std::size_t n) { return line_with(n, 0, {{0.5, 1}, {0.4, -1}}, 83); });
+  all.add("line, a tenth off", [](std::size_t n) {
     const auto off = static_cast<int>(n / 10);
     return rbpa_test::collinear_run_with_points_off(static_cast<int>(n) - off, 3, 7, off, 84);
   });
-  add("line and uniform", [](std::size_t n) {
-    return scattered(n, 85, [](Random& random) {
-      const double x = random.unit();
-      return Point{x, random.chance(0.5) ? 0.5 : random.unit()};
-    });
+  all.each("line and uniform", 85, [](Random& random) {
+    const double x = random.unit();
+    return Point{x, random.chance(0.5) ? 0.5 : random.unit()};
   });
-  add("nearly a line, 1e-9", [](std::size_t n) {
-    return scattered(n, 86, [](Random& random) {
-      const double x = random.unit();
-      return Point{x, 1e-9 * random.unit()};
-    });
+  all.each("nearly a line, 1e-9", 86, [](Random& random) {
+    const double x = random.unit();
+    return Point{x, 1e-9 * random.unit()};
   });
-  add("nearly a line, 1e-3", [](std::size_t n) {
-    return scattered(n, 87, [](Random& random) {
-      const double x = random.unit();
-      return Point{x, 1e-3 * random.unit()};
-    });
+  all.each("nearly a line, 1e-3", 87, [](Random& random) {
+    const double x = random.unit();
+    return Point{x, 1e-3 * random.unit()};
   });
-  add("two lines", [](std::size_t n) { return rows(n, 2, 100, 88); });
-  add("three lines", [](std::size_t n) { return rows(n, 3, 100, 89); });
-  add("lines that cross", [](std::size_t n) { return rbpa_test::crossing_runs(static_cast<int>(n / 8)); });
-  add("100 lines anywhere", [](std::size_t n) {
-    return scattered(n, 90, [](Random& random) {
-      Random line(random.below(100));
-      const Point from{line.unit(), line.unit()}, to{line.unit(), line.unit()};
-      const double t = random.unit();
-      return Point{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
-    });
+  all.add("two lines", [](std::size_t n) { return rows(n, 2, 100, 88); });
+  all.add("three lines", [](std::size_t n) { return rows(n, 3, 100, 89); });
+  all.add("lines that cross", [](std::size_t n) { return rbpa_test::crossing_runs(static_cast<int>(n / 8)); });
+  all.each("100 lines anywhere", 90, [](Random& random) {
+    Random line(random.below(100));
+    const Point from{line.unit(), line.unit()}, to{line.unit(), line.unit()};
+    const double t = random.unit();
+    return Point{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
   });
-  add("outline of a square", [](std::size_t n) { return outline(n, 91); });
-  add("outline of a square, and center", [](std::size_t n) {
+  all.add("outline of a square", [](std::size_t n) { return outline(n, 91); });
+  all.add("outline of a square, and center", [](std::size_t n) {
     Points points = outline(n - 1, 92);
     points.push_back({0.5, 0.5});
     return points;
   });
 
-  kind = "rows";
-  add("dense rows, 1 : 10", [](std::size_t n) { return even_rows(n, columns_for(n / 10), 10); });
-  add("dense rows, 1 : 100", [](std::size_t n) { return even_rows(n, columns_for(n / 100), 100); });
-  add("dense rows, 1 : 100, uneven", [](std::size_t n) { return rows(n, columns_for(n / 100), 100, 93); });
-  add("dense rows, 1 : 1000, uneven", [](std::size_t n) { return rows(n, columns_for(n / 1000), 1000, 94); });
-  add("comb, 10 teeth", [](std::size_t n) { return comb(n, 10, 95); });
-  add("comb, 100 teeth", [](std::size_t n) { return comb(n, 100, 96); });
-  add("stairs", [](std::size_t n) {
-    return along(n, 97, [](double t) {
-      const double step = std::floor(100 * t), rest = 100 * t - step;
-      return rest < 0.5 ? Point{step + 2 * rest, step} : Point{step + 1, step + 2 * rest - 1};
-    });
+  all.kind = "rows";
+  all.add("dense rows, 1 : 10", [](std::size_t n) { return even_rows(n, columns_for(n / 10), 10); });
+  all.add("dense rows, 1 : 100", [](std::size_t n) { return even_rows(n, columns_for(n / 100), 100); });
+  all.add("dense rows, 1 : 100, uneven", [](std::size_t n) { return rows(n, columns_for(n / 100), 100, 93); });
+  all.add("dense rows, 1 : 1000, uneven", [](std::size_t n) { return rows(n, columns_for(n / 1000), 1000, 94); });
+  all.add("comb, 10 teeth", [](std::size_t n) { return comb(n, 10, 95); });
+  all.add("comb, 100 teeth", [](std::size_t n) { return comb(n, 100, 96); });
+  all.curve("stairs", 97, [](double t) {
+    const double step = std::floor(100 * t), rest = 100 * t - step;
+    return rest < 0.5 ? Point{step + 2 * rest, step} : Point{step + 1, step + 2 * rest - 1};
   });
-  add("zigzag", [](std::size_t n) {
-    return along(n, 98, [](double t) { return Point{t, std::abs(std::remainder(100 * t, 1))}; });
+  all.curve("zigzag", 98, [](double t) { return Point{t, std::abs(std::remainder(100 * t, 1))}; });
+  all.each("streets", 99, [](Random& random) {
+    const double along_street = random.unit(), street = random.integer(0, 30) / 30.0;
+    return random.chance(0.5) ? Point{along_street, street} : Point{street, along_street};
   });
-  add("streets", [](std::size_t n) {
-    return scattered(n, 99, [](Random& random) {
-      const double along_street = random.unit(), street = random.integer(0, 30) / 30.0;
-      return random.chance(0.5) ? Point{along_street, street} : Point{street, along_street};
-    });
-  });
-  add("lidar lines", [](std::size_t n) { return lidar.make(n); });
+  all.add("lidar lines", [](std::size_t n) { return lidar.make(n); });
 
-  kind = "grid";
-  add("grid", [](std::size_t n) { return grid.make(n); });
-  add("grid, pitch 0.1", [](std::size_t n) { return rbpa_test::perfect_grid(columns_for(n), 0.1); });
-  add("grid, turned and rounded", [](std::size_t n) { return rbpa_test::rotated_rounded_grid(columns_for(n)); });
-  add("grid, 3-4-5", [](std::size_t n) { return rbpa_test::rotated_integer_grid(columns_for(n)); });
-  add("grid, half of it", [](std::size_t n) { return rbpa_test::sparse_grid(columns_for(2 * n), 0.5, 100); });
-  add("grid, moved by 1e-9", [](std::size_t n) { return rbpa_test::jittered_grid(columns_for(n), 1e-9, 101); });
-  add("triangular lattice", [](std::size_t n) { return rbpa_test::triangular_lattice(columns_for(n)); });
-  add("uniform", [](std::size_t n) { return uniform.make(n); });
+  all.kind = "grid";
+  all.add("grid", [](std::size_t n) { return grid.make(n); });
+  all.add("grid, pitch 0.1", [](std::size_t n) { return rbpa_test::perfect_grid(columns_for(n), 0.1); });
+  all.add("grid, turned and rounded", [](std::size_t n) { return rbpa_test::rotated_rounded_grid(columns_for(n)); });
+  all.add("grid, 3-4-5", [](std::size_t n) { return rbpa_test::rotated_integer_grid(columns_for(n)); });
+  all.add("grid, half of it", [](std::size_t n) { return rbpa_test::sparse_grid(columns_for(2 * n), 0.5, 100); });
+  all.add("grid, moved by 1e-9", [](std::size_t n) { return rbpa_test::jittered_grid(columns_for(n), 1e-9, 101); });
+  all.add("triangular lattice", [](std::size_t n) { return rbpa_test::triangular_lattice(columns_for(n)); });
+  all.add("uniform", [](std::size_t n) { return uniform.make(n); });
 }
 
 }  // namespace rbpa_bench

@@ -1,113 +1,108 @@
 #include "bench/tables.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <sys/utsname.h>
+#include <unistd.h>
 
-#include "bench/machine.h"
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string_view>
 
 namespace rbpa_bench {
-namespace {
 
-/// Returns text that does not end a cell.
-std::string in_cell(std::string text) {
-  std::replace(text.begin(), text.end(), '|', '/');
-  return text;
+std::string text(const char* format, ...) {
+  std::va_list values, again;
+  va_start(values, format);
+  va_copy(again, values);
+  std::string result(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, values)), '\0');
+  std::vsnprintf(result.data(), result.size() + 1, format, again);
+  va_end(again);
+  va_end(values);
+  return result;
 }
 
-std::string rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+std::string machine() {
+  std::ifstream info("/proc/cpuinfo");
+  std::string model = "unknown";
+  for (std::string line; model == "unknown" && std::getline(info, line);)
+    if (line.starts_with("model name")) model = line.substr(line.find(':') + 2);
+  const double bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  utsname kernel{};
+  uname(&kernel);
+  const std::time_t now = std::time(nullptr);
+  char date[16];
+  std::strftime(date, sizeof date, "%F", std::gmtime(&now));
+#ifdef __clang__
+  constexpr const char* compiler = "clang " __clang_version__;
+#else
+  constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+  return text("%s; %s, %ld cores; %.0f GiB; %s %s; %s %s", date, model.c_str(), sysconf(_SC_NPROCESSORS_ONLN),
+              bytes / 0x1p30, kernel.sysname, kernel.machine, compiler, RBPA_BENCH_FLAGS);
 }
 
-/// Returns a value with three digits.
-std::string significant(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-Timings nanoseconds_a_point(const Contest& contest, const Outcome& outcome) {
-  Timings all = outcome.seconds;
-  for (double& seconds : all.of) seconds *= 1e9 / static_cast<double>(contest.points);
-  return all;
-}
-
-std::string time_cell(const Contest& contest, const Outcome& outcome) {
-  if (!outcome.failure.empty()) return "**failed**: " + in_cell(outcome.failure);
-  std::string time = nanoseconds_a_point(contest, outcome).text();
-  std::size_t most = 0;
-  for (const Outcome& other : contest.outcomes) most = std::max(most, other.seconds.of.size());
-  if (const std::size_t runs = outcome.seconds.of.size(); runs < most) time += " in " + std::to_string(runs);
-  if (!outcome.wrong.empty()) return "**wrong**: " + outcome.wrong + "; " + time;
-  const std::optional<double> ratio = speedup(contest, contest.outcomes[0].contestant, outcome.contestant);
-  return &outcome == &contest.outcomes[0] || !ratio ? time : time + "; " + significant(*ratio) + "×";
-}
-
-void print_head(const std::vector<std::string>& text, const std::vector<std::string>& numbers) {
-  for (const std::string& column : text) std::printf("| %s ", column.c_str());
-  for (const std::string& column : numbers) std::printf("| %s ", in_cell(column).c_str());
-  std::printf("|\n");
-  for (std::size_t i = 0; i < text.size(); ++i) std::printf("|---");
-  for (std::size_t i = 0; i < numbers.size(); ++i) std::printf("|--:");
+void print_head(const std::vector<std::string>& words, const std::vector<std::string>& numbers) {
+  std::vector<std::string> names = words;
+  names.insert(names.end(), numbers.begin(), numbers.end());
+  print_row(names);
+  for (std::size_t i = 0; i < names.size(); ++i) std::printf(i < words.size() ? "|---" : "|--:");
   std::printf("|\n");
 }
 
-}  // namespace
-
-void print_machine(int runs) {
-  std::printf("%s; %d runs of each in turn after one that does not count; memory stays with the process.\n\n",
-              machine_and_build().c_str(), runs);
-}
-
-void print_time_head(const std::vector<Contestant>& contestants) {
-  std::vector<std::string> numbers{"number", "α", "triangles"};
-  for (const Contestant& contestant : contestants) numbers.push_back(contestant.name);
-  print_head({"points"}, numbers);
-}
-
-void print_time_row(const Contest& contest) {
-  std::printf("| %s | %zu | %s | %zu |", contest.set.c_str(), contest.points, contest.alpha_text.c_str(),
-              contest.outcomes[0].triangles);
-  for (const Outcome& outcome : contest.outcomes) std::printf(" %s |", time_cell(contest, outcome).c_str());
-  std::printf("\n");
+void print_row(const std::vector<std::string>& cells) {
+  for (std::string cell : cells) {
+    std::replace(cell.begin(), cell.end(), '|', '/');  // it would end the cell
+    std::printf("| %s ", cell.c_str());
+  }
+  std::printf("|\n");
   std::fflush(stdout);
 }
 
-void print_memory(const std::vector<Contest>& contests) {
-  if (contests.empty()) return;
-  std::vector<std::string> numbers{"number", "α"};
-  for (const Outcome& outcome : contests[0].outcomes) numbers.push_back(outcome.contestant);
-  print_head({"points"}, numbers);
-  for (const Contest& contest : contests) {
-    std::printf("| %s | %zu | %s |", contest.set.c_str(), contest.points, contest.alpha_text.c_str());
-    for (const Outcome& outcome : contest.outcomes)
-      std::printf(" %s |", outcome.bytes && outcome.failure.empty()
-                               ? rounded(*outcome.bytes / static_cast<double>(contest.points), 0).c_str()
-                               : "?");
-    std::printf("\n");
+void print_times(const Contest& contest) {
+  std::vector<std::string> cells = {contest.set, text("%zu", contest.points), contest.alpha,
+                                    text("%zu", contest.outcomes[0].count)};
+  std::size_t most = 0;
+  for (const Outcome& outcome : contest.outcomes) most = std::max(most, outcome.seconds.of.size());
+  for (const Outcome& outcome : contest.outcomes) {
+    std::string cell = "**failed**: " + outcome.failure;
+    if (outcome.failure.empty()) {
+      cell = outcome.wrong.empty() ? "" : "**wrong**: " + outcome.wrong + "; ";
+      cell += outcome.seconds.text(0, 1e9 / static_cast<double>(contest.points));
+      if (const std::size_t runs = outcome.seconds.of.size(); runs < most) cell += text(" in %zu", runs);
+      if (&outcome != contest.outcomes.data() && outcome.is_good())
+        cell += text("; %.3g×", contest.ratio(outcome.name, contest.outcomes[0].name));
+    }
+    cells.push_back(cell);
   }
-  std::printf("\n");
+  print_row(cells);
 }
 
-void print_clocks(const std::vector<Contest>& contests) {
-  if (contests.empty()) return;
-  for (const Outcome& outcome : contests[0].outcomes)
-    if (outcome.clock != Clock::here)
-      std::printf("%s: another program; time %s, memory of its whole process.\n\n", outcome.contestant.c_str(),
-                  outcome.clock == Clock::peer ? "as it says itself" : "of its whole process, files included");
+void print_bytes(const std::vector<Contest>& contests) {
+  std::printf("\nBytes a point: peak of resident memory beyond the input, in a process of its own.\n\n");
+  print_head({"points"}, columns({"number", "α"}, contests[0].outcomes));
+  for (const Contest& contest : contests) {
+    std::vector<std::string> cells = {contest.set, text("%zu", contest.points), contest.alpha};
+    for (const Outcome& outcome : contest.outcomes)
+      cells.push_back(std::isnan(outcome.bytes) ? "?"
+                                                : text("%.0f", outcome.bytes / static_cast<double>(contest.points)));
+    print_row(cells);
+  }
 }
 
 void print(const std::vector<Target>& targets) {
+  std::printf("\n### Targets\n\n");
   print_head({"target"}, {"measured", ""});
   for (const Target& target : targets) {
-    const std::string measured = target.measured ? significant(*target.measured) : "–";
-    std::printf("| %s %s %s | %s | %s |\n", target.what.c_str(), target.sense == Sense::at_least ? "≥" : "≤",
-                significant(target.bound).c_str(), measured.c_str(),
-                !target.measured ? "not measured" : (is_met(target) ? "met" : "**missed**"));
+    const bool is_met =
+        std::string_view(target.sense) == "≥" ? target.measured >= target.bound : target.measured <= target.bound;
+    print_row({text("%s %s %.3g", target.what.c_str(), target.sense, target.bound),
+               std::isnan(target.measured) ? "–" : text("%.3g", target.measured),
+               std::isnan(target.measured) ? "not measured"
+               : is_met                    ? "met"
+                                           : "**missed**"});
   }
-  std::printf("\n");
 }
 
 }  // namespace rbpa_bench

@@ -1,24 +1,43 @@
-// What: prints contests and targets as Markdown tables on standard output.
+// What: prints Markdown tables, contests and targets on standard output.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "bench/measure.h"
-#include "bench/targets.h"
 
 namespace rbpa_bench {
 
-/// Prints the machine, the build and the number of runs.
-void print_machine(int runs);
+/// Returns what std::printf() would print.
+[[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
-/// Print a table of times: the head, and each row when it is measured.
-void print_time_head(const std::vector<Contestant>& contestants);
-void print_time_row(const Contest& contest);
+/// Returns the date, the machine and the build: "2026-11-22; AMD EPYC, 2 cores; 24 GiB; Linux x86_64; g++ 12.2.0 -O3".
+std::string machine();
 
-/// Prints, below the tables, memory, and the clock of each other program.
-void print_memory(const std::vector<Contest>& contests);
-void print_clocks(const std::vector<Contest>& contests);
+/// Prints the head of a table: columns of text, then columns of numbers.
+void print_head(const std::vector<std::string>& words, const std::vector<std::string>& numbers);
+void print_row(const std::vector<std::string>& cells);
+
+/// Returns the names of contestants, behind other columns.
+template <typename Named>
+std::vector<std::string> columns(std::vector<std::string> before, const std::vector<Named>& contestants) {
+  for (const Named& contestant : contestants) before.push_back(contestant.name);
+  return before;
+}
+
+/// Prints a row: set, number, alpha, size of the result, and the time of each contestant, with how many times as long
+/// as the first it took.
+void print_times(const Contest& contest);
+/// Prints a table of bytes a point.
+void print_bytes(const std::vector<Contest>& contests);
+
+/// Wanted value of a ratio or cost.
+struct Target {
+  std::string what;
+  const char* sense;  ///< "≥" or "≤"
+  double bound;
+  double measured;  ///< NaN if the contest was not held, or one of the two failed or was wrong
+};
 
 void print(const std::vector<Target>& targets);
 

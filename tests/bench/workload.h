@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "support/triangle.h"
@@ -12,7 +13,7 @@ namespace rbpa_bench {
 /// Kind of point set, of mean spacing 1 if it is even.
 struct Workload {
   std::string name;
-  rbpa_test::Points (*make)(std::size_t count);  ///< returns about `count` points
+  std::function<rbpa_test::Points(std::size_t count)> make;  ///< returns about `count` points
 };
 
 extern const Workload uniform;

@@ -2,14 +2,15 @@
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
-#include "bench/fill_contest.h"
-#include "bench/stopwatch.h"
+#include "bench/peers.h"
 
 namespace rbpa_bench {
 namespace {
@@ -34,22 +35,39 @@ Constrained constrained(const std::vector<rbpa::Point>& ring) {
 
 }  // namespace
 
-FillRun fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
+Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
   const Stopwatch watch;
   Constrained mesh = constrained(ring);
   constexpr double usual_shape = 0.125;  // the squared sine of 20.7°
   CGAL::Delaunay_mesher_2<Constrained, Criteria> mesher(mesh, Criteria(usual_shape, longest));
   mesher.refine_mesh();
-  const double seconds = watch.processor_seconds();
-  std::size_t triangles = 0;
-  for (const auto face : mesh.finite_face_handles()) triangles += face->is_in_domain() ? std::size_t{1} : 0;
-  return {triangles, seconds};
+  Run run = watch.run(0);
+  for (const auto face : mesh.finite_face_handles()) run.count += face->is_in_domain() ? 1U : 0U;
+  return run;
 }
 
-FillRun triangulate_by_cgal(const std::vector<rbpa::Point>& ring) {
+Run triangulate_by_cgal(const std::vector<rbpa::Point>& ring) {
   const Stopwatch watch;
   const Constrained mesh = constrained(ring);
-  return {mesh.number_of_faces(), watch.processor_seconds()};
+  return watch.run(mesh.number_of_faces());
+}
+
+Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Point_3> own;
+  own.reserve(points.size());
+  for (const rbpa::Point3& p : points) own.emplace_back(p.x, p.y, p.z);
+  const Stopwatch watch;
+  const CGAL::Delaunay_triangulation_3<Kernel> delaunay(own.begin(), own.end());
+  std::size_t count = 0;
+  if (std::isinf(alpha)) {
+    count = delaunay.number_of_finite_cells();
+  } else if (delaunay.dimension() == 3) {
+    for (auto c = delaunay.finite_cells_begin(); c != delaunay.finite_cells_end(); ++c)
+      count += CGAL::squared_radius(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                                    c->vertex(3)->point()) <= alpha * alpha;
+  }
+  return watch.run(count);
 }
 
 }  // namespace rbpa_bench

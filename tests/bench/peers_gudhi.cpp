@@ -1,5 +1,3 @@
-#include "bench/persistence_gudhi.h"
-
 #include <CGAL/Epick_d.h>
 #include <gudhi/Alpha_complex.h>
 #include <gudhi/Persistent_cohomology.h>
@@ -8,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "bench/stopwatch.h"
+#include "bench/peers.h"
 
 namespace rbpa_bench {
 
@@ -18,16 +16,16 @@ PersistenceRun persistence_by_gudhi(std::span<const rbpa::Point3> points) {
   std::vector<Kernel::Point_d> own;
   own.reserve(points.size());
   for (const rbpa::Point3& p : points) own.emplace_back(p.x, p.y, p.z);
-  PersistenceRun run{};
+  PersistenceRun run;
   const Stopwatch watch;
   Gudhi::alpha_complex::Alpha_complex<Kernel> alpha_complex(own);
   Tree tree;
   alpha_complex.create_complex(tree, std::numeric_limits<double>::infinity(), /*exact=*/false);
-  run.complex_seconds = watch.processor_seconds();
+  run.complex = watch.run(0);
   Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp> cohomology(tree);
   cohomology.init_coefficients(2);
   cohomology.compute_persistent_cohomology(0);
-  run.pairs_seconds = watch.processor_seconds() - run.complex_seconds;
+  run.all = watch.run(0);
   for (const auto& [birth, death, field] : cohomology.get_persistent_pairs()) {
     const double from = tree.filtration(birth);
     const double to = death == tree.null_simplex() ? std::numeric_limits<double>::infinity() : tree.filtration(death);
