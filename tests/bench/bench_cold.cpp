@@ -1,5 +1,4 @@
-// Measures single runs in fresh processes, in any order: the cold tables of docs/reference/performance.md, and their
-// targets.
+// Measures single runs in fresh processes, in any order: the cold tables of docs/reference/performance.md.
 //   bench_cold [--runs=N] [--points=N]      15 runs of each, 1,000,000 points
 #include <cstdio>
 #include <numeric>
@@ -16,7 +15,7 @@ namespace {
 
 /// Costs of one method, a point.
 struct Cold {
-  Timings nanoseconds = {}, processor = {}, bytes = {};
+  Timings nanoseconds = {}, bytes = {};
   std::size_t triangles = 0;
 };
 
@@ -27,7 +26,7 @@ struct Row {
 };
 
 /// Indices into cold_methods().
-enum { mesh, mesh_2, arrays, arrays_2, neighbors, neighbors_2, cgal };
+enum { mesh = 0, cgal = 6 };
 
 Row run_all(const Workload& workload, const Sizes& sizes) {
   const rbpa_test::Points points = workload.make(sizes.points);
@@ -44,7 +43,6 @@ Row run_all(const Workload& workload, const Sizes& sizes) {
       const auto [run, bytes] = run_cold(i, folder / "points");
       const auto n = static_cast<double>(points.size());
       row.of[i].nanoseconds.of.push_back(1e9 * run.seconds / n);
-      row.of[i].processor.of.push_back(1e9 * run.processor_seconds / n);
       row.of[i].bytes.of.push_back(bytes / n);
       row.of[i].triangles = run.count;
     }
@@ -52,34 +50,15 @@ Row run_all(const Workload& workload, const Sizes& sizes) {
   return row;
 }
 
-void print_costs(const Row& row, Timings Cold::*times) {
+void print_times(const Row& row) {
   std::vector<std::string> cells = {row.set, text("%zu", row.points)};
   for (const Cold& cold : row.of) {
-    const double quartile = (cold.*times).lower_quartile();
-    cells.push_back(text("%.0f (%.0f)", quartile, (cold.*times).median()));
+    const double quartile = cold.nanoseconds.lower_quartile();
+    cells.push_back(text("%.0f (%.0f)", quartile, cold.nanoseconds.median()));
     if (cold.triangles != row.of[mesh].triangles) cells.back() += text(" **wrong**: %zu triangles", cold.triangles);
-    if (&cold != &row.of[cgal]) cells.back() += text("; %.2f×", (row.of[cgal].*times).lower_quartile() / quartile);
+    if (&cold != &row.of[cgal]) cells.back() += text("; %.2f×", row.of[cgal].nanoseconds.lower_quartile() / quartile);
   }
   print_row(cells);
-}
-
-/// Set of points, and the factors by which the mesh and arrays are to be faster than CGAL.
-struct Wanted {
-  const Workload& workload;
-  double mesh, arrays;
-};
-
-void add_targets(const Wanted& wanted, const Row& row, std::vector<Target>& all) {
-  const auto time = [&](std::size_t i) { return row.of[i].nanoseconds.lower_quartile(); };
-  const auto bytes = [&](std::size_t i) { return row.of[i].bytes.median(); };
-  const std::string set = row.set + ": ";
-  all.push_back({set + "CGAL points / rbpa", "≥", wanted.mesh, time(cgal) / time(mesh)});
-  all.push_back({set + "CGAL points / arrays", "≥", wanted.arrays, time(cgal) / time(arrays)});
-  all.push_back({set + "rbpa, one thread / two", "≥", 1.6, time(mesh) / time(mesh_2)});
-  all.push_back({set + "arrays, one thread / two", "≥", 1.6, time(arrays) / time(arrays_2)});
-  all.push_back({set + "bytes a point, rbpa", "≤", 180, bytes(mesh)});
-  all.push_back({set + "bytes a point, arrays", "≤", 90, bytes(arrays)});
-  all.push_back({set + "bytes a point, arrays with neighbors", "≤", 115, bytes(neighbors)});
 }
 
 void report(const Sizes& sizes) {
@@ -89,18 +68,10 @@ void report(const Sizes& sizes) {
   const std::vector<std::string> names = columns({"number"}, cold_methods());
   print_head({"points"}, names);
   std::vector<Row> rows;
-  std::vector<Target> targets;
-  for (const Wanted& wanted : {Wanted{uniform, 2.6, 3}, Wanted{jittered, 2.6, 3}, Wanted{grid, 2.6, 3},
-                               Wanted{lidar, 2.6, 3}, Wanted{clusters, 2, 2.4}, Wanted{kuzmin, 2, 2.4}}) {
-    rows.push_back(run_all(wanted.workload, sizes));
-    print_costs(rows.back(), &Cold::nanoseconds);
-    add_targets(wanted, rows.back(), targets);
+  for (const Workload& workload : {uniform, jittered, grid, lidar, clusters, kuzmin}) {
+    rows.push_back(run_all(workload, sizes));
+    print_times(rows.back());
   }
-  std::printf(
-      "\nThe same by the processor's time, of all threads together: what is left when others on the machine are taken "
-      "out.\n\n");
-  print_head({"points"}, names);
-  for (const Row& row : rows) print_costs(row, &Cold::processor);
   std::printf("\nBytes a point: how far resident memory rises above what it was with the points in it; median.\n\n");
   print_head({"points"}, names);
   for (const Row& row : rows) {
@@ -108,7 +79,6 @@ void report(const Sizes& sizes) {
     for (const Cold& cold : row.of) cells.push_back(text("%.0f", cold.bytes.median()));
     print_row(cells);
   }
-  print(targets);
 }
 
 }  // namespace

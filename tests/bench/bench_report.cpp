@@ -1,5 +1,5 @@
 // Compares rbpa() with CGAL and any other program, in turn on the same points, and prints the tables of
-// docs/reference/performance.md: times, memory, and the targets. Standard output is Markdown.
+// docs/reference/performance.md: times and memory. Standard output is Markdown.
 //   bench_report [--points=N] [--runs=N] [--threads=1,2] [--large] [--check] [--peer NAME=COMMAND]…
 #include <algorithm>
 #include <cmath>
@@ -66,26 +66,21 @@ class Report {
     for (Plan* plan : {&delaunay_, &of_few}) weigh(*plan);
     keep_memory();
 
-    const std::vector<Contest> delaunay = hold(delaunay_);
-    const std::vector<Contest> alpha =
-        hold({"With a radius; α in mean spacings",
-              ours_and({cgal_points_filtered(), cgal_indices_filtered(), cgal_points(), cgal_indices()}),
-              {{uniform, n, 3, "3"}, {jittered, n, 3, "3"}, {grid, n, 3, "3"}}});
+    hold(delaunay_);
+    hold({"With a radius; α in mean spacings",
+          ours_and({cgal_points_filtered(), cgal_indices_filtered(), cgal_points(), cgal_indices()}),
+          {{uniform, n, 3, "3"}, {jittered, n, 3, "3"}, {grid, n, 3, "3"}}});
     hold(of_few);
     const double spacing = spacing_along_curves(curves.make(few));
-    const std::vector<Contest> traps = hold({"Traps",
-                                             ours_and({cgal_points_filtered()}),
-                                             {{circle, few, 0.99, "0.99 radii"},
-                                              {circle, few, 2, "2 radii"},
-                                              {circle_line_cluster, few, 0.99, "0.99 radii"},
-                                              {circle_line_cluster, few, 2, "2 radii"},
-                                              {curves, few, 100 * spacing, "100 spacings"},
-                                              {concentric, few, 0.07, "0.07 radii"},
-                                              {concentric, few, 2, "2 radii"}}});
-    Plan sweep{"From one radius to the next; α in mean spacings", ours_and({cgal_points_filtered()}), {}};
-    for (const double radius : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1000.0})
-      sweep.tasks.push_back({uniform, n, radius, text("%g", radius)});
-    print_targets(delaunay, alpha[0], traps, hold(sweep));
+    hold({"Traps",
+          ours_and({cgal_points_filtered()}),
+          {{circle, few, 0.99, "0.99 radii"},
+           {circle, few, 2, "2 radii"},
+           {circle_line_cluster, few, 0.99, "0.99 radii"},
+           {circle_line_cluster, few, 2, "2 radii"},
+           {curves, few, 100 * spacing, "100 spacings"},
+           {concentric, few, 0.07, "0.07 radii"},
+           {concentric, few, 2, "2 radii"}}});
   }
 
  private:
@@ -108,7 +103,7 @@ class Report {
       }
   }
 
-  std::vector<Contest> hold(const Plan& plan) const {
+  void hold(const Plan& plan) const {
     std::printf("\n### %s\n\n", plan.heading.c_str());
     print_head({"points"}, columns({"number", "α", "triangles"}, plan.methods));
     std::vector<Contest> contests;
@@ -124,41 +119,6 @@ class Report {
       contests.push_back(std::move(contest));
     }
     if (!plan.bytes.empty()) print_bytes(contests);
-    return contests;
-  }
-
-  static void print_targets(const std::vector<Contest>& delaunay, const Contest& alpha,
-                            const std::vector<Contest>& traps, const std::vector<Contest>& sweep) {
-    const std::string one = rbpa_with(1).name;
-    std::vector<Target> targets;
-    const auto add = [&](const Contest& contest, const Method& method, double with_one, double with_two) {
-      const std::string what = text("%s %zu, α = %s: %s / ", contest.set.c_str(), contest.points, contest.alpha.c_str(),
-                                    method.name.c_str());
-      targets.push_back({what + one, "≥", with_one, contest.ratio(method.name, one)});
-      if (with_two == 0) return;
-      const std::string two = rbpa_with(2).name;
-      targets.push_back({what + two, "≥", with_two, contest.ratio(method.name, two)});
-    };
-    for (const Contest& contest : delaunay) {
-      if (&contest == &delaunay[6]) break;
-      const bool is_even = contest.set == grid.name || contest.set == lidar.name;
-      add(contest, cgal_points(), is_even ? 2.2 : 2, is_even ? 3.8 : 3.5);
-    }
-    add(alpha, cgal_points_filtered(), 2.2, 4);
-    add(delaunay[6], cgal_points(), 2, 3.4);
-    for (const Contest& contest : traps) add(contest, cgal_points_filtered(), 1, 0);
-    if (delaunay.size() > 7)
-      targets.push_back({"uniform, α = ∞, a point: sixteen times the points / a tenth of them", "≤", 1.35,
-                         delaunay[7].nanoseconds(one) / delaunay[6].nanoseconds(one)});
-    std::vector<double> a_triangle;
-    for (const Contest& contest : sweep)
-      a_triangle.push_back(contest.nanoseconds(one) * static_cast<double>(contest.points) /
-                           static_cast<double>(contest.outcomes[0].count));
-    const auto [least, most] = std::minmax_element(a_triangle.begin(), a_triangle.end());
-    targets.push_back({"uniform, α from 0.5 to 1000 spacings, a triangle: worst / best", "≤", 1.5, *most / *least});
-    targets.push_back(
-        {"α = ∞, a point: grid / jittered", "≤", 1.3, delaunay[2].nanoseconds(one) / delaunay[1].nanoseconds(one)});
-    print(targets);
   }
 
   Sizes sizes_;

@@ -61,17 +61,6 @@ void print(std::vector<Row> rows) {
   std::printf("\n");
 }
 
-/// Prints the cost of scaling by a power of two.
-void print_scaling(const std::vector<Row>& rows) {
-  const auto time = [&](const std::string& name) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.contest.set == name; });
-    return row->contest.nanoseconds("rbpa");
-  };
-  for (const char* scaled : {"uniform · 2²⁰⁰", "uniform · 2⁻²⁰⁰"})
-    std::printf("%s: %s times as long as uniform; at most 1.1 is wanted.\n\n", scaled,
-                marked(time(scaled) / time("uniform"), 1.1).c_str());
-}
-
 }  // namespace
 }  // namespace rbpa_bench
 
@@ -89,6 +78,5 @@ int main(int argc, char** argv) {
     for (const SlowPath& path : slow_paths()) rows.push_back(run(path, {points, sizes.runs}));
     std::printf("### %zu points\n\n", points);
     print(rows);
-    print_scaling(rows);
   }
 }

@@ -62,7 +62,7 @@ constexpr std::array<std::size_t, 8> sizes_by_size = {3, 10, 30, 100, 300, 1000,
 constexpr std::array<std::size_t, 3> sizes_of_first_calls = {100, 1000, 10000};
 
 /// Measures all sets of one size in turn, by each method.
-void by_size(const Sizes& sizes, std::vector<Target>& targets) {
+void by_size(const Sizes& sizes) {
   std::printf("\nNanoseconds a point, lower quartile: how many times as fast as CGAL.\n\n");
   print_head({"points"}, {"number", "arrays", "CGAL points", "points / arrays"});
   for (const Kind& kind : kinds)
@@ -86,11 +86,10 @@ void by_size(const Sizes& sizes, std::vector<Target>& targets) {
                    cgals = unit * of[1].seconds.lower_quartile();
       print_row({kind.name, text("%zu", size), text("%.0f", ours), text("%.0f", cgals),
                  text("%.2f×", cgals / ours) + of[1].wrong});
-      targets.push_back({text("%s, %zu: CGAL points / arrays", kind.name.c_str(), size), "≥", 1, cgals / ours});
     }
 }
 
-void first_calls(int runs, std::vector<Target>& targets) {
+void first_calls(int runs) {
   const auto number = [](const std::string& name) {
     std::size_t i = 0;
     while (cold_methods().at(i).name != name) ++i;
@@ -112,9 +111,6 @@ void first_calls(int runs, std::vector<Target>& targets) {
         cells.push_back(text("%.0f (%.0f)", 1e6 * outcome.seconds.lower_quartile(), 1e6 * outcome.seconds.median()) +
                         outcome.failure);
       print_row(cells);
-      if (size == 100)
-        targets.push_back(
-            {kind.name + ", 100: microseconds of the first call", "≤", 150, 1e6 * of[0].seconds.lower_quartile()});
     }
 }
 
@@ -133,7 +129,7 @@ double one_call_each(std::span<const rbpa::Point> points, const rbpa::Groups& gr
   return area;
 }
 
-void groups(const Sizes& sizes, std::vector<Target>& targets) {
+void groups(const Sizes& sizes) {
   constexpr std::size_t points_of_a_group = 60;
   const std::size_t count = 30 * sizes.points / points_of_a_group;
   Random random(1);
@@ -180,9 +176,6 @@ void groups(const Sizes& sizes, std::vector<Target>& targets) {
   print_head({"alpha"}, {"one thread", "two threads", "calls of their own, one thread"});
   print_row({"chosen, one component", a_group(0), a_group(1), a_group(4)});
   print_row({"given", a_group(2), a_group(3), ""});
-  const double one = of[0].seconds.lower_quartile();
-  targets.push_back({"microseconds a group", "≤", 25, 1e6 * one / static_cast<double>(count)});
-  targets.push_back({"groups: one thread / two", "≥", 1.8, one / of[1].seconds.lower_quartile()});
 }
 
 }  // namespace
@@ -193,10 +186,8 @@ int main(int argc, char** argv) {
   answer_cold_run(argc, argv);
   const Sizes sizes = read_sizes(argc, argv, {.points = 200000, .runs = 9});
   std::printf("%s; %d rounds of each in turn, one thread.\n\n", machine().c_str(), sizes.runs);
-  std::vector<Target> targets;
-  first_calls(sizes.runs, targets);
+  first_calls(sizes.runs);
   keep_memory();
-  by_size(sizes, targets);
-  groups(sizes, targets);
-  print(targets);
+  by_size(sizes);
+  groups(sizes);
 }

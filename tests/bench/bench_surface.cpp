@@ -17,7 +17,7 @@ namespace {
 
 struct Wanted {
   SurfacePoints samples;
-  double radius, times;  ///< radius in spacings; factor by which it is to be faster than Open3D
+  double radius;  ///< in spacings
 
   double length() const { return radius * samples.spacing; }
 };
@@ -70,10 +70,10 @@ std::vector<Wanted> all_wanted(std::size_t n, bool slow, double radius, const st
   if (slow) {
     for (const SurfacePoints& samples :
          {on_sphere(n, 0), on_scan_lines(n), with_outliers(n), on_street(n), on_grid(n), ten_times(n)})
-      for (const double spacings : {1.0, 2.0, 4.0}) all.push_back({samples, spacings, 1});
+      for (const double spacings : {1.0, 2.0, 4.0}) all.push_back({samples, spacings});
   } else {
     const SurfacePoints sphere = on_sphere(n, 0), torus = on_double_torus(n), noisy = on_sphere(n, 0.1);
-    all = {{sphere, 2, 15}, {sphere, 4, 25}, {torus, 2, 15}, {torus, 4, 25}, {noisy, 2, 12}};
+    all = {{sphere, 2}, {sphere, 4}, {torus, 2}, {torus, 4}, {noisy, 2}};
   }
   std::erase_if(all, [&](const Wanted& wanted) {
     return (radius != 0 && radius != wanted.radius) || (!set.empty() && set != wanted.samples.name);
@@ -85,27 +85,12 @@ Contest hold(const Wanted& wanted, const std::vector<Contestant>& all, const Set
   return {wanted.samples.name, text("%g", wanted.radius), wanted.samples.points.size(), in_turn(all, settings)};
 }
 
-void add_targets(const Wanted& wanted, const Contest& contest, bool by_processor, std::vector<Target>& targets) {
-  const std::string what = contest.set + ", radius " + contest.alpha + ": ", first = contest.outcomes[0].name;
-  targets.push_back({what + "Open3D / " + first, "≥", wanted.times, contest.ratio("Open3D", first)});
-  if (!by_processor)
-    targets.push_back({what + "one thread / two", "≥", 1.7, contest.ratio(first, contest.outcomes[1].name)});
-  targets.push_back(
-      {what + "bytes a point, mesh", "≤", 250, contest.outcomes[2].bytes / static_cast<double>(contest.points)});
-}
-
-/// Measures spheres of 100,000 points, twice as many, and so on. Returns the time a point of the most, as a multiple of
-/// that of the fewest.
-double growth(std::size_t most, const Settings& settings) {
-  double fewest = NAN, last = NAN;
+/// Measures spheres of 100,000 points, twice as many, and so on.
+void growth(std::size_t most, const Settings& settings) {
   for (std::size_t count = 100000; count <= most; count *= 2) {
-    const Wanted wanted = {on_sphere(count, 0), 2, 1};
-    const Contest contest = hold(wanted, {arrays(wanted, 1), arrays(wanted, 2), mesh(wanted)}, settings);
-    last = contest.nanoseconds(contest.outcomes[0].name);
-    if (std::isnan(fewest)) fewest = last;
-    print_times(contest);
+    const Wanted wanted = {on_sphere(count, 0), 2};
+    print_times(hold(wanted, {arrays(wanted, 1), arrays(wanted, 2), mesh(wanted)}, settings));
   }
-  return last / fewest;
 }
 
 }  // namespace
@@ -142,16 +127,13 @@ int main(int argc, char** argv) {
   keep_memory();
   const Settings settings = {.runs = sizes.runs, .warm = true, .by_processor = by_processor};
   std::vector<Contest> contests;
-  std::vector<Target> targets;
   std::size_t weighed = 0;
   print_head({"points"}, columns({"number", "radius", "triangles"}, contestants(wanted[0])));
   for (const Wanted& each : wanted) {
     contests.push_back(hold(each, contestants(each), settings));
     for (Outcome& outcome : contests.back().outcomes) outcome.bytes = bytes[weighed++];
     print_times(contests.back());
-    add_targets(each, contests.back(), by_processor, targets);
   }
-  if (most > 0) targets.push_back({"sphere, a point: the most points / the fewest", "≤", 1.35, growth(most, settings)});
+  growth(most, settings);
   print_bytes(contests);
-  print(targets);
 }

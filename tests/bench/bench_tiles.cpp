@@ -1,5 +1,4 @@
-// Measures how much of the complex tiles decide: the figures of docs/explanation/plane.md, section 11, as a Markdown
-// table.
+// Measures how much of the complex tiles decide: docs/explanation/plane.md, section 11.
 //   bench_tiles [--points=N]      1,000,000 points, traps a tenth of them
 #include <cmath>
 #include <cstdio>
@@ -41,11 +40,11 @@ FoundByTiles found_by_tiles(const rbpa::Sites& sites, double alpha) {
 }
 
 /// Returns the number of points of all tiles, including the ghosts around them.
-std::size_t points_of_tiles(const rbpa::PointGrid& grid, std::uint32_t points_per_tile) {
+std::size_t points_of_tiles(const rbpa::PointGrid& grid) {
   rbpa::Cutter cutter(grid);
   rbpa::Tile tile;
   std::size_t points = 0;
-  for (const rbpa::Block& block : rbpa::blocks(grid, points_per_tile)) {
+  for (const rbpa::Block& block : rbpa::blocks(grid, rbpa::points_per_tile)) {
     cutter.cut(block, tile);
     points += tile.points.size();
   }
@@ -65,8 +64,7 @@ void measure(const std::string& set, const rbpa_test::Points& points, double alp
   print_row({set, text("%zu", points.size()), std::isinf(alpha) ? "∞" : text("%g", alpha), text("%zu", triangles),
              text("%zu", by_tiles.tiles), text("%.2f", 100 * share(by_tiles.triangles, triangles)),
              text("%zu", triangles - by_tiles.triangles), text("%.2f", 100 * share(by_tiles.settled, distinct)),
-             text("%.2f", share(points_of_tiles(grid, rbpa::points_per_tile), distinct)),
-             text("%.2f", share(points_of_tiles(grid, 1024), distinct))});
+             text("%.2f", share(points_of_tiles(grid), distinct))});
 }
 
 }  // namespace
@@ -75,9 +73,9 @@ void measure(const std::string& set, const rbpa_test::Points& points, double alp
 int main(int argc, char** argv) {
   using namespace rbpa_bench;
   const std::size_t count = read_sizes(argc, argv).points;
-  std::printf("Points of tiles: as a multiple of their own points, with tiles of 2048 points and of 1024.\n\n");
-  print_head({"points"}, {"number", "α", "triangles", "tiles", "found on tiles, %", "left over", "settled points, %",
-                          "of tiles, 2048", "1024"});
+  std::printf("Points of tiles: as a multiple of their own points.\n\n");
+  print_head({"points"},
+             {"number", "α", "triangles", "tiles", "found on tiles, %", "left over", "settled points, %", "of tiles"});
   for (const Workload& workload : {uniform, jittered, grid, clusters, kuzmin, lidar})
     measure(workload.name, workload.make(count), INFINITY);
   for (const Workload& trap : {circle_line_cluster, concentric, curves})

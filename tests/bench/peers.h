@@ -20,8 +20,6 @@ Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha);
 
 /// Runs CGAL's Delaunay refinement of a ring: angles of at least 20.7° and no edge longer than `longest`.
 Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest);
-/// Runs CGAL's constrained Delaunay triangulation, including the outside of the ring.
-Run triangulate_by_cgal(const std::vector<rbpa::Point>& ring);
 
 struct PersistenceRun {
   Run complex = {}, all = {};             ///< until the simplices have radii, and to the pairs

@@ -46,12 +46,6 @@ Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
   return run;
 }
 
-Run triangulate_by_cgal(const std::vector<rbpa::Point>& ring) {
-  const Stopwatch watch;
-  const Constrained mesh = constrained(ring);
-  return watch.run(mesh.number_of_faces());
-}
-
 Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> own;

@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <ctime>
 #include <fstream>
-#include <string_view>
 
 namespace rbpa_bench {
 
@@ -88,20 +87,6 @@ void print_bytes(const std::vector<Contest>& contests) {
       cells.push_back(std::isnan(outcome.bytes) ? "?"
                                                 : text("%.0f", outcome.bytes / static_cast<double>(contest.points)));
     print_row(cells);
-  }
-}
-
-void print(const std::vector<Target>& targets) {
-  std::printf("\n### Targets\n\n");
-  print_head({"target"}, {"measured", ""});
-  for (const Target& target : targets) {
-    const bool is_met =
-        std::string_view(target.sense) == "≥" ? target.measured >= target.bound : target.measured <= target.bound;
-    print_row({text("%s %s %.3g", target.what.c_str(), target.sense, target.bound),
-               std::isnan(target.measured) ? "–" : text("%.3g", target.measured),
-               std::isnan(target.measured) ? "not measured"
-               : is_met                    ? "met"
-                                           : "**missed**"});
   }
 }
 

@@ -1,4 +1,4 @@
-// What: prints Markdown tables, contests and targets on standard output.
+// What: prints Markdown tables, and contests, on standard output.
 #pragma once
 
 #include <string>
@@ -30,15 +30,5 @@ std::vector<std::string> columns(std::vector<std::string> before, const std::vec
 void print_times(const Contest& contest);
 /// Prints a table of bytes a point.
 void print_bytes(const std::vector<Contest>& contests);
-
-/// Wanted value of a ratio or cost.
-struct Target {
-  std::string what;
-  const char* sense;  ///< "≥" or "≤"
-  double bound;
-  double measured;  ///< NaN if the contest was not held, or one of the two failed or was wrong
-};
-
-void print(const std::vector<Target>& targets);
 
 }  // namespace rbpa_bench
