@@ -47,7 +47,6 @@ Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
 }
 
 Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> own;
   own.reserve(points.size());
   for (const rbpa::Point3& p : points) own.emplace_back(p.x, p.y, p.z);
