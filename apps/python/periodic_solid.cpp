@@ -80,7 +80,7 @@ std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
 py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha, bool full) {
   const auto input = points3_of(points, "points");
   PeriodicTopology made = watched(input.size(), py::none(), [&](Watch& watch) {
-    const std::function<bool()> go_on = watch.until_stopped();
+    const GoOn go_on = watch.until_stopped();
     const PeriodicSolid all =
         periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
     return periodic_topology(all, circumradii(all.positions, all.simplices, 0, go_on), alpha,

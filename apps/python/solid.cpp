@@ -148,7 +148,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
 py::dict full_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   FullTopology made = watched(input.size(), py::none(), [&](Watch& watch) {
-    const std::function<bool()> go_on = watch.until_stopped();
+    const GoOn go_on = watch.until_stopped();
     const Solid delaunay = solid(input, std::numeric_limits<double>::infinity(), {.progress = watch.progress()});
     return full_topology(input, delaunay, circumradii(input, delaunay.simplices, 0, go_on), alpha, 0, go_on);
   });

@@ -154,7 +154,7 @@ std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const
   const Links links(triangles, neighbors);
   return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
     const Surface surface = of_links(links);
-    const std::function<bool()> go_on = watch.until_stopped();
+    const GoOn go_on = watch.until_stopped();
     const SurfaceComponents components = surface_components(input, surface, go_on);
     std::vector<bool> outer;
     if (radius) outer = outer_shells(input, *radius, surface, components, go_on);

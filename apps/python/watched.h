@@ -23,14 +23,14 @@ namespace py = pybind11;
 class Watch {
  public:
   /// Return functions for the library's hooks. They must not outlive the watch.
-  std::function<bool(const Progress&)> progress() {
+  OnProgress progress() {
     return [this](const Progress& now) {
       triangles_.store(now.triangles, std::memory_order_relaxed);
       points_.store(now.points, std::memory_order_relaxed);
       return go_on();
     };
   }
-  std::function<bool()> until_stopped() {
+  GoOn until_stopped() {
     return [this] { return go_on(); };
   }
 

@@ -53,8 +53,7 @@ void check_sizes(const FillOptions& options) {
 constexpr double max_triangles = 500e6;
 
 /// Checks the estimated number of triangles. Throws: InvalidInput when there would be too many.
-void check_number(const Outline& outline, const SizeField& field, const FillOptions& said,
-                  const std::function<bool()>& go_on) {
+void check_number(const Outline& outline, const SizeField& field, const FillOptions& said, const GoOn& go_on) {
   const double triangles = estimate_triangles(parts_of(outline), field, said.keep_boundary, go_on);
   if (!(triangles <= max_triangles)) {
     const std::string others = said.grade || !said.sizes.empty() ? " and the other size options" : "";
@@ -133,7 +132,7 @@ struct Pieces {
 
 class ProgressVisitor : public Monitor {
  public:
-  ProgressVisitor(LoFront& policy, const std::function<bool(const Progress&)>& progress, std::size_t points)
+  ProgressVisitor(LoFront& policy, const OnProgress& progress, std::size_t points)
       : Monitor(progress, points), policy_(policy) {}
   void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
     policy_.attached(front, triangle);
@@ -145,8 +144,7 @@ class ProgressVisitor : public Monitor {
   LoFront& policy_;
 };
 
-Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options,
-                    const std::function<bool()>& go_on) {
+Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options, const GoOn& go_on) {
   Mesh mesh;
   mesh.request_vertex_status();
   mesh.request_halfedge_status();
@@ -212,7 +210,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   mesh.request_face_status();
   const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
   place(mesh, pieces.places, site);
-  const std::function<void()> ask = asking(options.progress, outline, pieces.triangles.size());
+  const Ask ask = asking(options.progress, outline, pieces.triangles.size());
   improve(mesh, outline, field, [&] {
     if (ask) ask();
   });
@@ -231,8 +229,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
 }
 
 /// Returns the triangles of one group, on places that begin with those of its part of the outline.
-Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options,
-                 const std::function<bool()>& go_on) {
+Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options, const GoOn& go_on) {
   if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
   Pieces pieces = advance_from(outline, *field, options, go_on);
   drop_unused(pieces, outline.places.size());
@@ -277,8 +274,8 @@ std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rin
 
 Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& said) {
   check_sizes(said);
-  const std::function<void()> ask = asking(said.progress, points.size());
-  const std::function<bool()> go_on = [&] {
+  const Ask ask = asking(said.progress, points.size());
+  const GoOn go_on = [&] {
     if (ask) ask();
     return true;
   };

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 
 #include "rbpa/base/api.h"
@@ -25,7 +24,7 @@ struct Options {
   /// The intervals are longer while points are sorted before the first triangle, while triangles that tiles leave over
   /// are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on sets where tiles
   /// find no triangle. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points

@@ -1,4 +1,4 @@
-// What: the progress of a run, and the callback that can cancel it.
+// What: the callbacks that see the progress of a run and can cancel it.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,30 @@ struct Progress {
   std::size_t points;
 };
 
+/// Callback that is called every few milliseconds, one call at a time but from any thread of the run. Returning false
+/// ends the run with Cancelled. An empty one is never called.
+using OnProgress = std::function<bool(const Progress&)>;
+/// The same without the progress; libmeshops shares it.
+using meshops::GoOn;
+/// Function that throws Cancelled to end the run; it is called as often.
+using Ask = std::function<void()>;
+
 /// Returns `progress` as a function without arguments that returns whether to continue, for the work before the first
 /// triangle or after the last. The result is empty if `progress` is. Keeps a reference.
-inline std::function<bool()> going_on(const std::function<bool(const Progress&)>& progress, std::size_t points,
-                                      std::size_t triangles = 0) {
+inline GoOn going_on(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
   if (!progress) return {};
   return [&progress, points, triangles] { return progress({triangles, points}); };
 }
 
 /// Returns a function that throws Cancelled when `go_on` returns false; the result is empty if `go_on` is.
-inline std::function<void()> asking(std::function<bool()> go_on) {
+inline Ask asking(GoOn go_on) {
   if (!go_on) return {};
   return [go_on = std::move(go_on)] {
     if (!go_on()) throw Cancelled();
   };
 }
 /// Returns a function that throws Cancelled when `progress` returns false. Keeps a reference.
-inline std::function<void()> asking(const std::function<bool(const Progress&)>& progress, std::size_t points,
-                                    std::size_t triangles = 0) {
+inline Ask asking(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
   return asking(going_on(progress, points, triangles));
 }
 

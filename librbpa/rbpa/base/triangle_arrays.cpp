@@ -29,7 +29,7 @@ bool is_triangle(const Triangle& corners, std::size_t points) {
 
 }  // namespace
 
-void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on) {
+void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on) {
   meshops::require(arrays.triangles.size() == arrays.neighbors.size(),
                    "triangles and neighbors differ in length, expected a row of neighbors for each triangle");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {

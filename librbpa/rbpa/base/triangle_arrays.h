@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/triangle.h"
 
 namespace rbpa {
@@ -34,6 +34,6 @@ struct OwnedTriangles {
 /// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is
 ///           called every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.
-RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const std::function<bool()>& go_on = {});
+RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});
 
 }  // namespace rbpa

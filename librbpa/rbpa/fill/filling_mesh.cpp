@@ -10,7 +10,7 @@
 namespace rbpa {
 FillingMesh filling_mesh(const Filling& filling) {
   require_linked(filling, filling.points.size());
-  const meshops::GoOn never;
+  const GoOn never;
   Steps step(never);
   meshops::DisjointSets fans = fans_of(filling, step);
   // Each fan gets a point of its own, so that the builder glues none to another one along the same edge.

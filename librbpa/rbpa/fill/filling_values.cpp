@@ -110,7 +110,7 @@ double value_in(const std::array<Point, 3>& at, const std::array<double, 3>& val
 }  // namespace
 
 std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
-                                      std::span<const std::size_t> groups, const std::function<bool()>& go_on) {
+                                      std::span<const std::size_t> groups, const GoOn& go_on) {
   if (values.size() > filling.boundary_points)
     throw InvalidInput("values: found " + std::to_string(values.size()) + ", expected at most " +
                        std::to_string(filling.boundary_points) + ", one for each point given to fill()");

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,7 +21,6 @@ namespace rbpa {
 /// Throws:   InvalidInput when there are more values than points; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
-                                               std::span<const std::size_t> groups = {},
-                                               const std::function<bool()>& go_on = {});
+                                               std::span<const std::size_t> groups = {}, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -21,7 +21,7 @@ Ring reversed(const Ring& ring) { return {{ring.points.rbegin(), ring.points.ren
 /// Rings that meet in single points at most, with their nesting.
 class ApartRings {
  public:
-  ApartRings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
+  ApartRings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on)
       : points_(points), rings_(rings), go_on_(go_on) {
     const RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
     check_points(points, rings, name);
@@ -62,19 +62,18 @@ class ApartRings {
 
   std::span<const Point> points_;
   std::span<const Ring> rings_;
-  const std::function<bool()>& go_on_;
+  const GoOn& go_on_;
   std::vector<RingPlace> place_;
 };
 
 }  // namespace
 
-std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
-                                       const std::function<bool()>& go_on) {
+std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on) {
   return ApartRings(points, rings, go_on).outline_polygons();
 }
 
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
-                                       std::span<const Point> in_holes, const std::function<bool()>& go_on) {
+                                       std::span<const Point> in_holes, const GoOn& go_on) {
   const ApartRings apart(points, rings, go_on);
   std::vector<Point> all(points.begin(), points.end());
   std::vector<std::uint32_t> queries;

@@ -3,7 +3,6 @@
 // Cost: n log n in the points of the rings.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,13 +17,12 @@ namespace rbpa {
 /// rings; measures are filled in.
 /// Throws: InvalidInput that names ring and place: as fill(); Cancelled.
 RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
-                                                const std::function<bool()>& go_on = {});
+                                                const GoOn& go_on = {});
 
 /// Returns the polygons of rings whose holes are marked by points in them, as in files of Shewchuk's Triangle: each
 /// hole contains one or more.
 /// Throws: also InvalidInput when a point is in no hole, or a hole has no point.
 RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
-                                                std::span<const Point> in_holes,
-                                                const std::function<bool()>& go_on = {});
+                                                std::span<const Point> in_holes, const GoOn& go_on = {});
 
 }  // namespace rbpa

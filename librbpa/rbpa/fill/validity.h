@@ -6,7 +6,6 @@
 // Source: OGC 06-103r4, Simple feature access, 6.1.11 and 6.1.14.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +22,6 @@ namespace rbpa {
 /// and vertices from 0. Rings may begin anywhere and have either orientation.
 /// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
-                                                const std::function<bool()>& go_on = {});
+                                                const GoOn& go_on = {});
 
 }  // namespace rbpa

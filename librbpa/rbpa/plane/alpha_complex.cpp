@@ -21,7 +21,7 @@
 namespace rbpa {
 namespace {
 
-std::vector<std::array<std::uint32_t, 2>> boundary_of(const AlphaComplex& of, const std::function<void()>& ask) {
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const AlphaComplex& of, const Ask& ask) {
   return boundary_sides(of, [&ask, t = 0u]() mutable {
     if (t++ % (1u << 18) == 0 && ask) ask();
   });
@@ -38,7 +38,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
     if (!are_on_a_line) find_triangles(*sites, Radius::of(alpha), options.progress, threads, list);
   };
   const auto sort = [&](auto& list) {
-    const std::function<void()> ask = asking(options.progress, result.distinct, list.size());
+    const Ask ask = asking(options.progress, result.distinct, list.size());
     sites.reset();  // its memory is not needed when the list becomes the result
     return list.sorted(threads, ask);
   };
@@ -68,7 +68,7 @@ AlphaComplex solid(std::span<const Point> points, double alpha, const AlphaCompl
   AlphaComplex result;
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
     triangulate_on_tiles(points, alpha, options, result);
-  const std::function<void()> ask = asking(options.progress, result.distinct, result.triangles.size());
+  const Ask ask = asking(options.progress, result.distinct, result.triangles.size());
   if (options.boundary && result.boundary.empty()) result.boundary = boundary_of(result, ask);
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct AlphaComplexOptions {
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
   /// Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// A complex as arrays. Indices are those of the input points; of equal points the lowest.

@@ -5,7 +5,7 @@
 
 namespace rbpa {
 
-std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const std::function<bool()>& go_on) {
+std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const GoOn& go_on) {
   BoundaryWalk walk(of);
   std::vector<std::vector<std::uint32_t>> curves;
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "rbpa/base/api.h"
@@ -17,7 +16,6 @@ namespace rbpa {
 /// Requires: as require_linked(), which is not checked.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 /// Cost:     linear.
-RBPA_API std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of,
-                                                                 const std::function<bool()>& go_on = {});
+RBPA_API std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -10,7 +10,7 @@ Covering covering_of(const AlphaChoice& choice) {
   return covering;
 }
 
-ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, const std::function<bool()>& go_on) {
+ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, const GoOn& go_on) {
   if (choice.rule == AlphaRule::given) return {.alpha = choice.radius};
   if (choice.rule != AlphaRule::plateau) return {.alpha = smallest_covering(delaunay, covering_of(choice), go_on)};
   ChosenAlpha chosen{.plateaus = plateaus(delaunay, filtration(delaunay, go_on), go_on)};

@@ -3,7 +3,6 @@
 // Cost: that of smallest_covering() or of filtration() and plateaus(); a given radius costs nothing.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,7 +26,6 @@ RBPA_API Covering covering_of(const AlphaChoice& choice);
 /// Throws: InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the cover
 ///         is out of its bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty:
 ///         never called.
-RBPA_API ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay,
-                                  const std::function<bool()>& go_on = {});
+RBPA_API ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, const GoOn& go_on = {});
 
 }  // namespace rbpa

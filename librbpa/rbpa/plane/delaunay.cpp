@@ -16,8 +16,7 @@ AlphaComplex triangulated(std::span<const Point> points, const AlphaComplexOptio
                        {.neighbors = true, .threads = options.threads, .progress = options.progress});
 }
 
-void check(const AlphaComplex& delaunay, std::span<const Point> points, const std::function<bool()>& go_on,
-           const char* function) {
+void check(const AlphaComplex& delaunay, std::span<const Point> points, const GoOn& go_on, const char* function) {
   const auto require = [&](bool is_so, const char* why_not) {
     if (!is_so) throw meshops::ContractViolation(std::string(function) + ": " + why_not);
   };
@@ -38,14 +37,13 @@ void check(const AlphaComplex& delaunay, std::span<const Point> points, const st
 Delaunay::Delaunay(std::span<const Point> points, const AlphaComplexOptions& options)
     : triangulation_(std::make_shared<const AlphaComplex>(triangulated(points, options))), points_(points) {}
 
-Delaunay::Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const std::function<bool()>& go_on,
+Delaunay::Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on,
                    const char* function)
     : triangulation_(std::shared_ptr<void>(), &triangulation), points_(points) {  // the pointer owns nothing
   check(triangulation, points, go_on, function);
 }
 
-Delaunay::Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on,
-                   const char* function)
+Delaunay::Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const GoOn& go_on, const char* function)
     : triangulation_(std::make_shared<const AlphaComplex>(std::move(triangulation))), points_(points) {
   check(*triangulation_, points, go_on, function);
 }

@@ -3,7 +3,6 @@
 //       check it again. A run checks a given triangulation at most once, and one that it computes itself never.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 
@@ -27,9 +26,9 @@ class RBPA_API Delaunay {
   ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled when `go_on`, which is
   ///         called every few milliseconds, returns false. Empty: never called.
   /// Cost:   linear: about a tenth of the cost of the triangulation.
-  Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
+  Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
-  Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const std::function<bool()>& go_on = {},
+  Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
 
   const AlphaComplex& triangulation() const { return *triangulation_; }

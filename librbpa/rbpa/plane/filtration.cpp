@@ -47,7 +47,7 @@ std::vector<double> radii_of(const Delaunay& of, Steps& step) {
   return radii;
 }
 
-Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on) {
+Filtration filtration(const Delaunay& of, const GoOn& go_on) {
   const AlphaComplex& delaunay = of.triangulation();
   const std::span<const Point> points = of.points();
   Steps pulse(go_on);

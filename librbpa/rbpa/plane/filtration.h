@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,11 +38,10 @@ struct Filtration {
 
 /// Computes the filtration of the points by circumradius.
 /// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
-RBPA_API Filtration filtration(const Delaunay& of, const std::function<bool()>& go_on = {});
+RBPA_API Filtration filtration(const Delaunay& of, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
-inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point> points,
-                             const std::function<bool()>& go_on = {}) {
+inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point> points, const GoOn& go_on = {}) {
   return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
 }
 

@@ -121,8 +121,7 @@ void add_free_edges(FiltrationArrays& arrays, const FilteredCells& cells, Steps&
 
 }  // namespace
 
-FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
-                                   const std::function<bool()>& go_on) {
+FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on) {
   const std::vector<Triangle>& triangles = delaunay.triangulation().triangles;
   require_same(filtration, delaunay.triangulation(), "filtration_arrays");
   Steps pulse(go_on);

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -50,11 +49,11 @@ struct FiltrationArrays {
 /// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
 ///           every few milliseconds, returns false. Empty: never called.
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
-                                            const std::function<bool()>& go_on = {});
+                                            const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
 inline FiltrationArrays filtration_arrays(const AlphaComplex& delaunay, std::span<const Point> points,
-                                          const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+                                          const Filtration& filtration, const GoOn& go_on = {}) {
   return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);
 }
 

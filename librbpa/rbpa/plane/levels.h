@@ -52,7 +52,7 @@ struct HierarchyOptions {
   /// The intervals are longer while points are sorted before the first triangle, while triangles that tiles leave over
   /// are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on sets where tiles
   /// find no triangle. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
   /// Called at the end of each level of Hierarchy::levels, before the next one begins; its time counts for no level. An
   /// exception that it throws ends the run. Empty: never called.
   std::function<void(const EndedLevel&)> level_ended = {};

@@ -20,8 +20,7 @@ struct SideAt {
 
 }  // namespace
 
-std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
-                                     const std::function<bool()>& go_on) {
+std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points, const GoOn& go_on) {
   Steps step(go_on);
   // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a
   // lowest corner are together. The third side is across from that corner: a list of triangles at its lower end is

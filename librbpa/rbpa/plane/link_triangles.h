@@ -8,11 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/triangle.h"
 
 namespace rbpa {
@@ -21,6 +21,6 @@ namespace rbpa {
 /// Requires: triangles of a complex in the plane as in a AlphaComplex; corners are below `points`.
 /// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
-                                              const std::function<bool()>& go_on = {});
+                                              const GoOn& go_on = {});
 
 }  // namespace rbpa

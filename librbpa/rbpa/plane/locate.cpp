@@ -111,8 +111,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
 
 class Locator::Impl {
  public:
-  Impl(std::span<const Point> points, const TriangleArrays& delaunay, Threads& threads,
-       const std::function<void()>& ask)
+  Impl(std::span<const Point> points, const TriangleArrays& delaunay, Threads& threads, const Ask& ask)
       : points_(points), of_(delaunay), sites_(points, threads, ask), at_site_(sites_.size(), 0) {
     if (of_.triangles.empty()) return;
     meshops::require(is_triangulation_of_all(sites_.size(), of_),
@@ -260,7 +259,7 @@ namespace {
 /// Calls visit(i, last) for each query, in parts that are shared among threads, with a `visit` that begin() returns for
 /// each part; calls go_on() after each part. `last` is the result for the query before, or none.
 template <typename Begin>
-void for_each_query(std::size_t queries, unsigned most_threads, const std::function<bool()>& go_on, Begin begin) {
+void for_each_query(std::size_t queries, unsigned most_threads, const GoOn& go_on, Begin begin) {
   constexpr std::size_t queries_at_a_time = 4096;
   Threads threads = threads_for(queries, most_threads);
   std::mutex calling;

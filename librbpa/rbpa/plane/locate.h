@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,7 +26,7 @@ struct LocateOptions {
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread; returning false cancels the work. Empty:
   /// never called.
-  std::function<bool()> go_on = {};
+  GoOn go_on = {};
 };
 
 /// The method of interpolation between points. Both methods reproduce linear functions, and are continuous.
@@ -39,8 +38,8 @@ enum class Interpolation {
 
 struct InterpolateOptions {
   Interpolation method = Interpolation::linear;
-  unsigned threads = 0;              ///< as in LocateOptions
-  std::function<bool()> go_on = {};  ///< as in LocateOptions
+  unsigned threads = 0;  ///< as in LocateOptions
+  GoOn go_on = {};       ///< as in LocateOptions
 };
 
 class RBPA_API Locator {

@@ -154,14 +154,14 @@ std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std:
 }  // namespace
 
 std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
-                                      const PolygonFilter& filter, const std::function<bool()>& go_on) {
+                                      const PolygonFilter& filter, const GoOn& go_on) {
   check(filter);
   require_linked(complex, points.size(), go_on);
   return polygons_of_linked(points, complex, filter, go_on);
 }
 
 std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
-                                        const PolygonFilter& filter, const std::function<bool()>& go_on) {
+                                        const PolygonFilter& filter, const GoOn& go_on) {
   check(filter);
   Steps step(go_on);
   return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);

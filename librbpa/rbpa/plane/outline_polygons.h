@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -54,13 +53,12 @@ struct PolygonFilter {
 ///         every few milliseconds, returns false. Empty: never called.
 /// Cost:   as above; a bound on holes adds a plane sweep over the boundary.
 RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
-                                               const std::function<bool()>& go_on = {});
+                                               const GoOn& go_on = {});
 
 /// Returns the same for a solid complex in arrays, with neighbors, on these points.
 /// Throws: also ContractViolation as require_linked(), or when the points are visibly others.
 RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
-                                               const PolygonFilter& filter = {},
-                                               const std::function<bool()>& go_on = {});
+                                               const PolygonFilter& filter = {}, const GoOn& go_on = {});
 
 struct PolygonTotals {
   std::size_t holes = 0;

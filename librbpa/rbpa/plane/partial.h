@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -81,7 +80,7 @@ class RBPA_API Partial {
 struct PartialOptions {
   /// Threads and progress as in AlphaComplexOptions.
   unsigned threads = 0;
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// Computes the contribution of a region.

@@ -22,7 +22,7 @@ bool before(const PersistencePair& a, const PersistencePair& b) {
 }  // namespace
 
 std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration, ComplexKind kind,
-                                         const std::function<bool()>& go_on) {
+                                         const GoOn& go_on) {
   require_same(filtration, delaunay.triangulation(), "persistence");
   Steps pulse(go_on);
   FilteredCells cells = filtered_cells(delaunay, distinct_points(delaunay), filtration, kind, pulse);

@@ -7,7 +7,6 @@
 //         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,13 +35,12 @@ struct PersistencePair {
 /// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
 ///           every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
-                                                  ComplexKind kind = ComplexKind::solid,
-                                                  const std::function<bool()>& go_on = {});
+                                                  ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
 inline std::vector<PersistencePair> persistence(const AlphaComplex& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
-                                                const std::function<bool()>& go_on = {}) {
+                                                const GoOn& go_on = {}) {
   return persistence(Delaunay(delaunay, points, go_on, "persistence"), filtration, kind, go_on);
 }
 

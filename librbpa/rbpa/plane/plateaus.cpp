@@ -50,8 +50,7 @@ Plateau plateau_of(const StepRange& range, const Filtration& filtration, const s
 
 }  // namespace
 
-std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
-                              const std::function<bool()>& go_on) {
+std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on) {
   require_same(filtration, delaunay.triangulation(), "plateaus");
   Steps pulse(go_on);
   const std::vector<ShapeState> curve = shape_curve(delaunay, filtration, pulse);

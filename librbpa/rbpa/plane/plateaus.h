@@ -8,7 +8,6 @@
 //         stand still mark the scale of a sample: Robins, Meiss, Bradley (1998).
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,12 +59,11 @@ inline constexpr double plateau_settles = 2;
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled when `go_on`
 ///           returns false.
-RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration,
-                                       const std::function<bool()>& go_on = {});
+RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.
 inline std::vector<Plateau> plateaus(const AlphaComplex& delaunay, std::span<const Point> points,
-                                     const Filtration& filtration, const std::function<bool()>& go_on = {}) {
+                                     const Filtration& filtration, const GoOn& go_on = {}) {
   return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);
 }
 

@@ -80,7 +80,7 @@ void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates
 
 std::vector<Number> polygon_of_points(std::span<const Point> points, const TriangleArrays& complex,
                                       std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
-                                      const PolygonFilter& filter, const std::function<bool()>& go_on) {
+                                      const PolygonFilter& filter, const GoOn& go_on) {
   Steps step(go_on);
   std::vector<Number> result(points.size());
   {

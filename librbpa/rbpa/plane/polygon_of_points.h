@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,11 +26,11 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      std::span<const Polygon> polygons,
                                                                      const PolygonFilter& filter,
                                                                      std::span<const Point> points,
-                                                                     const std::function<bool()>& go_on = {});
+                                                                     const GoOn& go_on = {});
 
 /// Computes the same for a solid complex in arrays, with neighbors, and its list of duplicates.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
-    std::span<const Polygon> polygons, const PolygonFilter& filter, const std::function<bool()>& go_on = {});
+    std::span<const Polygon> polygons, const PolygonFilter& filter, const GoOn& go_on = {});
 
 }  // namespace rbpa

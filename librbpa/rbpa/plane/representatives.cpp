@@ -172,7 +172,7 @@ class HoleSearch {
 
 std::vector<Representative> representatives_of(const Delaunay& delaunay, const Filtration& filtration,
                                                std::optional<std::span<const double>> levels, ComplexKind kind,
-                                               const PairChoice& choice, const std::function<bool()>& go_on) {
+                                               const PairChoice& choice, const GoOn& go_on) {
   Steps pulse(go_on);
   const DistinctPoints distinct = distinct_points(delaunay);
   FilteredCells cells = filtered_cells(delaunay, distinct, filtration, kind, pulse);
@@ -201,14 +201,14 @@ std::vector<Representative> representatives_of(const Delaunay& delaunay, const F
 }  // namespace
 
 std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration, ComplexKind kind,
-                                            const PairChoice& choice, const std::function<bool()>& go_on) {
+                                            const PairChoice& choice, const GoOn& go_on) {
   require_same(filtration, delaunay.triangulation(), "representatives");
   return representatives_of(delaunay, filtration, std::nullopt, kind, choice, go_on);
 }
 
 std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                   std::span<const double> levels, ComplexKind kind,
-                                                  const PairChoice& choice, const std::function<bool()>& go_on) {
+                                                  const PairChoice& choice, const GoOn& go_on) {
   require_same(filtration, delaunay.triangulation(), "level_representatives");
   for (std::size_t i = 0; i < levels.size(); ++i)
     meshops::require(levels[i] > (i == 0 ? 0 : levels[i - 1]),

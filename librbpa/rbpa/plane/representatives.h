@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,8 +39,7 @@ struct Representative {
 ///           every few milliseconds, returns false. Empty: never called.
 RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                      ComplexKind kind = ComplexKind::solid,
-                                                     const PairChoice& choice = {},
-                                                     const std::function<bool()>& go_on = {});
+                                                     const PairChoice& choice = {}, const GoOn& go_on = {});
 
 /// Returns the same for the complexes of the given radii only, such as the levels of hrbpa(). A pair is born at the
 /// first radius at which it exists, and dies at the first later one at which it does not, if there is one; a pair that
@@ -52,7 +50,6 @@ RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, c
 RBPA_API std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                            std::span<const double> levels,
                                                            ComplexKind kind = ComplexKind::solid,
-                                                           const PairChoice& choice = {},
-                                                           const std::function<bool()>& go_on = {});
+                                                           const PairChoice& choice = {}, const GoOn& go_on = {});
 
 }  // namespace rbpa

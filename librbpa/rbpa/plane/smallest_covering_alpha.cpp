@@ -102,7 +102,7 @@ std::optional<double> smallest(const AlphaComplex& delaunay, std::span<const dou
 }
 
 std::optional<double> smallest(const AlphaComplex& delaunay, bool is_checked, const Filtration& filtration,
-                               const Covering& covering, const std::function<bool()>& go_on) {
+                               const Covering& covering, const GoOn& go_on) {
   require_same(filtration, delaunay, "smallest_covering");
   check(covering);
   if (covering.share == 1) return smallest_covering(filtration, covering.max_components);
@@ -121,17 +121,16 @@ std::optional<double> smallest(const AlphaComplex& delaunay, bool is_checked, co
 }  // namespace
 
 std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
-                                        const Covering& covering, const std::function<bool()>& go_on) {
+                                        const Covering& covering, const GoOn& go_on) {
   return smallest(delaunay.triangulation(), true, filtration, covering, go_on);
 }
 
 std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
-                                        const Covering& covering, const std::function<bool()>& go_on) {
+                                        const Covering& covering, const GoOn& go_on) {
   return smallest(delaunay, false, filtration, covering, go_on);
 }
 
-std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
-                                        const std::function<bool()>& go_on) {
+std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering, const GoOn& go_on) {
   Steps step(go_on);
   return smallest_covering(delaunay, radii_of(delaunay, step), covering, step);
 }

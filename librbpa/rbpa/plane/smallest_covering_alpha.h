@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 
 #include "rbpa/base/api.h"
@@ -40,13 +39,13 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 ///           bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
 ///           called.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
-                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+                                                 const Covering& covering, const GoOn& go_on = {});
 /// Computes the same without a filtration: only its radii are computed, in about half the time.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
-                                                 const std::function<bool()>& go_on = {});
+                                                 const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
 /// where they are used.
 RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
-                                                 const Covering& covering, const std::function<bool()>& go_on = {});
+                                                 const Covering& covering, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 
 #include "rbpa/base/api.h"
@@ -42,6 +41,6 @@ RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 ///           called every few milliseconds, returns false. Empty: never called.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex,
-                             ComplexKind kind = ComplexKind::solid, const std::function<bool()>& go_on = {});
+                             ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
 
 }  // namespace rbpa

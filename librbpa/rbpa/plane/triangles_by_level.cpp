@@ -66,7 +66,7 @@ TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
     find_triangles(*sites, ladder.radius(ladder.end()), options.progress, threads, list);
   }
   sites.reset();  // its memory is not needed when the list becomes the result
-  const std::function<void()> ask = asking(options.progress, complex.distinct, list.size());
+  const Ask ask = asking(options.progress, complex.distinct, list.size());
   meshops::FreshVector<std::uint32_t> numbers;
   complex.triangles = list.sorted(threads, numbers, ask);
   part_by_level(numbers, ladder, alpha, result);

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,7 +32,7 @@ struct TrianglesByLevelOptions {
   unsigned threads = 0;
   /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
   /// Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// A level: its radius, and the size of the complex of this radius.

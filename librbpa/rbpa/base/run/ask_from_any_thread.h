@@ -1,10 +1,10 @@
 // What: a function that decides whether to continue, made callable from several threads.
 #pragma once
 
-#include <functional>
 #include <mutex>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/progress.h"
 
 namespace rbpa {
 
@@ -12,7 +12,7 @@ namespace rbpa {
 class AskFromAnyThread {
  public:
   /// Keeps a reference. An empty function always continues.
-  explicit AskFromAnyThread(const std::function<bool()>& go_on) : go_on_(go_on) {}
+  explicit AskFromAnyThread(const GoOn& go_on) : go_on_(go_on) {}
   void operator()() {
     if (!go_on_) return;
     const std::lock_guard<std::mutex> lock(asking_);
@@ -20,7 +20,7 @@ class AskFromAnyThread {
   }
 
  private:
-  const std::function<bool()>& go_on_;
+  const GoOn& go_on_;
   std::mutex asking_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "meshops/core/progress.h"
+#include "rbpa/base/progress.h"
 
 namespace rbpa {
 

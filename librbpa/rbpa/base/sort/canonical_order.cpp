@@ -212,8 +212,7 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 /// Calls put_numbers(place, numbers) for the triangles of each bucket, in any thread: `place` is that of the first.
 template <typename Item>
 template <typename PutNumbers>
-std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,
-                                                     const std::function<void()>& ask) const {
+std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers, const Ask& ask) const {
   const std::vector<std::vector<Run>> of_bucket = runs();
   std::vector<std::size_t> start = {0};
   for (const auto& bucket : of_bucket) {
@@ -242,8 +241,7 @@ std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumber
 }
 
 template <typename Item>
-std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
-                                                   const std::function<void()>& ask) {
+std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank, const Ask& ask) {
   return sort_all(
       threads,
       [rank](std::size_t place, std::span<const std::uint32_t> numbers) {
@@ -254,7 +252,7 @@ std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32
 
 template <typename Item>
 std::vector<Triangle> CanonicalOrder<Item>::sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
-                                                                const std::function<void()>& ask) {
+                                                                const Ask& ask) {
   return sort_all(
       threads,
       [numbers](std::size_t place, std::span<const std::uint32_t> some) {

@@ -11,13 +11,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/sort/numbered_triangle.h"
 
 namespace rbpa {
@@ -72,10 +72,9 @@ class CanonicalOrder {
 
   /// Returns all triangles in order. Nothing may be added afterwards. `rank`, if any, gets the new place of each
   /// number. Calls `ask`, if any, after each bucket, one call at a time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const std::function<void()>& ask = {});
+  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Ask& ask = {});
   /// Returns the same for numbers that are not places: `numbers` gets the number of each triangle, in their order.
-  std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
-                                            const std::function<void()>& ask = {});
+  std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers, const Ask& ask = {});
   /// Frees the memory.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
@@ -95,7 +94,7 @@ class CanonicalOrder {
   Item* new_block();
   std::vector<std::vector<Run>> runs() const;
   template <typename PutNumbers>
-  std::vector<Triangle> sort_all(Threads& threads, PutNumbers put_numbers, const std::function<void()>& ask) const;
+  std::vector<Triangle> sort_all(Threads& threads, PutNumbers put_numbers, const Ask& ask) const;
   void sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners, Workspace& workspace) const;
 
   std::size_t bound_;

@@ -37,7 +37,7 @@ std::uint32_t before(std::uint32_t k) { return k == 0 ? 2 : k - 1; }
 template <typename Real>
 class Constrained {
  public:
-  Constrained(const Outline& outline, const std::function<bool()>& go_on) : places_(outline.places), step_(go_on) {
+  Constrained(const Outline& outline, const GoOn& go_on) : places_(outline.places), step_(go_on) {
     for (const OutlineRing& ring : outline.rings)
       for (std::size_t i = 0; i < ring.sites.size(); ++i)
         edges_.push_back({ring.sites[i], ring.sites[(i + 1) % ring.sites.size()]});
@@ -361,7 +361,7 @@ class Constrained {
 
 }  // namespace
 
-std::vector<Triangle> constrained_delaunay(const Outline& outline, const std::function<bool()>& go_on) {
+std::vector<Triangle> constrained_delaunay(const Outline& outline, const GoOn& go_on) {
   if (outline.rings.empty()) return {};
   return fits_double(magnitude_bound(outline.places)) ? Constrained<double>(outline, go_on).run()
                                                       : Constrained<long double>(outline, go_on).run();

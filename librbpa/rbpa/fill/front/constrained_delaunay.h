@@ -17,7 +17,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,7 +30,6 @@ namespace rbpa {
 /// Requires: places that are distinct, as many as rbpa() accepts, and each on a ring; rings that do not cross, and pass
 ///           every place that lies on their edges.
 /// Throws:   Cancelled, when go_on returns false.
-std::vector<std::array<std::uint32_t, 3>> constrained_delaunay(const Outline& outline,
-                                                               const std::function<bool()>& go_on);
+std::vector<std::array<std::uint32_t, 3>> constrained_delaunay(const Outline& outline, const GoOn& go_on);
 
 }  // namespace rbpa

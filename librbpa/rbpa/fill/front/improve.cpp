@@ -53,7 +53,7 @@ bool is_illegal(const Mesh& mesh, meshops::Edge e) {
 
 /// Flips until no edge is illegal. Each flip lowers the surface of the points lifted to the paraboloid over the plane,
 /// so no triangulation recurs.
-void flip_all(Mesh& mesh, const std::function<void()>& ask) {
+void flip_all(Mesh& mesh, const Ask& ask) {
   EdgeQueue queue(mesh);
   for (std::size_t e = mesh.n_edges(); e-- > 0;) queue.push(meshops::Edge(static_cast<int>(e)));
   for (std::size_t steps = 0; !queue.empty(); ++steps) {
@@ -107,7 +107,7 @@ Point wanted(const Point& p, const std::vector<Point>& ring, const SizeField& fi
   return weights > 0 ? Point{p.x + x / weights, p.y + y / weights} : p;
 }
 
-void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::function<void()>& ask) {
+void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& ask) {
   std::vector<Point> ring;
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) ask();
@@ -127,7 +127,7 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::
 
 }  // namespace
 
-void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::function<void()>& ask) {
+void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& ask) {
   flip_all(mesh, ask);
   for (int round = 0; round < rounds; ++round) {
     for (int move = 0; move < moves_in_a_round; ++move) move_all(mesh, fixed, field, ask);

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "rbpa/base/mesh.h"
 #include "rbpa/fill/front/size_field.h"
@@ -17,6 +16,6 @@ namespace rbpa {
 /// Improves a mesh. Vertices from number `fixed` on are inner ones, and may move. Calls `ask` now and then; it may
 /// throw.
 /// Requires: triangles that are counter-clockwise and do not overlap, z = 0.
-void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const std::function<void()>& ask);
+void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& ask);
 
 }  // namespace rbpa

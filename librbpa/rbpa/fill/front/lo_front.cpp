@@ -35,7 +35,7 @@ std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 3
 }  // namespace
 
 LoFront::LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
-                 const std::function<bool()>& go_on)
+                 const GoOn& go_on)
     : places_(std::move(places)), field_(field), unfilled_(places_, rings, go_on) {
   double least = field.least();
   bounds_ = {places_[rings[0][0]], places_[rings[0][0]]};

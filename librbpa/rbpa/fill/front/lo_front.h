@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <unordered_set>
@@ -39,7 +38,7 @@ class LoFront {
   /// one face behind each edge of the rings. Keeps a reference to the field.
   /// Throws: Cancelled, when go_on returns false.
   LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
-          const std::function<bool()>& go_on);
+          const GoOn& go_on);
   LoFront(const LoFront&) = delete;
   LoFront& operator=(const LoFront&) = delete;
 

@@ -214,7 +214,7 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
   return outline;
 }
 
-void cut(Outline& outline, const SizeField& field, const std::function<bool()>& go_on) {
+void cut(Outline& outline, const SizeField& field, const GoOn& go_on) {
   Steps step(go_on);
   CutEdges edges(outline, field, step);
   Assembly assembly(outline, edges);

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,7 +39,7 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
 /// would then meet others of its group. An edge that several rings have, in either direction, is cut once for all.
 /// Throws: Cancelled.
 /// Cost:   n log n in the pieces.
-void cut(Outline& outline, const SizeField& field, const std::function<bool()>& go_on);
+void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
 
 /// One group of an outline.
 struct OutlinePart {

@@ -115,7 +115,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
 }  // namespace
 
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
-                          const std::function<bool()>& go_on) {
+                          const GoOn& go_on) {
   Steps step(go_on);
   // All groups are integrated together, so that they share the pieces.
   std::vector<Stretch> stretches;

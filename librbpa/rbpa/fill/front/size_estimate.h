@@ -9,7 +9,6 @@
 // Cost: that of the constrained Delaunay triangulations, and a query of the field for each edge, triangle and piece.
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "rbpa/fill/front/outline.h"
@@ -20,6 +19,6 @@ namespace rbpa {
 /// Returns the estimate for outlines before they are cut.
 /// Throws: Cancelled, when go_on returns false.
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
-                          const std::function<bool()>& go_on);
+                          const GoOn& go_on);
 
 }  // namespace rbpa

@@ -26,8 +26,7 @@ bool meets(const Box& box, const Point& p, const Point& q) {
 
 }  // namespace
 
-Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
-                   const std::function<bool()>& go_on)
+Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings, const GoOn& go_on)
     : places_(places), next_(static_cast<Site>(places.size())) {
   std::vector<Site> sites;
   for (const std::vector<Site>& ring : rings) sites.insert(sites.end(), ring.begin(), ring.end());

@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -24,6 +23,7 @@
 
 #include "meshops/patch/site.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/fill/front/front_edge.h"
 #include "rbpa/plane/grid/box.h"
 
@@ -37,8 +37,7 @@ class Unfilled {
   /// Triangulates the region left of the rings of a front, each given by its sites. Keeps a reference to the places, to
   /// which others may be added.
   /// Throws: Cancelled, when go_on returns false.
-  Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings,
-           const std::function<bool()>& go_on);
+  Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings, const GoOn& go_on);
 
   /// Begins a search from an edge of the front, for the functions below. It passes at most `most` triangles; the
   /// triangle beside the edge is always seen.

@@ -34,7 +34,7 @@ std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::s
 }
 
 std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
-                                   const RingName& name, const std::function<bool()>& go_on) {
+                                   const RingName& name, const GoOn& go_on) {
   NestedRings nested = nest_rings(points, noded.rings, go_on);
   if (nested.meet)
     throw InvalidInput(text_of(*nested.meet, points, rings, noded, name) +

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +21,6 @@ std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::s
 /// Returns which ring lies in which.
 /// Throws: InvalidInput when rings cross, overlap, or one passes a place twice; Cancelled.
 std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
-                                   const RingName& name, const std::function<bool()>& go_on);
+                                   const RingName& name, const GoOn& go_on);
 
 }  // namespace rbpa

@@ -18,8 +18,7 @@ std::string name_of(const RingRole& role) {
 }
 
 /// Returns the noded rings of polygons. A polygon without points is empty, and valid.
-PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon> polygons,
-                         const std::function<bool()>& go_on) {
+PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon> polygons, const GoOn& go_on) {
   PolygonRings rings;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
     if (polygons[p].shell.points.empty() && polygons[p].holes.empty()) continue;
@@ -43,7 +42,7 @@ struct Range {
 };
 
 /// Fills in the places of a range, and checks its roles.
-void place(PolygonRings& rings, const Range& range, std::span<const Point> points, const std::function<bool()>& go_on) {
+void place(PolygonRings& rings, const Range& range, std::span<const Point> points, const GoOn& go_on) {
   const auto some = [&](auto& of) {
     return std::vector(of.begin() + static_cast<std::ptrdiff_t>(range.first),
                        of.begin() + static_cast<std::ptrdiff_t>(range.last));
@@ -121,7 +120,7 @@ std::vector<std::size_t> groups_of(const PolygonRings& rings, std::span<const st
 }  // namespace
 
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
-                            std::span<const std::size_t> groups, const std::function<bool()>& go_on) {
+                            std::span<const std::size_t> groups, const GoOn& go_on) {
   PolygonRings rings = noded_rings(points, polygons, go_on);
   rings.groups = groups_of(rings, groups, polygons.size());
   for (const Range& group : groups_in(rings)) {
@@ -132,7 +131,7 @@ PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polyg
 }
 
 std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
-                                       const std::function<bool()>& go_on) {
+                                       const GoOn& go_on) {
   try {
     valid_polygons(points, polygons, {}, go_on);
   } catch (const InvalidInput& e) {

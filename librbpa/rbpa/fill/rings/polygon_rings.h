@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +34,6 @@ struct PolygonRings {
 /// of a group become its own.
 /// Throws: InvalidInput that names what is not valid, and where; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
-                            std::span<const std::size_t> groups, const std::function<bool()>& go_on);
+                            std::span<const std::size_t> groups, const GoOn& go_on);
 
 }  // namespace rbpa

@@ -34,7 +34,7 @@ bool meet(const Edge& a, const Edge& b) {
 
 class RingSweep {
  public:
-  RingSweep(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on)
+  RingSweep(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on)
       : points_(points), rings_(rings), step_(go_on) {
     nested_.place.resize(rings.size());
     for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -251,7 +251,7 @@ void check_points(std::span<const Point> points, std::span<const Ring> rings, co
   }
 }
 
-NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const std::function<bool()>& go_on) {
+NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on) {
   return RingSweep(points, rings, go_on).run();
 }
 

@@ -56,8 +56,7 @@ struct NestedRings {
   std::vector<RingPlace> place = {};
   std::optional<RingsMeet> meet = std::nullopt;
 };
-NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings,
-                       const std::function<bool()>& go_on = {});
+NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on = {});
 
 /// Checks the points of rings.
 /// Throws: InvalidInput when a ring has fewer than three points, names one that does not exist or is not finite, or has

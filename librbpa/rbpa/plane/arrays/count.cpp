@@ -165,8 +165,7 @@ std::vector<Side> with_edges(std::vector<Side> boundary, const AlphaComplex& com
 
 }  // namespace
 
-ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind,
-                    const std::function<bool()>& go_on) {
+ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind, const GoOn& go_on) {
   Steps step(go_on);
   const bool is_full = kind == ComplexKind::full;
   std::vector<Side> boundary = boundary_of(complex, step);

@@ -63,7 +63,7 @@ void LinkedTriangles::fill(const Patch& patch, const Place& place) {
     }
 }
 
-OwnedTriangles LinkedTriangles::sorted(Threads& threads, const std::function<void()>& ask) {
+OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Ask& ask) {
   constexpr std::size_t triangles_at_a_time = 1u << 16;
   seams_.end();
   OwnedTriangles result;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -44,7 +43,7 @@ class LinkedTriangles {
   std::size_t size() const { return size_; }
   /// Returns the triangles; called once, after all patches. Calls `ask`, if any, now and then, one call at a time; it
   /// may throw.
-  OwnedTriangles sorted(Threads& threads, const std::function<void()>& ask = {});
+  OwnedTriangles sorted(Threads& threads, const Ask& ask = {});
 
  private:
   /// An open side that waits for the side beyond: its end, and the place to which to write the triangle beyond.

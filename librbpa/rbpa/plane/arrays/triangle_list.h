@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,9 +37,7 @@ class TriangleList {
   std::size_t size() const { return size_; }
   /// Returns the triangles in order; called once, after all patches. Calls `ask`, if any, now and then, one call at a
   /// time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, const std::function<void()>& ask = {}) {
-    return order_.sorted(threads, nullptr, ask);
-  }
+  std::vector<Triangle> sorted(Threads& threads, const Ask& ask = {}) { return order_.sorted(threads, nullptr, ask); }
 
  private:
   std::span<const std::uint32_t> names_;

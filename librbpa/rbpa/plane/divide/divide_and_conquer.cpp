@@ -128,8 +128,8 @@ class Extraction {
 }  // namespace
 
 template <typename Real>
-meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads,
-                                  const std::function<void()>& working, meshops::Outline* outline) {
+meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads, const Ask& working,
+                                  meshops::Outline* outline) {
   meshops::Patch patch;
   if (outline) outline->clear();
   if (places.size() < 3) return patch;
@@ -139,9 +139,9 @@ meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate,
   return patch;
 }
 
-template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&,
-                                                   const std::function<void()>&, meshops::Outline*);
-template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&,
-                                                        const std::function<void()>&, meshops::Outline*);
+template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, const Ask&,
+                                                   meshops::Outline*);
+template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, const Ask&,
+                                                        meshops::Outline*);
 
 }  // namespace rbpa

@@ -14,6 +14,7 @@
 #include "meshops/patch/outline.h"
 #include "meshops/patch/patch.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/plane/divide/halve.h"
 
 namespace rbpa {
@@ -29,7 +30,7 @@ using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoi
 ///           they fit (fits_double()), long double for any.
 template <typename Real>
 meshops::Patch divide_and_conquer(
-    std::span<SitePoint> places, const Fate& fate, Threads& threads, const std::function<void()>& working = [] {},
+    std::span<SitePoint> places, const Fate& fate, Threads& threads, const Ask& working = [] {},
     meshops::Outline* outline = nullptr);
 
 }  // namespace rbpa

@@ -15,7 +15,7 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // number of cells for one th
 
 }  // namespace
 
-PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask) {
+PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const Ask& ask) {
   const std::size_t count = input.points.size();
   if (count == 0) return;
   points_.resize(count);
@@ -54,7 +54,7 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
 
 /// Makes a grid of every cell with too many points, unless all are equal, and of the cells of these grids: each grid
 /// divides its points.
-void PointGrid::refine(Threads& threads, const std::function<void()>& ask) {
+void PointGrid::refine(Threads& threads, const Ask& ask) {
   struct DenseCell {
     std::uint32_t level, cell, first, last;
   };

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/base/sort/named_points.h"
 #include "rbpa/plane/grid/box.h"
 
@@ -25,11 +25,11 @@ class PointGrid {
  public:
   /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread does it. Calls `ask`, if any, after
   /// each level, which may throw.
-  PointGrid(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {})
+  PointGrid(std::span<const Point> input, Threads& threads, const Ask& ask = {})
       : PointGrid(NamedPoints{input}, threads, ask) {}
   explicit PointGrid(std::span<const Point> input);
   /// Lays out points that have names of their own, in ascending order.
-  PointGrid(const NamedPoints& input, Threads& threads, const std::function<void()>& ask = {});
+  PointGrid(const NamedPoints& input, Threads& threads, const Ask& ask = {});
 
   /// Returns the distinct points in the order of their cells. A position in it is called a site.
   std::span<const Point> points() const { return points_; }
@@ -95,7 +95,7 @@ class PointGrid {
   };
 
   static Level make_level(std::span<const Point> points, Threads& threads);
-  void refine(Threads& threads, const std::function<void()>& ask);
+  void refine(Threads& threads, const Ask& ask);
   std::optional<Level> level_of(std::uint32_t first, std::uint32_t last, Threads& threads);
   static void index_children(Level& level);
   void remove_duplicates(Threads& threads);

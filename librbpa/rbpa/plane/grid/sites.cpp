@@ -7,8 +7,7 @@ namespace rbpa {
 namespace {
 
 /// Returns the grid of the points in the window.
-PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads,
-                  const std::function<void()>& ask) {
+PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads, const Ask& ask) {
   if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads, ask);
   const double scale = std::ldexp(1.0, window.exponent);
   std::vector<Point> scaled;
@@ -29,7 +28,7 @@ PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& t
 
 }  // namespace
 
-Sites::Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask)
+Sites::Sites(std::span<const Point> input, Threads& threads, const Ask& ask)
     : window_(window_of(input)),
       unscale_(std::ldexp(1.0, -window_.exponent)),
       grid_(grid_of(input, window_, threads, ask)) {

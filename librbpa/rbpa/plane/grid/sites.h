@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,7 +22,7 @@ namespace rbpa {
 class Sites {
  public:
   /// Sorts the points. Calls `ask`, if any, now and then; it may throw.
-  Sites(std::span<const Point> input, Threads& threads, const std::function<void()>& ask = {});
+  Sites(std::span<const Point> input, Threads& threads, const Ask& ask = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
   /// Returns the points in the window, times 2^exponent.

@@ -82,7 +82,7 @@ class GroupShaper {
  private:
   /// Appends everything except totals and problems; returns why there is no polygon.
   std::string find(const Group& group, unsigned threads, GroupShapes& made) {
-    std::function<bool()> go_on;
+    GoOn go_on;
     AlphaComplexOptions of_group{.neighbors = true, .threads = threads};
     if (options_.go_on && group.points.size() >= long_enough) {
       go_on = [this] { return done_.go_on(); };
@@ -126,7 +126,7 @@ class GroupShaper {
   }
 
   /// Returns the complex at the chosen radius, which is stored in `alpha`; all triangles if there is no radius.
-  AlphaComplex choose(const Delaunay& delaunay, double& alpha, const std::function<bool()>& go_on) const {
+  AlphaComplex choose(const Delaunay& delaunay, double& alpha, const GoOn& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
     Steps step(go_on);
     if (alpha_.choice.rule != AlphaRule::plateau) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 
 #include "rbpa/plane/grid/sites.h"
@@ -14,7 +13,7 @@
 namespace rbpa {
 
 /// Returns α₀. Calls `ask`, if any, for every square with many points; it may throw.
-inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const std::function<void()>& ask) {
+inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const Ask& ask) {
   long double side = 0;
   if (sites.beyond().empty()) {
     const Quadtree<double> tree(sites.grid().points(), leaf_capacity);

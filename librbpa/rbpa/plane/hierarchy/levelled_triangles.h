@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
@@ -40,8 +39,7 @@ class LevelledTriangles {
   std::size_t size() const { return size_; }
   /// Returns the triangles in order; called once, after all patches. `numbers` becomes the levels of the triangles, in
   /// the same order. Calls `ask`, if any, now and then, one call at a time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers,
-                               const std::function<void()>& ask = {}) {
+  std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers, const Ask& ask = {}) {
     numbers.resize(size_);
     return order_.sorted_with_numbers(threads, numbers.data(), ask);
   }

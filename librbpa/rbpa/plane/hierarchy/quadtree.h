@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/plane/grid/box.h"
 #include "rbpa/plane/hierarchy/equal_squares.h"
 
@@ -27,7 +27,7 @@ class Quadtree {
 
   /// Returns the side of the smallest leaf, or of the root if there is no other. Calls `ask`, if any, for every square
   /// with many points; it may throw.
-  Real smallest_side(const std::function<void()>& ask = {}) const {
+  Real smallest_side(const Ask& ask = {}) const {
     if (points_.empty()) return 0;
     const auto [low, high] = box_of(points_);
     const Square<Real> root{Real(low.x), Real(low.y), std::max(Real(high.x) - Real(low.x), Real(high.y) - Real(low.y))};
@@ -53,7 +53,7 @@ class Quadtree {
   }
 
   /// Returns the side of the smallest leaf in a square.
-  Real smallest_in(std::span<const Point> points, Square<Real> square, const std::function<void()>& ask) const {
+  Real smallest_in(std::span<const Point> points, Square<Real> square, const Ask& ask) const {
     if (ask) ask();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
@@ -79,7 +79,7 @@ class Quadtree {
   }
 
   /// Returns the side of the smallest leaf in a square, cutting one square after another.
-  Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const std::function<void()>& ask) const {
+  Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const Ask& ask) const {
     if (points.size() <= capacity_) return square.side;
     if (ask && points.size() > many) ask();
     square = around(points, square);

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,8 +24,7 @@ class Assembly {
  public:
   /// Keeps references; the complex is still empty. Calls `progress`, if any, while points are sorted.
   /// Throws: Cancelled.
-  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads,
-           const std::function<bool(const Progress&)>& progress = {})
+  Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads, const OnProgress& progress = {})
       : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <functional>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/validate.h"
@@ -25,8 +24,7 @@ inline constexpr bool debug = true;
 class Monitor : public meshops::FrontVisitor {
  public:
   /// Keeps a reference.
-  Monitor(const std::function<bool(const Progress&)>& progress, std::size_t points)
-      : progress_(progress), points_(points) {}
+  Monitor(const OnProgress& progress, std::size_t points) : progress_(progress), points_(points) {}
 
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
@@ -73,7 +71,7 @@ class Monitor : public meshops::FrontVisitor {
   }
 
   static constexpr std::size_t longest_stride = 1024;
-  const std::function<bool(const Progress&)>& progress_;
+  const OnProgress& progress_;
   std::size_t points_;
   std::size_t steps_ = 0;
   std::size_t stride_ = 1;

@@ -31,14 +31,14 @@ std::vector<Point> points_under(const SolidAlphaComplex& complex) {
 }  // namespace
 
 std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter,
-                                      const std::function<bool()>& go_on) {
+                                      const GoOn& go_on) {
   return outline_polygons(points_under(complex), faces_on_points(complex), filter, go_on);
 }
 
 std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
                                                             std::span<const Polygon> polygons,
                                                             const PolygonFilter& filter, std::span<const Point> points,
-                                                            const std::function<bool()>& go_on) {
+                                                            const GoOn& go_on) {
   return polygon_of_points(points, faces_on_points(complex), complex.duplicates, polygons, filter, go_on);
 }
 

@@ -1,7 +1,6 @@
 // partial(): reads each triangle of a region once, and then its boundary and rim only.
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <utility>
 
 #include "meshops/core/disjoint_sets.h"
@@ -18,8 +17,6 @@ namespace rbpa {
 namespace {
 
 constexpr unsigned all = 7;  // bits of corners that are owned
-
-using Ask = std::function<void()>;
 
 /// Calls `ask` now and then; it throws to cancel.
 void ask_at(std::size_t step, const Ask& ask) {

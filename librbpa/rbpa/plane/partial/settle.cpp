@@ -142,7 +142,7 @@ void release_held(PartialState& state) {
 
 }  // namespace
 
-void settle(PartialState& state, const std::function<void()>& ask) {
+void settle(PartialState& state, const Ask& ask) {
   const auto components = static_cast<std::uint32_t>(state.open.size());
   std::vector<OpenComponent> finished;
   Numbers old_of_finished;

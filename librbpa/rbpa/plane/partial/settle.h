@@ -2,8 +2,6 @@
 // Why:  a single region and a merged pair end in the same way, so that the form depends on the regions only.
 #pragma once
 
-#include <functional>
-
 #include "rbpa/plane/partial/state.h"
 
 namespace rbpa {
@@ -13,6 +11,6 @@ namespace rbpa {
 ///           numbering; the members of pinches after the components are numbers of held polygons.
 /// Throws:   InvalidInput when a component without shared triangles has a chain, or no polygon.
 /// Cost:     n log n in the open rims.
-void settle(PartialState& state, const std::function<void()>& ask = {});
+void settle(PartialState& state, const Ask& ask = {});
 
 }  // namespace rbpa

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/progress.h"
@@ -26,15 +25,14 @@ struct ListSink {
 
   List& list;
   std::size_t points;
-  const std::function<bool(const Progress&)>& progress;
+  const OnProgress& progress;
 };
 
 /// Puts all triangles of the solid alpha complex into `list`. Calls `progress`, unless it is empty, after each patch.
 /// Requires: sites that are not all on one line.
 /// Throws:   Cancelled when `progress` returns false.
 template <typename List>
-void find_triangles(const Sites& sites, const Radius& alpha, const std::function<bool(const Progress&)>& progress,
-                    Threads& threads, List& list) {
+void find_triangles(const Sites& sites, const Radius& alpha, const OnProgress& progress, Threads& threads, List& list) {
   ListSink<List> sink{list, sites.size(), progress};
   for_each_patch(sites, alpha, threads, sink);
 }

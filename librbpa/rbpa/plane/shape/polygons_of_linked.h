@@ -1,7 +1,6 @@
 // What: outline_polygons() of a complex that is known to be linked, such as one that was just computed.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,6 +10,6 @@ namespace rbpa {
 
 /// Returns the polygons. Requires: as require_linked(), which is not checked.
 std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
-                                        const PolygonFilter& filter, const std::function<bool()>& go_on = {});
+                                        const PolygonFilter& filter, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -23,8 +23,7 @@ namespace {
 
 /// Returns the sets of tetrahedra that are not in the complex and are connected outside of it. The outside of all is
 /// one more element, after the tetrahedra.
-meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces,
-                                        const std::function<bool()>& go_on) {
+meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces, const GoOn& go_on) {
   Steps step(go_on);
   const auto count = static_cast<std::uint32_t>(delaunay.simplices.size());
   meshops::DisjointSets sets(std::size_t{count} + 1);
@@ -80,7 +79,7 @@ std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
 }  // namespace
 
 FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                      double alpha, unsigned wanted, const std::function<bool()>& go_on) {
+                      double alpha, unsigned wanted, const GoOn& go_on) {
   Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
   if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
   const space::Triangulated cells(points, delaunay);
@@ -106,7 +105,7 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
 }
 
 Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
-                 unsigned wanted, const std::function<bool()>& go_on) {
+                 unsigned wanted, const GoOn& go_on) {
   Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
   const space::Triangulated cells(points, delaunay);
   const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
@@ -119,7 +118,7 @@ Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::spa
 }
 
 FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned wanted,
-                     const std::function<bool()>& go_on) {
+                     const GoOn& go_on) {
   SolidBoundary boundary = solid_boundary(space);
   const SolidComponents components = solid_components(points, space, boundary);
   FullVoids voids;

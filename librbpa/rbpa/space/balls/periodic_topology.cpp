@@ -118,8 +118,7 @@ struct Complex {
   }
 };
 
-void count_simplices(const Complex& of, Threads& threads, const std::function<bool()>& go_on,
-                     PeriodicTopology& topology) {
+void count_simplices(const Complex& of, Threads& threads, const GoOn& go_on, PeriodicTopology& topology) {
   const auto& neighbors = of.delaunay.neighbors;
   for (std::uint32_t t = 0; t < neighbors.size(); ++t) {
     topology.tetrahedra += of.is_inside[t] ? 1u : 0u;
@@ -148,7 +147,7 @@ void find_betti(const space::Parts& parts, PeriodicTopology& topology) {
 
 /// Returns, for each part that is a void, its volume outside of the balls.
 std::vector<double> outside_of_balls(const Complex& of, const space::Parts& parts, double alpha, Threads& threads,
-                                     const std::function<bool()>& go_on) {
+                                     const GoOn& go_on) {
   PeriodicSolid space;
   std::vector<std::uint32_t> void_of;
   space.vertices = of.delaunay.vertices;
@@ -168,7 +167,7 @@ std::vector<double> outside_of_balls(const Complex& of, const space::Parts& part
 }  // namespace
 
 PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
-                                   ComplexKind walls, unsigned wanted, const std::function<bool()>& go_on) {
+                                   ComplexKind walls, unsigned wanted, const GoOn& go_on) {
   const std::size_t all = delaunay.simplices.size();
   meshops::require(radii.size() == all, "periodic_topology: expected a radius for each tetrahedron");
   meshops::require(delaunay.neighbors.size() == all, "periodic_topology: the triangulation has no neighbors");

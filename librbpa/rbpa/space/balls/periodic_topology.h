@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,6 +51,6 @@ struct PeriodicTopology {
 ///           one thread at a time calls every few milliseconds, returns false.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
                                             ComplexKind walls = ComplexKind::full, unsigned threads = 0,
-                                            const std::function<bool()>& go_on = {});
+                                            const GoOn& go_on = {});
 
 }  // namespace rbpa

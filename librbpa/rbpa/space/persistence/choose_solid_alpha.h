@@ -3,7 +3,6 @@
 // Cost: that of min_alpha(), auto_alpha() or solid_plateaus(); a given radius costs nothing.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -29,6 +28,6 @@ struct ChosenSolidAlpha {
 ///           is called every few milliseconds, returns false. Empty: never called.
 RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,
                                              const Solid& delaunay, std::span<const double> radii,
-                                             const std::function<bool()>& go_on = {});
+                                             const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -24,7 +23,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_a_time = 1u << 12;
 
-std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const std::function<void()>& ask) {
+std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const Ask& ask) {
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
   return space::order_on_curve(points, space::scaled(points, spread, copy), ask);
@@ -147,9 +146,7 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
   SolidFiltration filtration;
   Solid& delaunay = filtration.delaunay;
   delaunay = solid(sorted, infinity, {.neighbors = true, .threads = options.threads, .progress = options.progress});
-  const std::function<bool()> go_on = [&] {
-    return !options.progress || options.progress({delaunay.distinct, delaunay.distinct});
-  };
+  const GoOn go_on = [&] { return !options.progress || options.progress({delaunay.distinct, delaunay.distinct}); };
   Steps step(go_on);
   Threads threads = threads_for(points.size(), options.threads);
   if (delaunay.simplices.empty() && delaunay.distinct > 1) {

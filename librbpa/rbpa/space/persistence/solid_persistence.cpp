@@ -30,7 +30,7 @@ void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& 
 
 }  // namespace
 
-std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const std::function<bool()>& go_on) {
+std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on) {
   space::check_filtration("solid_persistence", filtration);
   Steps step(go_on);
   space::Pairing pairing(filtration, step);

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -37,7 +36,6 @@ struct SolidPair {
 /// creates them.
 /// Throws: ContractViolation when the argument visibly is not a filtration; Cancelled when `go_on`, which is called
 ///         every few milliseconds, returns false. Empty: never called.
-RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration,
-                                                  const std::function<bool()>& go_on = {});
+RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -171,7 +171,7 @@ void count(std::size_t points, const Solid& delaunay, std::span<const double> ra
 }  // namespace
 
 std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                         std::span<const double> radii, const std::function<bool()>& go_on) {
+                                         std::span<const double> radii, const GoOn& go_on) {
   space::check_triangulation("solid_plateaus", points, delaunay, radii);
   if (radii.empty()) return {};
   Steps step(go_on);

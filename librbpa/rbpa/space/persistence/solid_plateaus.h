@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,7 +53,6 @@ struct SolidPlateau {
 /// Throws:   ContractViolation when points, tetrahedra and radii visibly do not belong together; Cancelled when `go_on`
 ///           returns false.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                                  std::span<const double> radii,
-                                                  const std::function<bool()>& go_on = {});
+                                                  std::span<const double> radii, const GoOn& go_on = {});
 
 }  // namespace rbpa

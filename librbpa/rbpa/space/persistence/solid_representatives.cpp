@@ -104,8 +104,7 @@ void check(std::span<const Point3> points, const SolidFiltration& filtration, st
 
 std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
                                                        const SolidFiltration& filtration,
-                                                       std::span<const SolidPair> pairs,
-                                                       const std::function<bool()>& go_on) {
+                                                       std::span<const SolidPair> pairs, const GoOn& go_on) {
   check(points, filtration, pairs);
   Steps step(go_on);
   std::optional<space::Pairing> pairing;

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,6 +44,6 @@ struct SolidRepresentative {
 RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
                                                                 const SolidFiltration& filtration,
                                                                 std::span<const SolidPair> pairs,
-                                                                const std::function<bool()>& go_on = {});
+                                                                const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -63,7 +63,7 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
 }  // namespace
 
 VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                   ComplexKind walls, unsigned wanted, const std::function<bool()>& go_on) {
+                   ComplexKind walls, unsigned wanted, const GoOn& go_on) {
   space::check_triangulation("void_tree", points, delaunay, radii);
   Steps step(go_on);
   Threads threads = threads_for(points.size(), wanted);

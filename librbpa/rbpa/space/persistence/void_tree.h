@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -54,8 +53,7 @@ struct VoidTree {
 /// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
 ///           milliseconds, returns false. Empty: never called.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                            ComplexKind walls = ComplexKind::full, unsigned threads = 0,
-                            const std::function<bool()>& go_on = {});
+                            ComplexKind walls = ComplexKind::full, unsigned threads = 0, const GoOn& go_on = {});
 
 /// Returns for each void at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of
 /// the same walls.

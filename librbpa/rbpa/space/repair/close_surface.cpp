@@ -17,8 +17,7 @@ std::ptrdiff_t count_of(const std::vector<bool>& which) { return std::count(whic
 
 /// Returns the `kept` triangles of a surface, without components that thereby become islands; clears these in `kept`.
 /// Requires: `kept` has one entry for each triangle.
-Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept,
-                const std::function<bool()>& go_on) {
+Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept, const GoOn& go_on) {
   for (;;) {
     Surface part = indexable_surface(keep_triangles(whole, kept), go_on);
     const SurfaceComponents components = surface_components(points, part, go_on);
@@ -38,15 +37,14 @@ std::vector<bool> points_of(std::span<const Point3> points, std::span<const Hole
 }
 
 ClosedSurface fill_all(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options,
-                       const std::function<bool()>& go_on) {
+                       const GoOn& go_on) {
   return {fill_holes(points, surface, surface_curves(points, surface, go_on), options),
           std::vector<bool>(surface.triangles.size(), true)};
 }
 
 }  // namespace
 
-std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
-                                  const std::function<bool()>& go_on) {
+std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface, const GoOn& go_on) {
   std::vector<bool> touching(points.size(), false);
   const std::vector<std::uint32_t> fans = split_fans(surface, go_on).point;  // ascending
   meshops::require(fans.empty() || fans.back() < points.size(),
@@ -59,7 +57,7 @@ ClosedSurface close_surface(std::span<const Point3> points, const Surface& surfa
   constexpr int rounds = 4;
   constexpr double most = 0.05;         // fraction of the triangles that are removed
   constexpr std::size_t longest = 256;  // edges of a curve around which triangles are removed
-  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
   ClosedSurface best = fill_all(points, surface, options, go_on);
   // Triangles are removed around open curves and, once there are none, around points where sheets touch.
   std::vector<Hole> open = surface_curves(points, best.surface, go_on);

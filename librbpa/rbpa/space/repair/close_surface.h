@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +36,6 @@ RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surfa
 /// Returns for each point whether several fans of triangles meet there, so that the surface touches itself.
 /// Throws: as split_fans().
 RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
-                                           const std::function<bool()>& go_on = {});
+                                           const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -32,7 +32,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_triangles(
   }
   Threads threads(options.threads);
   std::mutex mutex;
-  const meshops::GoOn go_on = [&] {
+  const GoOn go_on = [&] {
     const std::lock_guard<std::mutex> lock(mutex);
     return !options.progress || options.progress({triangles.size(), points.size()});
   };

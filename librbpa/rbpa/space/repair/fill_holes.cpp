@@ -155,7 +155,7 @@ class Closing {
   std::span<const Point3> points_;
   std::mutex asking_;
   std::size_t made_ = 0;  // triangles
-  meshops::GoOn go_on_;
+  GoOn go_on_;
   space::Work work_;
   std::vector<SimpleLoop> loops_;
   std::vector<space::Rim> rims_;
@@ -348,7 +348,7 @@ class Joining {
   std::span<const Loop> loops_;
   const SurfaceOptions& options_;
   HoleFilling result_;
-  meshops::GoOn go_on_;
+  GoOn go_on_;
   space::Work work_;
   std::vector<space::Corners> triangles_;
   space::BoxTree tree_;
@@ -358,7 +358,7 @@ class Joining {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> boundary_loops(std::span<const Triangle> triangles) {
-  const meshops::GoOn never;
+  const GoOn never;
   meshops::Steps step(never);
   return space::loops_of(triangles, step);
 }
@@ -369,7 +369,7 @@ HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle>
   for (const Triangle& t : triangles)
     for (const std::uint32_t vertex : t)
       meshops::require(vertex < points.size(), "fill_holes: a triangle has a corner that is no point");
-  const meshops::GoOn go_on = going_on(options.progress, points.size(), triangles.size());
+  const GoOn go_on = going_on(options.progress, points.size(), triangles.size());
   meshops::Steps step(go_on);
   const space::BoundarySides sides(triangles, loops, step);
   return Joining(points, loops, options, Closing(points, triangles, loops, sides, options).run()).run();

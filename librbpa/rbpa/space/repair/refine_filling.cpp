@@ -54,7 +54,7 @@ struct Patch {
 /// The triangles at each vertex, and the vertices and edges on the boundary.
 class Fans {
  public:
-  Fans(std::span<const Point3> points, const Surface& surface, const meshops::GoOn& go_on)
+  Fans(std::span<const Point3> points, const Surface& surface, const GoOn& go_on)
       : surface_(surface), fans_(split_fans(surface, go_on)) {
     for (const std::uint32_t point : fans_.point) {
       meshops::require(point < points.size(), "refine_filling: the surface has a corner that is no point");
@@ -267,7 +267,7 @@ class Refining {
         const std::lock_guard<std::mutex> lock(asking);
         if (go_on_ && !go_on_()) throw meshops::Cancelled();
       }
-      const meshops::GoOn go_on = [&] {
+      const GoOn go_on = [&] {
         const std::lock_guard<std::mutex> lock(asking);
         return !go_on_ || go_on_();
       };
@@ -365,7 +365,7 @@ class Refining {
   const Surface& surface_;
   const std::vector<bool>& is_new_;
   const SurfaceOptions& options_;
-  meshops::GoOn go_on_;
+  GoOn go_on_;
   Fans fans_;
   std::vector<Patch> patches_;
   Indices patch_of_;  // for each assembled triangle

@@ -342,7 +342,7 @@ class Repairs {
   std::span<const Hole> holes_;
   const SurfaceOptions& options_;
   Threads threads_;
-  std::function<bool()> go_on_;
+  GoOn go_on_;
   AskFromAnyThread ask_;
   space::LocalSurfaces surfaces_;
   std::vector<SuggestedRepair> repairs_;

@@ -145,8 +145,8 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
 ///   1. scale the points by a power of two, and sort them;
 ///   2. insert them, one by one;
 ///   3. select the tetrahedra of circumradius at most alpha, and number them.
-void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options,
-                const std::function<void()>& ask, Solid& solid) {
+void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options, const Ask& ask,
+                Solid& solid) {
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
   const auto scaled = space::scaled(points, spread, copy);
@@ -157,7 +157,7 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
   space::Insertion triangulation(points, scaled, spread, sorted.order);
   if (triangulation.begin()) {
     space::Vertex v = 4;
-    const std::function<bool()> go_on = [&] { return !options.progress || options.progress({v, solid.distinct}); };
+    const GoOn go_on = [&] { return !options.progress || options.progress({v, solid.distinct}); };
     Steps step(go_on);
     while (v++ < triangulation.size()) step(triangulation.insert(v));
     Threads threads = threads_for(points.size(), options.threads);

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,7 +31,7 @@ struct SolidOptions {
   unsigned threads = 0;
   /// Called repeatedly with the number of finished points in place of triangles. Returning false cancels the run.
   /// Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// Tetrahedra with their neighbors. Corners are input indices; of equal points the lowest.

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct SolidLocateOptions {
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called repeatedly, one call at a time but from any thread; returning false cancels the work. Empty: never called.
-  std::function<bool()> go_on = {};
+  GoOn go_on = {};
 };
 
 class RBPA_API SolidLocator {

@@ -98,7 +98,7 @@ class GrowingPieces {
 }  // namespace
 
 std::vector<double> circumradii(std::span<const Point3> points, std::span<const Row> simplices, unsigned threads,
-                                const std::function<bool()>& go_on) {
+                                const GoOn& go_on) {
   space::check_points(points);
   for (std::size_t t = 0; t < simplices.size(); ++t)
     for (const std::uint32_t corner : simplices[t])
@@ -117,8 +117,7 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
   return radii;
 }
 
-double min_alpha(const Solid& delaunay, std::span<const double> radii, double share,
-                 const std::function<bool()>& go_on) {
+double min_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on) {
   require_radii(delaunay, radii);
   require_share(share);
   if (delaunay.simplices.empty()) return infinity;
@@ -136,8 +135,7 @@ double min_alpha(const Solid& delaunay, std::span<const double> radii, double sh
   return *last;
 }
 
-double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share,
-                  const std::function<bool()>& go_on) {
+double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on) {
   require_radii(delaunay, radii);
   require_share(share);
   meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,20 +24,20 @@ namespace rbpa {
 ///           time, here and below.
 RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
                                          std::span<const std::array<std::uint32_t, 4>> simplices, unsigned threads = 0,
-                                         const std::function<bool()>& go_on = {});
+                                         const GoOn& go_on = {});
 
 /// Returns the least alpha at which a share of the points are corners of tetrahedra: all of them, or fewer so that
 /// outliers do not decide. The result is infinity if there is no tetrahedron.
 /// Requires: the result of solid() at infinity, and its circumradii; 0 < share ≤ 1.
 /// Throws:   ContractViolation otherwise.
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
-                          const std::function<bool()>& go_on = {});
+                          const GoOn& go_on = {});
 
 /// Returns the least alpha at which one solid component, connected through triangles, has a share of the points for
 /// corners. Other components may exist. The result is infinity if there is no tetrahedron.
 /// Requires: as min_alpha(), with neighbors.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
-                           const std::function<bool()>& go_on = {});
+                           const GoOn& go_on = {});
 
 /// Returns the tetrahedra of radius at most alpha of a solid, with neighbors if it has any. From the Delaunay
 /// triangulation, the result is solid() with this alpha.

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,7 +29,7 @@ struct NormalOptions {
   unsigned threads = 0;
   /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
   /// the run. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// Returns for each point the unit normal of the plane that fits the point and its nearest others with the least sum of

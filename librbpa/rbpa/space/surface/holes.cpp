@@ -123,8 +123,7 @@ void explain(RimEdge& edge, const space::Agreement& agreement, const std::option
 
 }  // namespace
 
-std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
-                                 const std::function<bool()>& go_on) {
+std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), points.size(), go_on);
   Steps step(go_on);
   std::vector<Hole> curves = curves_of(surface, step);
@@ -143,7 +142,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
                    "holes: expected a level for each triangle");
-  const std::function<bool()> go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
   std::vector<Hole> curves = surface_curves(points, surface, go_on);
   Steps step(go_on);
   std::vector<RimEdge*> open;

@@ -61,6 +61,6 @@ RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const
 /// Returns the boundary curves of any surface as holes() does, without causes.
 /// Throws: as surface_components(); `go_on` is as there.
 RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
-                                          const std::function<bool()>& go_on = {});
+                                          const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -114,7 +114,7 @@ std::size_t depth_of(Query& query) {
 }  // namespace
 
 std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::span<const std::vector<Triangle>> surfaces,
-                                        const std::function<bool()>& go_on) {
+                                        const GoOn& go_on) {
   Steps step(go_on);
   std::vector<std::size_t> result(surfaces.size(), 0);
   std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // those not queried yet; the next one is last

@@ -111,7 +111,7 @@ void require_components(std::span<const Point3> points, const Surface& surface, 
 }  // namespace
 
 std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
-                               const SurfaceComponents& components, const std::function<bool()>& go_on) {
+                               const SurfaceComponents& components, const GoOn& go_on) {
   space::check_radius(radius);
   const std::size_t count = components.all.size();
   require_components(points, shells, components);
@@ -137,7 +137,7 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
 }
 
 std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
-                                        const SurfaceComponents& components, const std::function<bool()>& go_on) {
+                                        const SurfaceComponents& components, const GoOn& go_on) {
   require_components(points, surface, components);
   std::vector<std::vector<Triangle>> closed(components.all.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

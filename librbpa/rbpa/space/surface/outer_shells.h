@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,7 +25,7 @@ namespace rbpa {
 /// Throws:   ContractViolation on others; Cancelled when `go_on`, which is called every few milliseconds, returns
 ///           false.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
-                                        const SurfaceComponents& components, const std::function<bool()>& go_on = {});
+                                        const SurfaceComponents& components, const GoOn& go_on = {});
 
 /// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a
 /// cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner that is
@@ -37,12 +36,11 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 /// Cost:     for each triangle, the rays that begin behind it; n log n if surfaces hide few others.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
-                                                 const std::function<bool()>& go_on = {});
+                                                 const GoOn& go_on = {});
 /// Returns the same for each component of a surface; 0 for components that are not closed.
 /// Requires: a surface of these points, and its components.
 /// Throws:   as outer_shells().
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
-                                                 const SurfaceComponents& components,
-                                                 const std::function<bool()>& go_on = {});
+                                                 const SurfaceComponents& components, const GoOn& go_on = {});
 
 }  // namespace rbpa

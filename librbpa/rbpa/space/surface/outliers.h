@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,7 +29,7 @@ struct OutlierOptions {
   unsigned threads = 0;
   /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
   /// the run. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 struct Outliers {

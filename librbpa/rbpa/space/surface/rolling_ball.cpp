@@ -48,7 +48,7 @@ class RollingBall::Inside {
     const space::Site v = site(first);
     if (v == no_site) return {};
     space::Rings rings;
-    const meshops::GoOn never;
+    const GoOn never;
     meshops::Steps step(never);
     space::find_rings(cells_, fits_double_, v, v + 1, rings, step);
     std::vector<Triangle> found;

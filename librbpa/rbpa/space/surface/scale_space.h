@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,7 +28,7 @@ struct ScaleSpaceOptions {
   unsigned threads = 0;
   /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
   /// the run. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 struct ScaleSpace {

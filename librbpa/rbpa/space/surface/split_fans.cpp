@@ -23,7 +23,7 @@ struct Side {
 
 /// Calls visit(first, last) for the sides between each pair of vertices.
 template <typename Visit>
-void for_each_edge(const SplitFans& fans, const std::function<bool()>& go_on, const Visit& visit) {
+void for_each_edge(const SplitFans& fans, const GoOn& go_on, const Visit& visit) {
   Steps step(go_on);
   std::vector<Side> sides;
   sides.reserve(3 * fans.triangles.size());
@@ -45,7 +45,7 @@ void for_each_edge(const SplitFans& fans, const std::function<bool()>& go_on, co
 
 }  // namespace
 
-SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on) {
+SplitFans split_fans(const Surface& surface, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
   Steps step(go_on);
   meshops::DisjointSets fans = fans_of(space::arrays_of(surface), step);
@@ -65,7 +65,7 @@ SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on)
   return result;
 }
 
-Surface indexable_surface(const Surface& surface, const std::function<bool()>& go_on) {
+Surface indexable_surface(const Surface& surface, const GoOn& go_on) {
   Surface result = surface;
   const auto across = [&](const Side& side) -> std::uint32_t& { return result.neighbors[side.triangle][side.across]; };
   // After a fan is cut everywhere that it meets the edge, each part meets the edge only at its two ends.

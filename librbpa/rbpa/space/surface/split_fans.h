@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "rbpa/base/api.h"
@@ -24,7 +23,7 @@ struct SplitFans {
 /// Requires: fewer than 2^32 corners.
 /// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled when `go_on`, which is
 ///           called every few milliseconds, returns false. Empty: never called.
-RBPA_API SplitFans split_fans(const Surface& surface, const std::function<bool()>& go_on = {});
+RBPA_API SplitFans split_fans(const Surface& surface, const GoOn& go_on = {});
 
 /// Returns the same triangles, glued so that vertex indices determine the gluing: in split_fans() of the result, every
 /// pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that reaches an edge twice, as
@@ -33,6 +32,6 @@ RBPA_API SplitFans split_fans(const Surface& surface, const std::function<bool()
 /// Requires: as split_fans().
 /// Throws:   as split_fans().
 /// Cost:     that of split_fans(), and a sort of the sides.
-RBPA_API Surface indexable_surface(const Surface& surface, const std::function<bool()>& go_on = {});
+RBPA_API Surface indexable_surface(const Surface& surface, const GoOn& go_on = {});
 
 }  // namespace rbpa

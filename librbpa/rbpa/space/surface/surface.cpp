@@ -36,7 +36,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   space::SurfaceAssembly assembly(cells);
   std::mutex asking;
   std::size_t triangles = 0;
-  const meshops::GoOn go_on = [&] {
+  const GoOn go_on = [&] {
     const std::lock_guard<std::mutex> lock(asking);
     return !options.progress || options.progress({triangles, cells.sites().size()});
   };

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct SurfaceOptions {
   unsigned threads = 0;
   /// Called repeatedly with the number of exposed triangles so far, one call at a time but from any thread of the run.
   /// Returning false cancels the run. Empty: never called.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
 };
 
 /// Oriented triangles, and for each side the triangle on which the ball comes to rest when it rolls over the side.

@@ -86,8 +86,7 @@ bool are_of(const SurfaceComponents& components, const Surface& surface) {
 
 }  // namespace
 
-SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
-                                     const std::function<bool()>& go_on) {
+SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), points.size(), go_on);
   const auto count = static_cast<std::uint32_t>(surface.triangles.size());
   Steps step(go_on);
@@ -126,8 +125,7 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
   return result;
 }
 
-std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
-                                  const std::function<bool()>& go_on) {
+std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
   meshops::require(are_of(components, surface), "genus_of: the components are not those of the surface");
   std::vector<std::size_t> genus;  // at first the number of vertices

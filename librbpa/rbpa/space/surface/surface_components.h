@@ -7,7 +7,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,14 +38,14 @@ struct SurfaceComponents {
 /// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor;
 ///           Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
-                                              const std::function<bool()>& go_on = {});
+                                              const GoOn& go_on = {});
 
 /// Returns the genus of each component, the number of its handles, with a vertex for each fan of triangles.
 /// Requires: the components of this surface.
 /// Throws:   ContractViolation on other sizes, and as split_fans().
 /// Cost:     that of split_fans().
 RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
-                                           const std::function<bool()>& go_on = {});
+                                           const GoOn& go_on = {});
 
 enum class ShellChoice : std::uint8_t { all, outer, largest };
 
@@ -85,7 +84,7 @@ struct DroppedComponents {
 /// Cost:     that of genus_of(); nothing if all are kept.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                               const Surface& surface, const SurfaceComponents& components,
-                                              const std::function<bool()>& go_on = {});
+                                              const GoOn& go_on = {});
 
 /// Returns the triangles of the components that are kept, glued as they were, in the same order.
 /// Requires: the components of this surface, and for each whether it is kept.

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -112,7 +111,7 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
 /// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled where `go_on` returns false.
 template <typename IsMeant, typename Join>
 void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Threads& threads, const IsMeant& is_meant,
-                   const Join& join, const std::function<bool()>& go_on = {}) {
+                   const Join& join, const GoOn& go_on = {}) {
   constexpr std::size_t points_at_a_time = 1u << 10;
   struct Workspace {
     std::vector<EdgeEnd> ends;
@@ -145,7 +144,7 @@ struct EdgeCounts {
 /// Counts the edges for which has_edge(tetrahedra around the edge) returns true.
 template <typename HasEdge>
 EdgeCounts count_edges(const Triangulated& delaunay, Threads& threads, const HasEdge& has_edge,
-                       const std::function<bool()>& go_on = {}) {
+                       const GoOn& go_on = {}) {
   const PointStars stars(delaunay);
   meshops::DisjointSets sets(stars.bound());
   std::vector<bool> is_end(stars.bound(), false);

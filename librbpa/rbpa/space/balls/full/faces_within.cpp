@@ -18,7 +18,7 @@ bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, d
 }
 
 FacesWithin::FacesWithin(const Triangulated& delaunay, std::span<const double> radii, double alpha, Threads& threads,
-                         const std::function<bool()>& go_on)
+                         const GoOn& go_on)
     : delaunay_(delaunay), radii_(radii), alpha_(alpha), has_triangle_(4 * radii.size()) {
   constexpr std::size_t at_a_time = 1u << 12;
   const auto& neighbors = delaunay_.neighbors;

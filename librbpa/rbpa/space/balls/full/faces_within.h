@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,7 +26,7 @@ class FacesWithin {
  public:
   /// Keeps references. Requires: a Delaunay triangulation with neighbors, and its circumradii; alpha above 0.
   FacesWithin(const Triangulated& delaunay, std::span<const double> radii, double alpha, Threads& threads,
-              const std::function<bool()>& go_on = {});
+              const GoOn& go_on = {});
 
   bool has_tetrahedron(std::uint32_t t) const { return radii_[t] <= alpha_; }
   /// Returns whether the triangle across from corner k of tetrahedron t is in the complex.

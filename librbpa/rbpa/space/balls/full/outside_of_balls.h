@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,7 +21,6 @@ namespace rbpa::space {
 /// the number of the void of each; 0 < alpha < infinity unless there are no tetrahedra.
 /// Throws: Cancelled where `go_on` returns false.
 std::vector<double> outside_of_balls(const Triangulated& space, std::span<const std::uint32_t> void_of,
-                                     std::size_t voids, double alpha, Threads& threads,
-                                     const std::function<bool()>& go_on = {});
+                                     std::size_t voids, double alpha, Threads& threads, const GoOn& go_on = {});
 
 }  // namespace rbpa::space

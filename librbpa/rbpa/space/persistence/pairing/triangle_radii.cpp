@@ -28,8 +28,7 @@ double radius(std::span<const Point3> points, const Solid& delaunay, std::span<c
 }  // namespace
 
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                                   const NumberedTriangles& triangles, Threads& threads,
-                                   const std::function<bool()>& go_on) {
+                                   const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on) {
   constexpr std::size_t at_a_time = 1u << 12;
   std::vector<double> result(triangles.corners.size());
   AskFromAnyThread ask(go_on);

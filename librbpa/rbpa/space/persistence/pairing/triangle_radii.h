@@ -5,7 +5,6 @@
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,6 @@ namespace rbpa::space {
 /// Returns the radius of each triangle. Requires: neighbors, the radii of the tetrahedra, and the result of
 /// number_triangles() for them.
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                                   const NumberedTriangles& triangles, Threads& threads,
-                                   const std::function<bool()>& go_on);
+                                   const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on);
 
 }  // namespace rbpa::space

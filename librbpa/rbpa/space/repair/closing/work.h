@@ -6,13 +6,14 @@
 #include <cstddef>
 
 #include "meshops/core/progress.h"
+#include "rbpa/base/progress.h"
 
 namespace rbpa::space {
 
 class Work {
  public:
   /// Keeps a reference to `go_on`.
-  Work(std::size_t most, const meshops::GoOn& go_on) : left_(most), step_(go_on) {}
+  Work(std::size_t most, const GoOn& go_on) : left_(most), step_(go_on) {}
 
   /// Spends `pairs` of the budget. Throws: Cancelled.
   void operator()(std::size_t pairs = 1) {

@@ -24,7 +24,7 @@ constexpr unsigned bits_of_round = 3;  // each round has eight times the points 
 /// Sorts points along the curve recursively: cells with several points get curves of their own.
 class Sorter {
  public:
-  Sorter(std::span<const Point3> points, std::span<const Point3> scaled, const std::function<void()>& ask)
+  Sorter(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask)
       : points_(points), scaled_(scaled), ask_(ask) {}
 
   void sort(std::span<Place> places) {
@@ -70,7 +70,7 @@ class Sorter {
   }
 
   std::span<const Point3> points_, scaled_;
-  const std::function<void()>& ask_;
+  const Ask& ask_;
 };
 
 /// Returns a pseudo-random number. Source: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
@@ -89,7 +89,7 @@ unsigned round_of(std::size_t place) {
 }  // namespace
 
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
-                                          const std::function<void()>& ask) {
+                                          const Ask& ask) {
   std::vector<Place> places(points.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i].index = static_cast<std::uint32_t>(i);
   Sorter(points, scaled, ask).sort(places);
@@ -98,8 +98,7 @@ std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::s
   return order;
 }
 
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
-                           const std::function<void()>& ask) {
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask) {
   SpatialOrder result;
   std::vector<std::uint32_t> on_curve;
   on_curve.reserve(points.size());

@@ -22,7 +22,7 @@ namespace rbpa::space {
 /// Requires: finite points; `scaled`: the same points multiplied, whose differences do not overflow. Rounding in
 /// `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
-                                          const std::function<void()>& ask);
+                                          const Ask& ask);
 
 struct SpatialOrder {
   std::vector<std::uint32_t> order;   ///< indices of the distinct points
@@ -30,7 +30,6 @@ struct SpatialOrder {
 };
 
 /// Returns the insertion order. Requirements and calls of `ask` are those of order_on_curve().
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
-                           const std::function<void()>& ask);
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask);
 
 }  // namespace rbpa::space

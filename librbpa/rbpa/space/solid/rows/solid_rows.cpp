@@ -57,7 +57,7 @@ void check_number_of(std::size_t tetrahedra) {
 }
 
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
-             const std::function<void()>& ask, Solid& solid) {
+             const Ask& ask, Solid& solid) {
   if (ask) ask();
   const std::size_t count = rows.corners.size();
   meshops::FreshVector<Permutation> permutation(count);

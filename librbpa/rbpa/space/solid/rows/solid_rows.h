@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,6 +28,6 @@ void check_number_of(std::size_t tetrahedra);
 /// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the
 /// finder's numbers; all are below `bound`. Calls `ask`, if any, between its steps; it may throw.
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
-             const std::function<void()>& ask, Solid& solid);
+             const Ask& ask, Solid& solid);
 
 }  // namespace rbpa::space

@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+
 namespace rbpa::space {
 namespace {
 
@@ -150,8 +151,8 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
 }  // namespace
 
 template <typename Real>
-Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
-                           const std::function<void()>& go_on, const SpansPlane& spans_plane) {
+Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on,
+                           const SpansPlane& spans_plane) {
   constexpr std::size_t points_at_a_time = 1024;
   Neighborhoods found;
   found.points = std::move(points);
@@ -207,9 +208,8 @@ double spacing_of(const Neighborhoods& near) {
   return *median;
 }
 
-template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const std::function<void()>&,
-                                            const SpansPlane&);
-template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&,
-                                                 const std::function<void()>&, const SpansPlane&);
+template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&, const SpansPlane&);
+template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+                                                 const SpansPlane&);
 
 }  // namespace rbpa::space

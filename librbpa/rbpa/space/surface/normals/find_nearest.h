@@ -13,6 +13,7 @@
 
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
 
 namespace rbpa::space {
 
@@ -36,17 +37,17 @@ using SpansPlane = std::function<bool(const Neighborhoods&, std::size_t i)>;
 /// Calls go_on(), if any, repeatedly, one call at a time.
 /// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
-Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads,
-                           const std::function<void()>& go_on, const SpansPlane& spans_plane = {});
+Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on,
+                           const SpansPlane& spans_plane = {});
 
 /// Returns the spacing: the median over the points of the distance between neighbors in a square grid with as many
 /// points per area.
 /// Requires: at least one point, with nearest others.
 double spacing_of(const Neighborhoods& near);
 
-extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&,
-                                                   const std::function<void()>&, const SpansPlane&);
-extern template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&,
-                                                        const std::function<void()>&, const SpansPlane&);
+extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+                                                   const SpansPlane&);
+extern template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+                                                        const SpansPlane&);
 
 }  // namespace rbpa::space

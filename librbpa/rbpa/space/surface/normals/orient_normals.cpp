@@ -131,7 +131,7 @@ template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
   Turn(const Neighborhoods& points, std::span<Point3> normals, const std::vector<Number>& from,
-       std::vector<Number>& order, const std::function<void()>& go_on)
+       std::vector<Number>& order, const Ask& go_on)
       : points_(points), normals_(normals), from_(from), order_(order), go_on_(go_on) {}
 
   void examine_vertex(Number v, const Graph&) {
@@ -150,14 +150,14 @@ class Turn : public boost::default_dijkstra_visitor {
   std::span<Point3> normals_;
   const std::vector<Number>& from_;
   std::vector<Number>& order_;
-  const std::function<void()>& go_on_;
+  const Ask& go_on_;
 };
 
 }  // namespace
 
 template <typename Real>
-OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals,
-                               const std::function<void()>& go_on, std::span<const std::int8_t> sides) {
+OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Ask& go_on,
+                               std::span<const std::int8_t> sides) {
   const Graph graph = graph_of(points, Seeds(points, normals, sides).find());
   const auto root = static_cast<Number>(points.points.size());
   OrientationTree tree;
@@ -185,9 +185,9 @@ OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> no
   return tree;
 }
 
-template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const std::function<void()>&,
+template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const Ask&,
                                                 std::span<const std::int8_t>);
-template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>,
-                                                     const std::function<void()>&, std::span<const std::int8_t>);
+template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const Ask&,
+                                                     std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

@@ -7,7 +7,6 @@
 // Cost: O(n log n), in one thread.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,14 +21,11 @@ namespace rbpa::space {
 /// points where the tree begins it is their vote if their sides are known, else 1. Calls go_on(), if any, repeatedly.
 template <typename Real>
 std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
-                                    const OrientationTree& tree, const OuterSides& sides,
-                                    const std::function<void()>& go_on);
+                                    const OrientationTree& tree, const OuterSides& sides, const Ask& go_on);
 
 extern template std::vector<double> side_confidence<double>(const Neighborhoods&, std::span<const Point3>,
-                                                            const OrientationTree&, const OuterSides&,
-                                                            const std::function<void()>&);
+                                                            const OrientationTree&, const OuterSides&, const Ask&);
 extern template std::vector<double> side_confidence<long double>(const Neighborhoods&, std::span<const Point3>,
-                                                                 const OrientationTree&, const OuterSides&,
-                                                                 const std::function<void()>&);
+                                                                 const OrientationTree&, const OuterSides&, const Ask&);
 
 }  // namespace rbpa::space

@@ -38,9 +38,9 @@ std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
   const std::span<const std::uint32_t> index = cells.input_index();
   const std::vector<std::pair<Site, Site>> runs = wanted_runs(cells, wanted);
   std::vector<ExposedAt> found;
-  const std::function<bool()> go_on = going_on(options.progress, points.size());
+  const GoOn go_on = going_on(options.progress, points.size());
   AskFromAnyThread ask(go_on);
-  const meshops::GoOn go_on_here = [&] {
+  const GoOn go_on_here = [&] {
     ask();
     return true;
   };
