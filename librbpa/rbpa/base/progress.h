@@ -1,4 +1,4 @@
-// What: the callbacks that see the progress of a run and can cancel it.
+// What: how a run is carried out: its threads, and the callbacks that see its progress and can cancel it.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,10 @@
 #include "rbpa/base/error.h"
 
 namespace rbpa {
+
+/// Maximum number of threads of a run, the calling one included. 0 = all processors; larger values are capped. Results
+/// do not depend on it.
+using MaxThreads = unsigned;
 
 /// The number of triangles attached so far, and the number of distinct points (of all points until duplicates are
 /// found).

@@ -31,8 +31,7 @@ struct OwnedTriangles {
 /// Checks that triangles and neighbors agree.
 /// Requires: corners are three different numbers below `points`; neighbors are triangles, and each is the other's
 ///           neighbor across the side that they share.
-/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled when `go_on`, which is
-///           called every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled.
 /// Cost:     linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});
 

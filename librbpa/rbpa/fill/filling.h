@@ -37,8 +37,6 @@ struct FillOptions {
   /// are one group. Groups may share edges, along which their triangles meet in whole edges. Groups may overlap: then
   /// each has triangles of its own.
   std::span<const std::size_t> groups = {};
-  /// Called every few milliseconds with the number of triangles so far; returning false cancels the run. Empty: never
-  /// called.
   OnProgress progress = {};
   /// Called once, before the first triangle, with an estimate of their number, so that a caller can compare it with the
   /// available memory; fill/size_estimate.h states its accuracy. An exception that it throws ends the run. Empty: never

@@ -18,8 +18,7 @@ namespace rbpa {
 /// Returns a value for each point of the filling.
 /// Requires: a filling of fill() with these groups (FillOptions::groups), and a value for each point that was given to
 ///           fill().
-/// Throws:   InvalidInput when there are more values than points; Cancelled when `go_on`, which is called every few
-///           milliseconds, returns false. Empty: never called.
+/// Throws:   InvalidInput when there are more values than points; Cancelled.
 RBPA_API std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
                                                std::span<const std::size_t> groups = {}, const GoOn& go_on = {});
 

@@ -20,7 +20,7 @@ namespace rbpa {
 /// Returns the reason why the polygons do not form a valid multipolygon, or why a single one is invalid; nothing if
 /// they are valid. The reason tells in one line where, what was found and what was expected; it numbers polygons, holes
 /// and vertices from 0. Rings may begin anywhere and have either orientation.
-/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Throws: Cancelled.
 RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
                                                 const GoOn& go_on = {});
 

@@ -24,10 +24,7 @@ struct AlphaComplexOptions {
   ComplexKind complex = ComplexKind::solid;
   bool neighbors = false;  ///< fills in AlphaComplex::neighbors
   bool boundary = false;   ///< fills in AlphaComplex::boundary
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
-  /// Empty: never called.
+  MaxThreads threads = 0;
   OnProgress progress = {};
 };
 

@@ -14,7 +14,7 @@ namespace rbpa {
 /// Returns the points along each boundary curve, with the triangles to the right. The first point of a curve and the
 /// order of the curves are unspecified.
 /// Requires: as require_linked(), which is not checked.
-/// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Throws:   Cancelled.
 /// Cost:     linear.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const GoOn& go_on = {});
 

@@ -24,8 +24,7 @@ RBPA_API Covering covering_of(const AlphaChoice& choice);
 
 /// Returns the given radius, or the radius that the rule chooses.
 /// Throws: InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the cover
-///         is out of its bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty:
-///         never called.
+///         is out of its bounds; Cancelled.
 RBPA_API ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -23,8 +23,7 @@ class RBPA_API Delaunay {
   /// Takes the result of alpha_complex(points, infinity, {.neighbors = true}), which is checked. An lvalue is not
   /// copied: it must outlive this object and stay unchanged.
   /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
-  ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled when `go_on`, which is
-  ///         called every few milliseconds, returns false. Empty: never called.
+  ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled.
   /// Cost:   linear: about a tenth of the cost of the triangulation.
   Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");

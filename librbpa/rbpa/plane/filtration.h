@@ -37,7 +37,7 @@ struct Filtration {
 };
 
 /// Computes the filtration of the points by circumradius.
-/// Throws: Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Throws: Cancelled.
 RBPA_API Filtration filtration(const Delaunay& of, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.

@@ -46,8 +46,7 @@ struct FiltrationArrays {
 
 /// Computes the arrays.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
                                             const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks

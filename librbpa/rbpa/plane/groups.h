@@ -43,10 +43,8 @@ inline constexpr std::uint32_t no_group = 0xffffffff;
 RBPA_API Groups groups_of(std::span<const std::uint32_t> labels, std::size_t count);
 
 struct GroupOptions {
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called with the number of finished groups every few milliseconds, one call at a time but from any thread of the
-  /// run; returning false cancels the run. Empty: never called.
+  MaxThreads threads = 0;
+  /// Like OnProgress, with the number of finished groups.
   std::function<bool(std::size_t)> go_on = {};
 };
 

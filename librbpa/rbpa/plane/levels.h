@@ -45,13 +45,10 @@ struct HierarchyOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent:
   /// usual_leaf_capacity.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. The result does
-  /// not depend on it.
-  unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
-  /// The intervals are longer while points are sorted before the first triangle, while triangles that tiles leave over
-  /// are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on sets where tiles
-  /// find no triangle. Empty: never called.
+  MaxThreads threads = 0;
+  /// The intervals between calls are longer while points are sorted before the first triangle, while triangles that
+  /// tiles leave over are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on
+  /// sets where tiles find no triangle.
   OnProgress progress = {};
   /// Called at the end of each level of Hierarchy::levels, before the next one begins; its time counts for no level. An
   /// exception that it throws ends the run. Empty: never called.

@@ -22,10 +22,7 @@
 namespace rbpa {
 
 struct LocateOptions {
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread; returning false cancels the work. Empty:
-  /// never called.
+  MaxThreads threads = 0;
   GoOn go_on = {};
 };
 
@@ -38,8 +35,8 @@ enum class Interpolation {
 
 struct InterpolateOptions {
   Interpolation method = Interpolation::linear;
-  unsigned threads = 0;  ///< as in LocateOptions
-  GoOn go_on = {};       ///< as in LocateOptions
+  MaxThreads threads = 0;
+  GoOn go_on = {};
 };
 
 class RBPA_API Locator {

@@ -49,8 +49,7 @@ struct PolygonFilter {
 /// Returns the solid components as polygons, sorted by the first point of the shell, then by the second,
 /// lexicographically. Where a component touches itself at a point, its boundary is split there into rings. A boundary
 /// edge is on exactly one ring, and no other edge is on any.
-/// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled when `go_on`, which is called
-///         every few milliseconds, returns false. Empty: never called.
+/// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled.
 /// Cost:   as above; a bound on holes adds a plane sweep over the boundary.
 RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
                                                const GoOn& go_on = {});

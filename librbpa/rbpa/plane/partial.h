@@ -78,8 +78,7 @@ class RBPA_API Partial {
 };
 
 struct PartialOptions {
-  /// Threads and progress as in AlphaComplexOptions.
-  unsigned threads = 0;
+  MaxThreads threads = 0;
   OnProgress progress = {};
 };
 

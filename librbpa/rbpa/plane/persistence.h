@@ -32,8 +32,7 @@ struct PersistencePair {
 /// Returns the pairs sorted by dimension, birth and death; those without a death come last. A function of the set of
 /// points alone.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks

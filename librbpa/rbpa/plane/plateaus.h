@@ -55,10 +55,8 @@ inline constexpr double plateau_settles = 2;
 ///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
 ///   E  the area of complex and holes; by the eighth root, it may grow within a plateau by a factor of up to 2.1.
-/// Calls `go_on`, unless it is empty, every few milliseconds.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled when `go_on`
-///           returns false.
+/// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});
 /// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
 /// first.

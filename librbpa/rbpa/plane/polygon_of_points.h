@@ -21,7 +21,7 @@ namespace rbpa {
 /// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the index of the point that
 /// it repeats.
 /// Requires: `points` are those of the complex, and `polygons` is the result of outline_polygons(complex, filter).
-/// Throws:   Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never called.
+/// Throws:   Cancelled.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
                                                                      std::span<const Polygon> polygons,
                                                                      const PolygonFilter& filter,

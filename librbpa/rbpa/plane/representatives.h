@@ -35,8 +35,7 @@ struct Representative {
 
 /// Returns representatives of the chosen pairs, sorted as by persistence().
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled when `go_on`, which is called
-///           every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                      ComplexKind kind = ComplexKind::solid,
                                                      const PairChoice& choice = {}, const GoOn& go_on = {});

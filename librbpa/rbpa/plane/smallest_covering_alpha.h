@@ -36,8 +36,7 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// K is 0.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when the filtration is visibly of another triangulation, or the share is out of its
-///           bounds; Cancelled when `go_on`, which is called every few milliseconds, returns false. Empty: never
-///           called.
+///           bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 /// Computes the same without a filtration: only its radii are computed, in about half the time.

@@ -37,8 +37,7 @@ RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 /// In a full complex, edges in no triangle are counted as well. The points covered are those in a triangle or an edge,
 /// every other distinct point is a component, and components − holes = distinct points − edges + triangles.
 /// Requires: triangles that lie side by side, on these points.
-/// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled when `go_on`, which is
-///           called every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex,
                              ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});

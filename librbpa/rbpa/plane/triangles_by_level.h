@@ -27,11 +27,7 @@ struct TrianglesByLevelOptions {
   std::size_t leaf_capacity = usual_leaf_capacity;
   bool neighbors = false;  ///< fills in AlphaComplex::neighbors
   bool boundary = false;   ///< fills in AlphaComplex::boundary
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. The result does
-  /// not depend on it.
-  unsigned threads = 0;
-  /// Called every few milliseconds, one call at a time but from any thread of the run; returning false cancels the run.
-  /// Empty: never called.
+  MaxThreads threads = 0;
   OnProgress progress = {};
 };
 

@@ -29,7 +29,7 @@ namespace rbpa {
 /// place, and two that run in opposite directions may pass an edge.
 /// Requires: places that are distinct, as many as rbpa() accepts, and each on a ring; rings that do not cross, and pass
 ///           every place that lies on their edges.
-/// Throws:   Cancelled, when go_on returns false.
+/// Throws:   Cancelled.
 std::vector<std::array<std::uint32_t, 3>> constrained_delaunay(const Outline& outline, const GoOn& go_on);
 
 }  // namespace rbpa

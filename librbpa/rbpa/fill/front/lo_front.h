@@ -36,7 +36,7 @@ class LoFront {
  public:
   /// Takes the rings of the front and the places of its sites; places of sites on no ring are arbitrary. The mesh has
   /// one face behind each edge of the rings. Keeps a reference to the field.
-  /// Throws: Cancelled, when go_on returns false.
+  /// Throws: Cancelled.
   LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
           const GoOn& go_on);
   LoFront(const LoFront&) = delete;

@@ -17,7 +17,7 @@
 namespace rbpa {
 
 /// Returns the estimate for outlines before they are cut.
-/// Throws: Cancelled, when go_on returns false.
+/// Throws: Cancelled.
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const GoOn& go_on);
 

@@ -36,7 +36,7 @@ class Unfilled {
 
   /// Triangulates the region left of the rings of a front, each given by its sites. Keeps a reference to the places, to
   /// which others may be added.
-  /// Throws: Cancelled, when go_on returns false.
+  /// Throws: Cancelled.
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings, const GoOn& go_on);
 
   /// Begins a search from an edge of the front, for the functions below. It passes at most `most` triangles; the

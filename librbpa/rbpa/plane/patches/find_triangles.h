@@ -30,7 +30,7 @@ struct ListSink {
 
 /// Puts all triangles of the solid alpha complex into `list`. Calls `progress`, unless it is empty, after each patch.
 /// Requires: sites that are not all on one line.
-/// Throws:   Cancelled when `progress` returns false.
+/// Throws:   Cancelled.
 template <typename List>
 void find_triangles(const Sites& sites, const Radius& alpha, const OnProgress& progress, Threads& threads, List& list) {
   ListSink<List> sink{list, sites.size(), progress};

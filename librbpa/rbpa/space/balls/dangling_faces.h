@@ -26,10 +26,10 @@ struct DanglingFaces {
 };
 
 /// Computes the dangling simplices at `alpha`. For an empty triangulation, as of points in a plane, the simplices are
-/// those of solid_filtration(). `threads` is as in SolidOptions.
+/// those of solid_filtration().
 /// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0.
 /// Throws:   ContractViolation if radii or neighbors are missing; InvalidInput when alpha is not a valid radius.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
-                                      std::span<const double> radii, double alpha, unsigned threads = 0);
+                                      std::span<const double> radii, double alpha, MaxThreads threads = 0);
 
 }  // namespace rbpa

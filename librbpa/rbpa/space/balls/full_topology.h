@@ -27,10 +27,9 @@ struct FullCounts {
 
 /// Counts the simplices and the Betti numbers of the full alpha complex.
 /// Requires: as dangling_faces().
-/// Throws:   as dangling_faces(); Cancelled when `go_on` returns false. It is called every few milliseconds, by one
-///           thread at a time, here and below.
+/// Throws:   as dangling_faces(); Cancelled.
 RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                               double alpha, unsigned threads = 0, const GoOn& go_on = {});
+                               double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the voids as a solid: the tetrahedra of the triangulation that are not in the complex and are not connected
 /// to the outside through triangles that are not in the complex. Its solid_components() through triangles are the
@@ -39,7 +38,7 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
 /// Requires: as dangling_faces().
 /// Throws:   as dangling_faces().
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                          double alpha, unsigned threads = 0, const GoOn& go_on = {});
+                          double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
 struct FullVoids {
   Surface boundary;  ///< the walls of all voids, seen from within; a triangle with a void on both sides is there twice
@@ -49,7 +48,7 @@ struct FullVoids {
 /// Returns the voids one by one, each also with the volume outside of the balls of radius alpha around the points. An
 /// island is a set of triangles within a void that are connected through points.
 /// Requires: void_space() of these points at this alpha.
-RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned threads = 0,
+RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
                               const GoOn& go_on = {});
 
 struct FullTopology {

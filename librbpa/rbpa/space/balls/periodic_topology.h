@@ -45,12 +45,11 @@ struct PeriodicTopology {
 };
 
 /// Computes the topology of the full alpha complex, whose voids a ball of radius alpha cannot leave, or of the solid
-/// one. `threads` is as in SolidOptions.
+/// one.
 /// Requires: periodic_solid() at infinity with neighbors, and its circumradii.
-/// Throws:   ContractViolation on others; InvalidInput when alpha is not a valid radius; Cancelled when `go_on`, which
-///           one thread at a time calls every few milliseconds, returns false.
+/// Throws:   ContractViolation on others; InvalidInput when alpha is not a valid radius; Cancelled.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
-                                            ComplexKind walls = ComplexKind::full, unsigned threads = 0,
+                                            ComplexKind walls = ComplexKind::full, MaxThreads threads = 0,
                                             const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -36,6 +36,6 @@ RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius,
 ///           neighbors, or not as many radii as tetrahedra. The other requirements are not checked.
 /// Cost:     about linear in the tetrahedra.
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                                  double radius, unsigned threads = 0);
+                                  double radius, MaxThreads threads = 0);
 
 }  // namespace rbpa

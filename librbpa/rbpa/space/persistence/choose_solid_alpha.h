@@ -24,8 +24,7 @@ struct ChosenSolidAlpha {
 /// Requires: the result of solid() of these points at infinity, with neighbors, and its circumradii. The triangulation
 ///           may also be that of a periodic box (without_offsets()), unless the rule is `plateau`.
 /// Throws:   InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the
-///           triangulation is visibly of other points, or the cover is out of its bounds; Cancelled when `go_on`, which
-///           is called every few milliseconds, returns false. Empty: never called.
+///           triangulation is visibly of other points, or the cover is out of its bounds; Cancelled.
 RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,
                                              const Solid& delaunay, std::span<const double> radii,
                                              const GoOn& go_on = {});

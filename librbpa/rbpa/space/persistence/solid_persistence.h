@@ -34,8 +34,7 @@ struct SolidPair {
 
 /// Returns the pairs, sorted by dimension, birth and death, those without a death last, then by the simplex that
 /// creates them.
-/// Throws: ContractViolation when the argument visibly is not a filtration; Cancelled when `go_on`, which is called
-///         every few milliseconds, returns false. Empty: never called.
+/// Throws: ContractViolation when the argument visibly is not a filtration; Cancelled.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -47,13 +47,12 @@ struct VoidTree {
   }
 };
 
-/// Builds the tree. Threads, as in SolidOptions, share the radii of triangles.
+/// Builds the tree. Threads share the radii of triangles.
 /// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or those of
 ///           solid_filtration(), which are near each other in memory.
-/// Throws:   ContractViolation when they visibly are not; Cancelled when `go_on`, which is called every few
-///           milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when they visibly are not; Cancelled.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                            ComplexKind walls = ComplexKind::full, unsigned threads = 0, const GoOn& go_on = {});
+                            ComplexKind walls = ComplexKind::full, MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns for each void at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of
 /// the same walls.

@@ -26,12 +26,9 @@ namespace rbpa {
 struct SolidOptions {
   /// Whether Solid::neighbors are filled in.
   bool neighbors = true;
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped. Tiles, triples
-  /// and sorting use all of them; points are inserted by one thread (docs/explanation/space.md).
-  unsigned threads = 0;
-  /// Called repeatedly with the number of finished points in place of triangles. Returning false cancels the run.
-  /// Empty: never called.
-  OnProgress progress = {};
+  /// Tiles, triples and sorting use all threads; points are inserted by one (docs/explanation/space.md).
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< with the number of finished points in place of triangles
 };
 
 /// Tetrahedra with their neighbors. Corners are input indices; of equal points the lowest.

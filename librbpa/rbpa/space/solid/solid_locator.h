@@ -20,9 +20,7 @@
 namespace rbpa {
 
 struct SolidLocateOptions {
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly, one call at a time but from any thread; returning false cancels the work. Empty: never called.
+  MaxThreads threads = 0;
   GoOn go_on = {};
 };
 

@@ -16,15 +16,13 @@
 
 namespace rbpa {
 
-/// Returns the circumradius of each tetrahedron, rounded up to a double; infinity if it is above all doubles. `threads`
-/// is as in SolidOptions.
+/// Returns the circumradius of each tetrahedron, rounded up to a double; infinity if it is above all doubles.
 /// Requires: finite points; simplices of four points that are in no plane.
 /// Throws:   InvalidInput that names the first point that is not finite, or the first simplex with a corner that is not
-///           a point; Cancelled when `go_on` returns false. It is called every few milliseconds, by one thread at a
-///           time, here and below.
+///           a point; Cancelled.
 RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
-                                         std::span<const std::array<std::uint32_t, 4>> simplices, unsigned threads = 0,
-                                         const GoOn& go_on = {});
+                                         std::span<const std::array<std::uint32_t, 4>> simplices,
+                                         MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the least alpha at which a share of the points are corners of tetrahedra: all of them, or fewer so that
 /// outliers do not decide. The result is infinity if there is no tetrahedron.

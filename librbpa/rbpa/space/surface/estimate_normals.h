@@ -25,11 +25,8 @@ struct NormalOptions {
   std::size_t neighbors = 16;
   /// Viewpoints, from which the points were seen: one for all, or one for each point. Empty: unknown.
   std::span<const Point3> viewpoints = {};
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
-  /// the run. Empty: never called.
-  OnProgress progress = {};
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< with 0 triangles
 };
 
 /// Returns for each point the unit normal of the plane that fits the point and its nearest others with the least sum of

@@ -22,8 +22,7 @@ namespace rbpa {
 /// Returns for each component whether it is outer: neither another component nor it itself encloses the ball that rolls
 /// on it. A scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
 /// Requires: the exposed_triangles() of these points and radius, and its components.
-/// Throws:   ContractViolation on others; Cancelled when `go_on`, which is called every few milliseconds, returns
-///           false.
+/// Throws:   ContractViolation on others; Cancelled.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 

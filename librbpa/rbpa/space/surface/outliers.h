@@ -25,11 +25,8 @@ struct OutlierOptions {
   /// Rank of the nearest other point to which the distance is measured. Groups of fewer than this many outliers that
   /// lie close together are found.
   std::size_t neighbors = 8;
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
-  /// the run. Empty: never called.
-  OnProgress progress = {};
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< with 0 triangles
 };
 
 struct Outliers {

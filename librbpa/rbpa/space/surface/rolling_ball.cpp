@@ -4,6 +4,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/duplicate.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/cells/scaled_points.h"

@@ -24,11 +24,8 @@ struct ScaleSpaceOptions {
   /// Number of nearest other points to which, with the point itself, the plane is fitted. More points smooth more in
   /// each step.
   std::size_t neighbors = 30;
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly, with 0 triangles, one call at a time but from any thread of the run. Returning false cancels
-  /// the run. Empty: never called.
-  OnProgress progress = {};
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< with 0 triangles
 };
 
 struct ScaleSpace {

@@ -21,8 +21,7 @@ struct SplitFans {
 /// Returns the triangles with a vertex for each fan: triangles at a point share a vertex if glued sides lead from one
 /// to the other around the point.
 /// Requires: fewer than 2^32 corners.
-/// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled when `go_on`, which is
-///           called every few milliseconds, returns false. Empty: never called.
+/// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled.
 RBPA_API SplitFans split_fans(const Surface& surface, const GoOn& go_on = {});
 
 /// Returns the same triangles, glued so that vertex indices determine the gluing: in split_fans() of the result, every

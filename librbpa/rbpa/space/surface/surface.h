@@ -21,11 +21,8 @@
 namespace rbpa {
 
 struct SurfaceOptions {
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly with the number of exposed triangles so far, one call at a time but from any thread of the run.
-  /// Returning false cancels the run. Empty: never called.
-  OnProgress progress = {};
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< with the number of exposed triangles so far
 };
 
 /// Oriented triangles, and for each side the triangle on which the ball comes to rest when it rolls over the side.

@@ -108,7 +108,7 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
 }
 
 /// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, from any thread; then join(a, b), one call at
-/// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled where `go_on` returns false.
+/// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled.
 template <typename IsMeant, typename Join>
 void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Threads& threads, const IsMeant& is_meant,
                    const Join& join, const GoOn& go_on = {}) {

@@ -19,7 +19,7 @@ namespace rbpa::space {
 /// Returns, for each of `voids` voids, the volume of its part that is at least alpha from every point.
 /// Requires: `space` has the tetrahedra of voids, without a neighbor across a triangle of the complex; `void_of` has
 /// the number of the void of each; 0 < alpha < infinity unless there are no tetrahedra.
-/// Throws: Cancelled where `go_on` returns false.
+/// Throws: Cancelled.
 std::vector<double> outside_of_balls(const Triangulated& space, std::span<const std::uint32_t> void_of,
                                      std::size_t voids, double alpha, Threads& threads, const GoOn& go_on = {});
 
