@@ -1,8 +1,6 @@
 // What: the functions of the plane that WebAssembly exports. Points are numbers in its memory, results are arrays
 //       there.
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

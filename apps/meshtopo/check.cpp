@@ -1,7 +1,6 @@
 #include "meshtopo/check.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <initializer_list>
 #include <string_view>

@@ -2,7 +2,6 @@
 // Law:  every property is computed from the report and the list of defects alone.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "meshtopo/edits.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>

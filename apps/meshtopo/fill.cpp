@@ -11,7 +11,6 @@
 #include "meshops/topology/soup_defects.h"
 #include "meshtopo/face_fans.h"
 #include "rbpa/space/repair/fill_holes.h"
-#include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {

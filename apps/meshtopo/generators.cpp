@@ -2,7 +2,6 @@
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "io/interrupt.h"

@@ -1,8 +1,6 @@
 // What: the extension module rbpa._core: private functions of arrays.
 #include "python/module.h"
 
-#include <pybind11/pybind11.h>
-
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 

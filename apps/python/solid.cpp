@@ -5,8 +5,6 @@
 
 #include <array>
 #include <limits>
-#include <span>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

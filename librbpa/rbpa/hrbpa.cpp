@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
-#include <vector>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/parallel/threads.h"

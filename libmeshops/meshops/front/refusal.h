@@ -1,7 +1,6 @@
 // What: the reasons for which a front refuses to insert or to detach a triangle.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 

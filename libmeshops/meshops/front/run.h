@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "meshops/front/curve_events.h"
 #include "meshops/front/engine_side.h"

@@ -1,6 +1,5 @@
 #include "meshops/history/history.h"
 
-#include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/destroy.h"

@@ -1,7 +1,6 @@
 #include "meshops/patch/assembler.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "meshops/core/contract.h"

@@ -1,7 +1,6 @@
 #include "meshops/topology/merge_points.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "meshops/core/contract.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"

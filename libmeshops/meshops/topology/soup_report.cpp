@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_anatomy.h"

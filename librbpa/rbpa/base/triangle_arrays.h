@@ -1,7 +1,6 @@
 // What: a view of triangles and their neighbors, and the check that they agree.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

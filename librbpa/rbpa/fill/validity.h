@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"

@@ -1,6 +1,5 @@
 #include "rbpa/plane/alpha_complex.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,7 +1,6 @@
 // What: a solid alpha complex as a halfedge mesh, with the input point of each vertex.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -5,7 +5,6 @@
 // Cost: twice that of persistence().
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>

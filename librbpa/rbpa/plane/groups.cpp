@@ -1,7 +1,6 @@
 #include "rbpa/plane/groups.h"
 
 #include <mutex>
-#include <string>
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"

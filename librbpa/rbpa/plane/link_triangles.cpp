@@ -1,7 +1,6 @@
 #include "rbpa/plane/link_triangles.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <tuple>
 
 #include "rbpa/base/run/steps.h"

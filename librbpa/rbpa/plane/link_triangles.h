@@ -5,9 +5,7 @@
 // Cost: linear if few triangles meet at each point, n log n if many do.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "rbpa/plane/outline_polygons.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "meshops/core/contract.h"

@@ -1,7 +1,6 @@
 #include "rbpa/plane/persistence.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 #include "rbpa/base/run/steps.h"

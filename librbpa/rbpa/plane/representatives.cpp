@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
-#include <span>
 #include <tuple>
 #include <utility>
 

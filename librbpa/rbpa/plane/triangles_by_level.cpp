@@ -1,7 +1,6 @@
 #include "rbpa/plane/triangles_by_level.h"
 
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "meshops/core/contract.h"

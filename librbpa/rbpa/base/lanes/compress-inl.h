@@ -11,7 +11,6 @@
 
 #include <hwy/highway.h>
 
-#include <cstddef>
 #include <cstdint>
 
 #include "rbpa/base/lanes/mask_bits-inl.h"

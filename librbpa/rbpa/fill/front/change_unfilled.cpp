@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "meshops/core/contract.h"
 #include "rbpa/fill/front/unfilled.h"

@@ -1,7 +1,6 @@
 #include "rbpa/fill/front/link_filling.h"
 
 #include <algorithm>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "rbpa/fill/front/shape_quality.h"
 #include "rbpa/fill/rings/plane_distance.h"

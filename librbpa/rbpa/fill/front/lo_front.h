@@ -17,7 +17,6 @@
 #include <optional>
 #include <span>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 #include "meshops/front/policy.h"

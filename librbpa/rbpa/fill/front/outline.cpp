@@ -4,7 +4,6 @@
 #include <cmath>
 #include <compare>
 #include <functional>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>

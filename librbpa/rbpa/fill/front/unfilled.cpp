@@ -1,9 +1,6 @@
 #include "rbpa/fill/front/unfilled.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 #include "meshops/core/contract.h"
 #include "rbpa/fill/front/constrained_delaunay.h"

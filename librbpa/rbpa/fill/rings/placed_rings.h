@@ -2,8 +2,6 @@
 //       of polygons.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 //       times as slow. Points of fillings are often nearly on a line, such as those on one edge.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -4,7 +4,6 @@
 //       all, is filled in by any thread.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,15 +1,11 @@
 #include "rbpa/plane/divide/small_set.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <numeric>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "rbpa/base/error.h"

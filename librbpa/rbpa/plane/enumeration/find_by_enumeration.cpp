@@ -4,8 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "rbpa/plane/predicate/predicates.h"
 

@@ -4,7 +4,6 @@
 // How:  docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "rbpa/base/run/steps.h"

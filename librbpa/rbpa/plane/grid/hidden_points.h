@@ -3,7 +3,6 @@
 //       outside of the grid.
 #pragma once
 
-#include <algorithm>
 #include <span>
 
 #include "rbpa/plane/grid/box.h"

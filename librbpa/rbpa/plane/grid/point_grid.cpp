@@ -1,12 +1,9 @@
 #include "rbpa/plane/grid/point_grid.h"
 
-#include <algorithm>
 #include <bit>
 
 #include "rbpa/base/exact/two.h"
-#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/sort/sort_by_cell.h"
-#include "rbpa/plane/grid/box.h"
 
 namespace rbpa {
 namespace {

@@ -4,7 +4,6 @@
 // Cost: that of PointGrid; and a sort of the points beyond.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>

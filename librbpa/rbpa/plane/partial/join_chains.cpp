@@ -1,7 +1,6 @@
 #include "rbpa/plane/partial/join_chains.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>

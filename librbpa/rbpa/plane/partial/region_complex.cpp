@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
-#include <utility>
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"

@@ -1,9 +1,7 @@
 // What: walks along the boundary sides of a region's triangles, as far as the region determines their continuation.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "rbpa/plane/partial/region_complex.h"

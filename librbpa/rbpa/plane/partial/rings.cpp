@@ -1,7 +1,6 @@
 #include "rbpa/plane/partial/rings.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 #include <string>
 #include <utility>

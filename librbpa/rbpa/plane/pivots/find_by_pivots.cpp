@@ -1,11 +1,8 @@
 #include "rbpa/plane/pivots/find_by_pivots.h"
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "rbpa/plane/predicate/predicates.h"
 

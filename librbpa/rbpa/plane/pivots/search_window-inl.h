@@ -13,7 +13,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 #include "rbpa/plane/pivots/edge_batch.h"

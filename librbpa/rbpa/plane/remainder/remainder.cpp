@@ -1,7 +1,6 @@
 #include "rbpa/plane/remainder/remainder.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "rbpa/plane/divide/divide_and_conquer.h"
 

@@ -1,7 +1,6 @@
 #include "rbpa/plane/shape/measure.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace rbpa {
 namespace {

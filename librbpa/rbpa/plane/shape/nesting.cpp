@@ -1,7 +1,6 @@
 #include "rbpa/plane/shape/nesting.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <set>

@@ -1,9 +1,7 @@
 #include "rbpa/plane/tile/extract_patch.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 namespace rbpa {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/parallel/threads.h"

@@ -6,7 +6,6 @@
 
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_reaching.h"
-#include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
 namespace {

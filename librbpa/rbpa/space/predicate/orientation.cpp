@@ -1,6 +1,5 @@
 #include "rbpa/space/predicate/orientation.h"
 
-#include <array>
 #include <cmath>
 
 #include "rbpa/base/exact/expansion.h"

@@ -1,6 +1,5 @@
 #include "rbpa/space/repair/fill_holes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>

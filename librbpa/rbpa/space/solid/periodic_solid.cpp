@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <string>
 #include <utility>
 
 #include "meshops/core/contract.h"

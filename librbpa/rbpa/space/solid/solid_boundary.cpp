@@ -1,7 +1,6 @@
 #include "rbpa/space/solid/solid_boundary.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 

@@ -1,6 +1,5 @@
 #include "rbpa/space/solid/solid_topology.h"
 
-#include <cstddef>
 #include <cstdint>
 
 #include "meshops/core/contract.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -1,8 +1,6 @@
 #include "rbpa/space/surface/holes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/run/steps.h"

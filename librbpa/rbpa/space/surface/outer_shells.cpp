@@ -1,9 +1,7 @@
 #include "rbpa/space/surface/outer_shells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "rbpa/space/surface/split_fans.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <tuple>
 

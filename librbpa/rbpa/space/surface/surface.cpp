@@ -1,10 +1,8 @@
 #include "rbpa/space/surface/surface.h"
 
-#include <algorithm>
 #include <functional>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/in_order.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
-#include "meshops/core/live_range.h"
 #include "meshops/patch/assembler.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"

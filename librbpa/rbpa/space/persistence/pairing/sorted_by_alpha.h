@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/run/steps.h"

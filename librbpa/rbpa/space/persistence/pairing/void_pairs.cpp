@@ -1,7 +1,6 @@
 #include "rbpa/space/persistence/pairing/void_pairs.h"
 
 #include <cstddef>
-#include <utility>
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/space/persistence/pairing/sorted_by_alpha.h"

@@ -4,8 +4,6 @@
 // Source: Meyer, Desbrun, Schröder, Barr, Discrete differential-geometry operators for triangulated 2-manifolds (2003).
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "rbpa/space/predicate/vector3.h"

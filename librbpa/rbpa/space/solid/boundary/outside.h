@@ -8,11 +8,8 @@
 // Cost: linear; where several fans meet at a point, linear in all tetrahedra around it.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/point3.h"

@@ -9,7 +9,6 @@
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/outer_faces.h"
-#include "rbpa/space/predicate/sphere.h"
 
 namespace rbpa::space {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "rbpa/space/predicate/outer_faces.h"

@@ -1,6 +1,5 @@
 #include "rbpa/space/solid/tiles/border_faces.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace rbpa::space {

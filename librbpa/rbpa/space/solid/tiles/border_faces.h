@@ -3,7 +3,6 @@
 // Cost: linear, where few have the same first corner.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

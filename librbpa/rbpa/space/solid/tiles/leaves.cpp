@@ -1,7 +1,6 @@
 #include "rbpa/space/solid/tiles/leaves.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <tuple>

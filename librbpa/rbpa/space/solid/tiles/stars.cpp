@@ -1,10 +1,7 @@
 #include "rbpa/space/solid/tiles/stars.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rbpa/space/solid/tiles/stars.cpp"

@@ -1,6 +1,5 @@
 #include "rbpa/space/solid/tiles/unsettled.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "rbpa/space/solid/insertion/insertion.h"

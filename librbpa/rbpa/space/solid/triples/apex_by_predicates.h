@@ -6,7 +6,6 @@
 //       points are cospherical.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 

@@ -4,7 +4,6 @@
 // Cost: linear, and a sort of the edges near the boundary.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>

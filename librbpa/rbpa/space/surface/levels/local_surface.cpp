@@ -1,8 +1,6 @@
 #include "rbpa/space/surface/levels/local_surface.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 
 #include "rbpa/base/arrays/sort_unique.h"
 

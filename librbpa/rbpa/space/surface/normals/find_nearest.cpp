@@ -2,17 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <mutex>
 #include <nanoflann.hpp>
 #include <numbers>
 #include <numeric>
-#include <span>
 #include <type_traits>
 #include <utility>
-
 
 namespace rbpa::space {
 namespace {

@@ -9,12 +9,10 @@
 #include <boost/property_map/property_map.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "rbpa/space/surface/normals/compare_normals.h"
 

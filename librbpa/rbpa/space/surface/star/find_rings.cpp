@@ -1,11 +1,8 @@
 #include "rbpa/space/surface/star/find_rings.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "rbpa/space/predicate/ball.h"
 #include "rbpa/space/surface/pivot/roll_about_edge.h"

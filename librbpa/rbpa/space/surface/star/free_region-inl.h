@@ -15,10 +15,8 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,6 +1,5 @@
 #include "rbpa/space/surface/star/surface_assembly.h"
 
-#include <algorithm>
 #include <string>
 
 #include "rbpa/base/error.h"

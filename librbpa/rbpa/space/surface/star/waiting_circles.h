@@ -3,7 +3,6 @@
 // Law:  no two of the circles cross, and no cap is inside another. The nearest point is first.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
