@@ -28,8 +28,8 @@ std::vector<std::uint32_t> at_equal_places(const Positions& positions) {
   return least;
 }
 
-/// A grid of cells with a side a little over half the distance, eight of them in a block: vertices in one cell are near
-/// each other, and near vertices are in blocks that touch. Positions are scaled by a power of two, so that nothing
+/// A grid of cells with a side a little over half the distance: vertices in one cell are near each other, and near
+/// vertices are in cells at most two apart along each axis. Positions are scaled by a power of two, so that nothing
 /// overflows, and only choose the pairs to compare: are_within() decides. If the distance is tiny beside the box, the
 /// cells are larger, 2⁴⁰ along the box; then vertices of one cell are compared, too.
 class NearVertices {
@@ -37,17 +37,17 @@ class NearVertices {
   NearVertices(const Positions& positions, double distance)
       : positions_(positions), distance_(distance), sets_(positions.size()) {
     place();
-    for (std::size_t begin = 0; begin < vertices_.size(); begin = end_of_block(begin)) blocks_.push_back(begin);
-    blocks_.push_back(vertices_.size());
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      if (i == 0 || vertices_[i].cell != vertices_[i - 1].cell) begin_.push_back(i);
+    begin_.push_back(vertices_.size());
   }
 
   std::vector<std::uint32_t> operator()() {
-    for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) join_within(b);
-    // Only half of the 26 neighbors of a block, those after it in the order of blocks, have to be searched.
-    for (std::int64_t x = 0; x <= 1; ++x)
-      for (std::int64_t y = -1; y <= 1; ++y)
-        for (std::int64_t z = -1; z <= 1; ++z)
-          if (Cell offset = {x, y, z}; offset > Cell{0, 0, 0}) join_across(offset);
+    for (std::size_t c = 0; c + 1 < begin_.size(); ++c) join_within(c);
+    // Only half of the neighbors of a cell, those after it in the order of cells, have to be searched.
+    for (std::int64_t x = 0; x <= 2; ++x)
+      for (std::int64_t y = -2; y <= 2; ++y)
+        if (x > 0 || y >= 0) join_across(x, y, x == 0 && y == 0 ? 1 : -2);
     std::vector<std::uint32_t> least(positions_.size());
     for (std::uint32_t i = 0; i < least.size(); ++i) least[i] = sets_.find(i);
     return least;
@@ -55,7 +55,7 @@ class NearVertices {
 
  private:
   struct Placed {
-    Cell block, cell;
+    Cell cell;
     std::uint32_t vertex;
     friend auto operator<=>(const Placed&, const Placed&) = default;
   };
@@ -79,81 +79,38 @@ class NearVertices {
     vertices_.reserve(positions_.size());
     for (std::uint32_t i = 0; i < positions_.size(); ++i) {
       if (i % 16384 == 0) stop_if_interrupted();
-      Placed placed{{}, {}, i};
-      for (std::size_t k = 0; k < 3; ++k) {
+      Placed placed{{}, i};
+      for (std::size_t k = 0; k < 3; ++k)
         placed.cell[k] = static_cast<std::int64_t>((std::scalbn(positions_[i][k], -exponent) - low[k]) / side);
-        placed.block[k] = placed.cell[k] / 2;
-      }
       vertices_.push_back(placed);
     }
     sort(vertices_);
   }
 
-  std::size_t end_of_block(std::size_t begin) const {
-    std::size_t end = begin + 1;
-    while (end < vertices_.size() && vertices_[end].block == vertices_[begin].block) ++end;
-    return end;
-  }
-  std::size_t end_of_cell(std::size_t begin, std::size_t end_of_block) const {
-    std::size_t end = begin + 1;
-    while (end < end_of_block && vertices_[end].cell == vertices_[begin].cell) ++end;
-    return end;
+  void join_within(std::size_t cell) {
+    if (!is_near_within_) return join(cell, cell);
+    for (std::size_t i = begin_[cell] + 1; i < begin_[cell + 1]; ++i)
+      sets_.join(vertices_[begin_[cell]].vertex, vertices_[i].vertex);
   }
 
-  /// The vertices of one cell, as a range of `vertices_`.
-  struct Range {
-    std::size_t begin, end;
-  };
-
-  void join_within(std::size_t block) {
-    stop_if_interrupted();
-    const std::size_t end = blocks_[block + 1];
-    for (Range cell{blocks_[block], 0}; cell.begin < end; cell.begin = cell.end) {
-      cell.end = end_of_cell(cell.begin, end);
-      for (std::size_t i = cell.begin + 1; i < cell.end; ++i) {
-        if (is_near_within_)
-          sets_.join(vertices_[cell.begin].vertex, vertices_[i].vertex);
-        else
-          join(cell, {i, i + 1});
-      }
-    }
-    for (Range cell{blocks_[block], 0}; cell.begin < end; cell.begin = cell.end) {
-      cell.end = end_of_cell(cell.begin, end);
-      join_from(cell, cell.end, end);
-    }
-  }
-
-  void join_across(const Cell& offset) {
-    std::size_t other = 0;
-    for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) {
-      if (b % 1024 == 0) stop_if_interrupted();
-      Cell wanted = vertices_[blocks_[b]].block;
-      for (std::size_t k = 0; k < 3; ++k) wanted[k] += offset[k];
-      while (other + 1 < blocks_.size() && vertices_[blocks_[other]].block < wanted) ++other;
-      if (other + 1 == blocks_.size()) return;
-      if (vertices_[blocks_[other]].block != wanted) continue;
-      for (Range cell{blocks_[b], 0}; cell.begin < blocks_[b + 1]; cell.begin = cell.end) {
-        cell.end = end_of_cell(cell.begin, blocks_[b + 1]);
-        join_from(cell, blocks_[other], blocks_[other + 1]);
-      }
-    }
-  }
-
-  /// Joins a cell with the cells of a block that begins at `begin`.
-  void join_from(const Range& cell, std::size_t begin, std::size_t end) {
-    for (Range other{begin, 0}; other.begin < end; other.begin = other.end) {
-      other.end = end_of_cell(other.begin, end);
-      join(cell, other);
+  /// Joins each cell with those that are x and y cells away, and along z from `first` to 2.
+  void join_across(std::int64_t x, std::int64_t y, std::int64_t first) {
+    for (std::size_t c = 0, other = 0; c + 1 < begin_.size(); ++c) {
+      if (c % 1024 == 0) stop_if_interrupted();
+      const Cell& cell = vertices_[begin_[c]].cell;
+      const Cell low = {cell[0] + x, cell[1] + y, cell[2] + first}, high = {low[0], low[1], cell[2] + 2};
+      while (other + 1 < begin_.size() && vertices_[begin_[other]].cell < low) ++other;
+      for (std::size_t k = other; k + 1 < begin_.size() && vertices_[begin_[k]].cell <= high; ++k) join(c, k);
     }
   }
 
   /// Joins two cells if a pair of their vertices is near; compares all pairs if vertices of one cell need not be near.
-  void join(const Range& cell, const Range& other) {
-    if (is_near_within_ && sets_.find(vertices_[cell.begin].vertex) == sets_.find(vertices_[other.begin].vertex))
+  void join(std::size_t cell, std::size_t other) {
+    if (is_near_within_ && sets_.find(vertices_[begin_[cell]].vertex) == sets_.find(vertices_[begin_[other]].vertex))
       return;
-    for (std::size_t i = cell.begin; i < cell.end; ++i) {
+    for (std::size_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
       stop_if_interrupted();
-      for (std::size_t k = other.begin; k < other.end; ++k) {
+      for (std::size_t k = begin_[other]; k < begin_[other + 1]; ++k) {
         const std::uint32_t a = vertices_[i].vertex, b = vertices_[k].vertex;
         if (i == k || sets_.find(a) == sets_.find(b) || !are_within(positions_[a], positions_[b], distance_)) continue;
         sets_.join(a, b);
@@ -165,9 +122,9 @@ class NearVertices {
   const Positions& positions_;
   const double distance_;
   meshops::DisjointSets sets_;
-  bool is_near_within_ = true;       // vertices in one cell are near each other
-  std::vector<Placed> vertices_;     // in the order of blocks and cells
-  std::vector<std::size_t> blocks_;  // first vertex of each block, and the end
+  bool is_near_within_ = true;      // vertices in one cell are near each other
+  std::vector<Placed> vertices_;    // in the order of cells
+  std::vector<std::size_t> begin_;  // first vertex of each cell, and the end
 };
 
 }  // namespace
