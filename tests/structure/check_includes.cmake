@@ -24,8 +24,8 @@ set(allowed
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
   "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/plane
     rbpa/plane/shape"
-  "rbpa/fill/front: meshops/core meshops/front meshops/patch meshops/stellar rbpa/base rbpa/base/exact rbpa/base/run
-    rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/grid rbpa/plane/predicate"
+  "rbpa/fill/front: meshops/core meshops/front meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
+    rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/fill/rings: meshops/core rbpa/base rbpa/base/exact rbpa/base/run rbpa/fill rbpa/plane rbpa/plane/grid
     rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/paper: meshops/front meshops/patch rbpa/base rbpa/plane/mesh rbpa/plane/predicate"
@@ -51,11 +51,11 @@ set(allowed
     rbpa/plane/tile"
   "rbpa/plane/pivots: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/predicate: rbpa/base rbpa/base/exact"
-  "rbpa/plane/remainder: meshops/patch rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid rbpa/plane/predicate
-    rbpa/plane/tile"
+  "rbpa/plane/remainder: meshops/patch rbpa/base/arrays rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid
+    rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/space/balls: meshops/core rbpa/base rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
+  "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/predicate rbpa/space/solid
     rbpa/space/solid/boundary rbpa/space/surface"
   "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run

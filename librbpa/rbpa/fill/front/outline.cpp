@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/run/steps.h"
 
 namespace rbpa {
@@ -254,8 +255,7 @@ std::vector<OutlinePart> parts_of(const Outline& outline) {
     part.group = outline.rings[rings[0]].group;
     for (const std::size_t r : rings)
       part.site.insert(part.site.end(), outline.rings[r].sites.begin(), outline.rings[r].sites.end());
-    std::sort(part.site.begin(), part.site.end());
-    part.site.erase(std::unique(part.site.begin(), part.site.end()), part.site.end());
+    sort_unique(part.site);
     for (Site s = 0; s < part.site.size(); ++s) {
       number[part.site[s]] = s;
       part.outline.places.push_back(outline.places[part.site[s]]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/fill/front/constrained_delaunay.h"
 #include "rbpa/fill/front/outline.h"
 #include "rbpa/fill/rings/plane_distance.h"
@@ -27,8 +28,7 @@ Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector
     : places_(places), next_(static_cast<Site>(places.size())) {
   std::vector<Site> sites;
   for (const std::vector<Site>& ring : rings) sites.insert(sites.end(), ring.begin(), ring.end());
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  sort_unique(sites);
   Outline outline;
   for (const Site s : sites) outline.places.push_back(places[s]);
   for (const std::vector<Site>& ring : rings) {

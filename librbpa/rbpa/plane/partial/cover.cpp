@@ -1,4 +1,5 @@
 #include "rbpa/plane/partial/cover.h"
+#include "rbpa/base/arrays/sort_unique.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,8 +17,7 @@ class Heights {
   explicit Heights(std::span<const Quadrant> quadrants) {
     for (const Quadrant& quadrant : quadrants) y_.push_back(quadrant.at.y);
     y_.push_back(-unbounded);  // the part below every corner is not covered
-    std::sort(y_.begin(), y_.end());
-    y_.erase(std::unique(y_.begin(), y_.end()), y_.end());
+    sort_unique(y_);
     leaves_ = std::bit_ceil(y_.size());
     nodes_.resize(2 * leaves_);
     // Places after the last one are covered as the last is.

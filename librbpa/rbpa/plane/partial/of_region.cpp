@@ -5,6 +5,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/core/fresh_vector.h"
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/region_complex.h"
@@ -119,8 +120,7 @@ class Builder {
       const std::uint32_t from = of_.triangulation().triangles[side.triangle][(side.across + 1) % 3];
       if (of_.owns(from)) fans.emplace_back(from, component(side.triangle));
     }
-    std::sort(fans.begin(), fans.end());
-    fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
+    sort_unique(fans);
     meshops::DisjointSets groups(state_.open.size());
     for (std::size_t i = 0; i + 1 < fans.size();) {
       const auto [at, first] = fans[i];

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/shape/split_curve.h"
@@ -41,8 +42,7 @@ void add_curve(OpenComponent& component, std::vector<Corner>&& curve) {
   std::vector<std::uint64_t> points;
   points.reserve(curve.size());
   for (const Corner& corner : curve) points.push_back(corner.index);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   if (points.size() == curve.size()) return add_ring(component, std::move(curve));
 
   // Numbers points by their position among those of the curve.

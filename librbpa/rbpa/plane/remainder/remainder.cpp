@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/plane/divide/divide_and_conquer.h"
 
 namespace rbpa {
@@ -30,8 +31,7 @@ std::vector<std::uint32_t> Remainder::not_done() const {
     if (!is_settled(s)) unsettled.push_back(s);
   for (const auto& [site, neighbor] : unsettled_neighbors_)
     if (is_settled(site) && !is_settled(neighbor)) beside.push_back(site);
-  std::sort(beside.begin(), beside.end());
-  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  sort_unique(beside);
   std::vector<std::uint32_t> sites(unsettled.size() + beside.size());
   std::merge(unsettled.begin(), unsettled.end(), beside.begin(), beside.end(), sites.begin());
   return sites;

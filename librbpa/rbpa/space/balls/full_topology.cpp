@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
@@ -30,9 +31,8 @@ meshops::DisjointSets connected_outside(const Solid& delaunay, const space::Face
     for (std::size_t k = 0; k < 4; ++k) {
       step();
       if (!faces.is_first(t, k) || faces.has_triangle(t, k)) continue;
-      const std::uint32_t beyond = delaunay.neighbors[t][k], a = sets.find(t),
-                          b = sets.find(beyond == Solid::none ? count : beyond);
-      if (a != b) sets.link(a, b);
+      const std::uint32_t beyond = delaunay.neighbors[t][k];
+      sets.join(t, beyond == Solid::none ? count : beyond);
     }
   return sets;
 }
@@ -46,10 +46,7 @@ FullCounts count_flat(std::span<const Point3> points, double alpha, unsigned thr
   for (std::size_t i = 0; i < filtration.edges.size(); ++i) {
     if (filtration.edge_alpha[i] > alpha) continue;
     ++counts.edges;
-    const std::uint32_t a = sets.find(filtration.edges[i][0]), b = sets.find(filtration.edges[i][1]);
-    if (a == b) continue;
-    sets.link(a, b);
-    --counts.components;
+    counts.components -= sets.join(filtration.edges[i][0], filtration.edges[i][1]) ? 1U : 0U;
   }
   for (const double radius : filtration.triangle_alpha) counts.triangles += radius <= alpha ? 1U : 0U;
   counts.tunnels = counts.components + counts.edges - counts.points - counts.triangles;
@@ -65,13 +62,8 @@ std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
   };
   std::size_t count = hollow.points.size();
   for (const std::uint32_t t : hollow.triangles)
-    for (std::size_t k = 1; k < 3; ++k) {
-      const std::uint32_t a = sets.find(number(boundary.triangles[t][0])),
-                          b = sets.find(number(boundary.triangles[t][k]));
-      if (a == b) continue;
-      sets.link(a, b);
-      --count;
-    }
+    for (std::size_t k = 1; k < 3; ++k)
+      count -= sets.join(number(boundary.triangles[t][0]), number(boundary.triangles[t][k])) ? 1U : 0U;
   return count;
 }
 
@@ -145,8 +137,7 @@ FullVoids full_voids(std::span<const Point3> points, const Solid& space, double 
     std::swap(voids.boundary.neighbors[t][1], voids.boundary.neighbors[t][2]);
   }
   for (SolidVoid& hollow : voids.all) {
-    std::sort(hollow.points.begin(), hollow.points.end());
-    hollow.points.erase(std::unique(hollow.points.begin(), hollow.points.end()), hollow.points.end());
+    sort_unique(hollow.points);
     hollow.islands = pieces(voids.boundary, hollow) - 1;
   }
   return voids;

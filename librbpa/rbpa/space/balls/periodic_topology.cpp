@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/run/input.h"
@@ -93,8 +94,7 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
   points.reserve(3 * triangles.size());
   for (const Triangle& triangle : triangles)
     for (const std::uint32_t corner : triangle) points.push_back(solid.vertices[corner].point);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   points.shrink_to_fit();
   return points;
 }

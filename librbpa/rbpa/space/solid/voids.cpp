@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "rbpa/base/arrays/grouped.h"
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/space/predicate/ray.h"
 #include "rbpa/space/solid/boundary/by_volume.h"
 #include "rbpa/space/solid/boundary/connected.h"
@@ -138,8 +139,7 @@ std::vector<std::uint32_t> corners_of(const SolidBoundary& boundary, std::span<c
   points.reserve(3 * triangles.size());
   for (const std::uint32_t t : triangles)
     points.insert(points.end(), boundary.surface.triangles[t].begin(), boundary.surface.triangles[t].end());
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points);
   points.shrink_to_fit();
   return points;
 }

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/surface/normals/find_nearest.h"
@@ -170,8 +171,7 @@ std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOpti
   std::vector<Point3> distinct;
   distinct.reserve(points.size());
   for (const Point3& p : points) distinct.push_back({scaled(p.x), scaled(p.y), scaled(p.z)});
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  sort_unique(distinct);
   if (distinct.size() < 3) return {};
   std::vector<double> radii = radii_of(gaps_of(std::move(distinct), options));
   for (double& radius : radii) radius = std::ldexp(radius, exponent);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rbpa/base/arrays/distinct.h"
+#include "rbpa/base/arrays/sort_unique.h"
 
 namespace rbpa::space {
 namespace {
@@ -25,8 +26,7 @@ NeighborhoodFinder::NeighborhoodFinder(std::span<const Point3> points, double ra
 std::vector<std::uint32_t> NeighborhoodFinder::around(std::span<const std::uint32_t> wanted) const {
   std::vector<std::size_t> cells;
   for (const std::uint32_t i : wanted) cells.push_back(cells_.cell_of(site_[i]));
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  sort_unique(cells);
   std::vector<std::pair<Site, Site>> runs;
   Cells::Around around(cells_);
   for (const std::size_t cell : cells)
