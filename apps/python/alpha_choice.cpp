@@ -46,8 +46,7 @@ void bind_alpha_choice(py::module_& module) {
       .def_property_readonly("takes_components",
                              [](const AlphaChoice& choice) { return takes_components(choice.rule); });
   module.def("alpha_rule", &alpha_rule, arg("text"), arg("cover"), arg("components"));
-  module.def("choose_alpha", &choose_alpha_of, arg("points").noconvert(), arg("choice"), arg("threads"),
-             arg("progress"));
+  module.def("choose_alpha", &choose_alpha_of, as_is("points"), arg("choice"), arg("threads"), arg("progress"));
 }
 
 }  // namespace rbpa::python

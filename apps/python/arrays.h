@@ -23,6 +23,9 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int32_t, py::array::c_style>;
 using Begins = py::array_t<std::int64_t, py::array::c_style>;
+/// Returns an argument of a binding that is not converted: an array must have the type of the parameter.
+inline py::arg as_is(const char* name) { return py::arg(name).noconvert(); }
+
 using Triple = std::array<std::uint32_t, 3>;
 
 /// Views a contiguous float64 array of shape (n, 2) as points. The array must outlive the span.

@@ -135,12 +135,11 @@ std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool f
 
 void bind_filtration(py::module_& module) {
   using py::arg;
-  module.def("plateaus", &plateaus_of, arg("points").noconvert(), arg("threads"), arg("progress"));
-  module.def("representatives", &representatives_of, arg("points").noconvert(), arg("full"), arg("min_persistence"),
-             arg("top"), arg("levels"), arg("leaf_capacity"), arg("threads"), arg("progress"));
-  module.def("filtration", &filtration_steps, arg("points").noconvert(), arg("threads"), arg("progress"));
-  module.def("persistence", &persistence_intervals, arg("points").noconvert(), arg("full"), arg("threads"),
-             arg("progress"));
+  module.def("plateaus", &plateaus_of, as_is("points"), arg("threads"), arg("progress"));
+  module.def("representatives", &representatives_of, as_is("points"), arg("full"), arg("min_persistence"), arg("top"),
+             arg("levels"), arg("leaf_capacity"), arg("threads"), arg("progress"));
+  module.def("filtration", &filtration_steps, as_is("points"), arg("threads"), arg("progress"));
+  module.def("persistence", &persistence_intervals, as_is("points"), arg("full"), arg("threads"), arg("progress"));
 }
 
 }  // namespace rbpa::python

@@ -68,9 +68,8 @@ py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::siz
 
 void bind_groups(py::module_& module) {
   using py::arg;
-  module.def("shapes_of_groups", &shapes_of_groups, arg("points").noconvert(), arg("labels").noconvert(), arg("count"),
-             arg("alphas").noconvert(), arg("choice"), arg("min_hole_area"), arg("min_part_area"), arg("threads"),
-             arg("progress"));
+  module.def("shapes_of_groups", &shapes_of_groups, as_is("points"), as_is("labels"), arg("count"), as_is("alphas"),
+             arg("choice"), arg("min_hole_area"), arg("min_part_area"), arg("threads"), arg("progress"));
 }
 
 }  // namespace rbpa::python

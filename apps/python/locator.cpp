@@ -55,11 +55,9 @@ class ArrayLocator {
 void bind_locator(py::module_& module) {
   using py::arg;
   py::class_<ArrayLocator>(module, "Locator")
-      .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
-           arg("neighbors").noconvert())
-      .def("find", &ArrayLocator::find, arg("queries").noconvert())
-      .def("interpolate", &ArrayLocator::interpolate, arg("values").noconvert(), arg("queries").noconvert(),
-           arg("by_natural_neighbors"));
+      .def(py::init<Doubles, Indices, Indices>(), as_is("points"), as_is("simplices"), as_is("neighbors"))
+      .def("find", &ArrayLocator::find, as_is("queries"))
+      .def("interpolate", &ArrayLocator::interpolate, as_is("values"), as_is("queries"), arg("by_natural_neighbors"));
 }
 
 }  // namespace rbpa::python

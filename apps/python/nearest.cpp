@@ -181,11 +181,10 @@ class NearestPlaces {
 }  // namespace
 
 void bind_nearest(py::module_& module) {
-  using py::arg;
   py::class_<NearestPlaces>(module, "NearestPlaces",
                             "Finds the positions on triangles in space that are nearest to points.")
-      .def(py::init<Doubles, Indices>(), arg("points").noconvert(), arg("facets").noconvert())
-      .def("find", &NearestPlaces::find, arg("queries").noconvert());
+      .def(py::init<Doubles, Indices>(), as_is("points"), as_is("facets"))
+      .def("find", &NearestPlaces::find, as_is("queries"));
 }
 
 }  // namespace rbpa::python

@@ -116,8 +116,7 @@ std::tuple<py::dict, py::dict> finish_of(const py::bytes& bytes) {
 void bind_partial(py::module_& module) {
   using py::arg;
   module.def("halo", &halo_of, arg("region"), arg("alpha"));
-  module.def("partial", &partial_of, arg("points").noconvert(), arg("indices").noconvert(), arg("region"), arg("alpha"),
-             arg("threads"));
+  module.def("partial", &partial_of, as_is("points"), as_is("indices"), arg("region"), arg("alpha"), arg("threads"));
   module.def("merge_partials", &merge_of, arg("a"), arg("b"));
   module.def("finish_partial", &finish_of, arg("partial"));
 }

@@ -99,12 +99,11 @@ py::dict periodic_topology_of(const Doubles& points, const Box& box, double alph
 
 void bind_periodic_solid(py::module_& module) {
   using py::arg;
-  module.def("periodic_solid", &periodic_solid_of, arg("points").noconvert(), arg("box"), arg("alpha"), arg("threads"),
+  module.def("periodic_solid", &periodic_solid_of, as_is("points"), arg("box"), arg("alpha"), arg("threads"),
              arg("progress"));
-  module.def("periodic_alpha", &periodic_alpha_of, arg("points").noconvert(), arg("box"), arg("choice"), arg("threads"),
+  module.def("periodic_alpha", &periodic_alpha_of, as_is("points"), arg("box"), arg("choice"), arg("threads"),
              arg("progress"));
-  module.def("periodic_topology", &periodic_topology_of, arg("points").noconvert(), arg("box"), arg("alpha"),
-             arg("full"));
+  module.def("periodic_topology", &periodic_topology_of, as_is("points"), arg("box"), arg("alpha"), arg("full"));
 }
 
 }  // namespace rbpa::python

@@ -33,8 +33,8 @@ py::dict polygons(const Doubles& points, const Indices& simplices, const Indices
 
 void bind_polygons(py::module_& module) {
   using py::arg;
-  module.def("polygons", &polygons, arg("points").noconvert(), arg("simplices").noconvert(),
-             arg("neighbors").noconvert(), arg("min_hole_area"), arg("min_part_area"));
+  module.def("polygons", &polygons, as_is("points"), as_is("simplices"), as_is("neighbors"), arg("min_hole_area"),
+             arg("min_part_area"));
 }
 
 }  // namespace rbpa::python

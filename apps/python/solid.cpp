@@ -161,17 +161,15 @@ py::dict full_of(const Doubles& points, double alpha) {
 
 void bind_solid(py::module_& module) {
   using py::arg;
-  module.def("solid", &solid_of, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
-  module.def("circumradii", &radii_of, arg("points").noconvert(), arg("simplices").noconvert(), arg("threads"));
-  module.def("choose_solid_alpha", &choose_solid_alpha_of, arg("points").noconvert(), arg("simplices").noconvert(),
-             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("distinct"), arg("choice"));
-  module.def("solid_within", &within_of, arg("simplices").noconvert(), arg("neighbors").noconvert(),
-             arg("radii").noconvert(), arg("alpha"));
-  module.def("union_of_balls", &balls_of, arg("points").noconvert(), arg("radius"), arg("threads"), arg("progress"));
-  module.def("solid_dangling", &dangling_of, arg("points").noconvert(), arg("alpha"));
-  module.def("solid_full", &full_of, arg("points").noconvert(), arg("alpha"));
-  module.def("solid_voids", &voids_of, arg("points").noconvert(), arg("simplices").noconvert(),
-             arg("neighbors").noconvert());
+  module.def("solid", &solid_of, as_is("points"), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("circumradii", &radii_of, as_is("points"), as_is("simplices"), arg("threads"));
+  module.def("choose_solid_alpha", &choose_solid_alpha_of, as_is("points"), as_is("simplices"), as_is("neighbors"),
+             as_is("radii"), arg("distinct"), arg("choice"));
+  module.def("solid_within", &within_of, as_is("simplices"), as_is("neighbors"), as_is("radii"), arg("alpha"));
+  module.def("union_of_balls", &balls_of, as_is("points"), arg("radius"), arg("threads"), arg("progress"));
+  module.def("solid_dangling", &dangling_of, as_is("points"), arg("alpha"));
+  module.def("solid_full", &full_of, as_is("points"), arg("alpha"));
+  module.def("solid_voids", &voids_of, as_is("points"), as_is("simplices"), as_is("neighbors"));
 }
 
 }  // namespace rbpa::python

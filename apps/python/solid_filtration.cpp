@@ -157,12 +157,12 @@ py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Ind
 
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
-  module.def("solid_filtration", &solid_filtration_of, arg("points").noconvert(), arg("threads"), arg("progress"));
-  module.def("solid_plateaus", &solid_plateaus_of, arg("points").noconvert(), arg("simplices").noconvert(),
-             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("distinct"));
-  module.def("void_tree", &void_tree_of, arg("points").noconvert(), arg("simplices").noconvert(),
-             arg("neighbors").noconvert(), arg("radii").noconvert(), arg("full"), arg("threads"));
-  module.def("solid_representatives", &solid_representatives_of, arg("points").noconvert(), arg("dimension"),
+  module.def("solid_filtration", &solid_filtration_of, as_is("points"), arg("threads"), arg("progress"));
+  module.def("solid_plateaus", &solid_plateaus_of, as_is("points"), as_is("simplices"), as_is("neighbors"),
+             as_is("radii"), arg("distinct"));
+  module.def("void_tree", &void_tree_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("radii"),
+             arg("full"), arg("threads"));
+  module.def("solid_representatives", &solid_representatives_of, as_is("points"), arg("dimension"),
              arg("min_persistence"), arg("top"), arg("threads"), arg("progress"));
 }
 

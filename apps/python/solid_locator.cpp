@@ -35,11 +35,9 @@ class ArraySolidLocator {
 }  // namespace
 
 void bind_solid_locator(py::module_& module) {
-  using py::arg;
   py::class_<ArraySolidLocator>(module, "SolidLocator")
-      .def(py::init<Doubles, Indices, Indices>(), arg("points").noconvert(), arg("simplices").noconvert(),
-           arg("neighbors").noconvert())
-      .def("find", &ArraySolidLocator::find, arg("queries").noconvert());
+      .def(py::init<Doubles, Indices, Indices>(), as_is("points"), as_is("simplices"), as_is("neighbors"))
+      .def("find", &ArraySolidLocator::find, as_is("queries"));
 }
 
 }  // namespace rbpa::python

@@ -53,11 +53,10 @@ std::tuple<Indices, double> standing_alone(const Doubles& points, double factor,
 
 void bind_space_points(py::module_& module) {
   using py::arg;
-  module.def("estimate_normals", &estimated, arg("points").noconvert(), arg("neighbors"), arg("viewpoints").noconvert(),
-             arg("threads"), arg("progress"));
-  module.def("scale_space", &moved, arg("points").noconvert(), arg("steps"), arg("neighbors"), arg("threads"),
+  module.def("estimate_normals", &estimated, as_is("points"), arg("neighbors"), as_is("viewpoints"), arg("threads"),
              arg("progress"));
-  module.def("outliers", &standing_alone, arg("points").noconvert(), arg("factor"), arg("neighbors"), arg("threads"),
+  module.def("scale_space", &moved, as_is("points"), arg("steps"), arg("neighbors"), arg("threads"), arg("progress"));
+  module.def("outliers", &standing_alone, as_is("points"), arg("factor"), arg("neighbors"), arg("threads"),
              arg("progress"));
 }
 

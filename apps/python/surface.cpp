@@ -274,24 +274,20 @@ void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const 
 
 void bind_surface(py::module_& module) {
   using py::arg;
-  module.def("reconstruct", &reconstructed, arg("points").noconvert(), arg("normals").noconvert(), arg("estimates"),
-             arg("radii").noconvert(), arg("most_radius"), arg("threads"), arg("progress"));
-  module.def("surface_of", &surface_of_triangles, arg("points").noconvert(), arg("triangles").noconvert());
-  module.def("surface_components", &components_of, arg("points").noconvert(), arg("triangles").noconvert(),
-             arg("neighbors").noconvert());
-  module.def("kept_components", &kept_of, arg("points").noconvert(), arg("triangles").noconvert(),
-             arg("neighbors").noconvert(), arg("radius"), arg("largest"), arg("least_triangles"), arg("least_area"));
-  module.def("fill_holes", &filled, arg("points").noconvert(), arg("triangles").noconvert(),
-             arg("neighbors").noconvert(), arg("most_edges"), arg("most_length"), arg("rims"), arg("threads"));
-  module.def("make_watertight", &watertight, arg("points").noconvert(), arg("triangles").noconvert(),
-             arg("neighbors").noconvert(), arg("threads"));
-  module.def("refine_filling", &refined, arg("points").noconvert(), arg("normals").noconvert(),
-             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("is_new").noconvert(), arg("threads"),
-             arg("progress"));
-  module.def("save_surface", &saved, arg("path"), arg("points").noconvert(), arg("normals").noconvert(),
-             arg("triangles").noconvert(), arg("neighbors").noconvert(), arg("manifold"), arg("shift"));
-  module.def("surface_mesh", &mesh_of, arg("mesh"), arg("points").noconvert(), arg("triangles").noconvert(),
-             arg("neighbors").noconvert());
+  module.def("reconstruct", &reconstructed, as_is("points"), as_is("normals"), arg("estimates"), as_is("radii"),
+             arg("most_radius"), arg("threads"), arg("progress"));
+  module.def("surface_of", &surface_of_triangles, as_is("points"), as_is("triangles"));
+  module.def("surface_components", &components_of, as_is("points"), as_is("triangles"), as_is("neighbors"));
+  module.def("kept_components", &kept_of, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("radius"),
+             arg("largest"), arg("least_triangles"), arg("least_area"));
+  module.def("fill_holes", &filled, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("most_edges"),
+             arg("most_length"), arg("rims"), arg("threads"));
+  module.def("make_watertight", &watertight, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("threads"));
+  module.def("refine_filling", &refined, as_is("points"), as_is("normals"), as_is("triangles"), as_is("neighbors"),
+             as_is("is_new"), arg("threads"), arg("progress"));
+  module.def("save_surface", &saved, arg("path"), as_is("points"), as_is("normals"), as_is("triangles"),
+             as_is("neighbors"), arg("manifold"), arg("shift"));
+  module.def("surface_mesh", &mesh_of, arg("mesh"), as_is("points"), as_is("triangles"), as_is("neighbors"));
 }
 
 }  // namespace rbpa::python

@@ -134,15 +134,12 @@ std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles&
 
 void bind_surface_causes(py::module_& module) {
   using py::arg;
-  module.def("surface_holes", &holes_of, arg("points").noconvert(), arg("normals").noconvert(),
-             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
-             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
-  module.def("surface_repairs", &repairs_of, arg("points").noconvert(), arg("normals").noconvert(),
-             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
-             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"), arg("progress"));
-  module.def("surface_unused", &unused_of, arg("points").noconvert(), arg("normals").noconvert(),
-             arg("radii").noconvert(), arg("triangles").noconvert(), arg("neighbors").noconvert(),
-             arg("levels").noconvert(), arg("duplicates").noconvert(), arg("threads"));
+  module.def("surface_holes", &holes_of, as_is("points"), as_is("normals"), as_is("radii"), as_is("triangles"),
+             as_is("neighbors"), as_is("levels"), as_is("duplicates"), arg("threads"));
+  module.def("surface_repairs", &repairs_of, as_is("points"), as_is("normals"), as_is("radii"), as_is("triangles"),
+             as_is("neighbors"), as_is("levels"), as_is("duplicates"), arg("threads"), arg("progress"));
+  module.def("surface_unused", &unused_of, as_is("points"), as_is("normals"), as_is("radii"), as_is("triangles"),
+             as_is("neighbors"), as_is("levels"), as_is("duplicates"), arg("threads"));
 }
 
 }  // namespace rbpa::python

@@ -106,9 +106,9 @@ std::uint64_t fingerprint(const Doubles& points) {
 
 void bind_triangulation(py::module_& module) {
   using py::arg;
-  module.def("triangulate", &triangulate, arg("points").noconvert(), arg("alpha"), arg("threads"), arg("progress"));
-  module.def("vertex_neighbors", &vertex_neighbors, arg("simplices").noconvert(), arg("points"));
-  module.def("fingerprint", &fingerprint, arg("points").noconvert());
+  module.def("triangulate", &triangulate, as_is("points"), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("vertex_neighbors", &vertex_neighbors, as_is("simplices"), arg("points"));
+  module.def("fingerprint", &fingerprint, as_is("points"));
 }
 
 }  // namespace rbpa::python
