@@ -17,8 +17,7 @@
 #include "rbpa/base/lanes/set_bits.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 /// Returns the order of at most eight 64-bit lanes in which those with set bits come first.
@@ -42,8 +41,7 @@ class LanesToFront {
 };
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -10,8 +10,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 template <typename V>
@@ -32,8 +31,7 @@ HWY_INLINE Vector3Lanes<V> cross(const Vector3Lanes<V>& u, const Vector3Lanes<V>
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -18,8 +18,7 @@
 #include "rbpa/plane/tile/circumradius_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -366,8 +365,7 @@ bool enumerate_on(const Tile& tile, double alpha, TileWorkspace& workspace, Enum
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -18,8 +18,7 @@
 #include "rbpa/plane/enumeration/find_by_enumeration.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -87,8 +86,7 @@ class OwnedPoints {
 };
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -15,8 +15,7 @@
 #include "rbpa/plane/pivots/apex_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 /// An advancing front on one tile.
@@ -158,8 +157,7 @@ bool advance_on(const Tile& tile, TileWorkspace& workspace, PivotWorkspace& own)
   return TileFront(tile, workspace, own).run();
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

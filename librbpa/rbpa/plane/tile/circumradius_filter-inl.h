@@ -14,8 +14,7 @@
 #include "rbpa/plane/tile/coordinates.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -54,8 +53,7 @@ HWY_INLINE Filtered<D> filter_circumradius(D d, V ax, V ay, V bx, V by, V cx, V 
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -12,8 +12,7 @@
 #include "rbpa/plane/tile/circumradius_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa {
-namespace HWY_NAMESPACE {
+namespace rbpa::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -58,8 +57,7 @@ void filter_on(const TileCoordinates& at, const LocalFront& front, double alpha,
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa
+}  // namespace rbpa::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -13,8 +13,7 @@
 #include "rbpa/space/solid/tiles/sphere_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 class StarSearch : public StarFinder, private ApexSearch {
@@ -322,8 +321,7 @@ std::unique_ptr<StarFinder> make_finder(const Leaves& leaves, const Spread& spre
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

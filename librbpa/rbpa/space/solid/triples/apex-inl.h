@@ -22,8 +22,7 @@
 #include "rbpa/space/solid/triples/near_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 using rbpa::HWY_NAMESPACE::bits_of;
@@ -155,8 +154,7 @@ class ApexSearch {
 };
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

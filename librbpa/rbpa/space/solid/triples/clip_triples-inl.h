@@ -29,8 +29,7 @@
 #include "rbpa/space/solid/triples/near_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 using rbpa::HWY_NAMESPACE::bits_of;
@@ -244,8 +243,7 @@ class OpenTriangles {
 };
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -17,8 +17,7 @@
 #include "rbpa/space/solid/triples/near_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 class TripleSearch {
@@ -132,8 +131,7 @@ bool find_triples(const Cells& cells, double alpha, std::size_t first_cell, std:
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

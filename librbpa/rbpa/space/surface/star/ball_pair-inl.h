@@ -29,8 +29,7 @@
 #include "rbpa/space/surface/star/neighbor.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -126,8 +125,7 @@ inline Crossing crossing_of(const Neighbor& p, const Neighbor& q, double radius)
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

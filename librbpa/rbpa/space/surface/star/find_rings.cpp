@@ -20,8 +20,7 @@
 #include "rbpa/space/surface/star/surroundings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 /// Finds the rings of sites, one after the other, by caps.
@@ -211,8 +210,7 @@ void find_rings(const Cells& cells, bool fits_double, Site first, Site last, Rin
   found.first.push_back(static_cast<std::uint32_t>(found.points.size()));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -33,8 +33,7 @@
 #include "rbpa/space/surface/star/waiting_circles.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rbpa::space {
-namespace HWY_NAMESPACE {
+namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -396,8 +395,7 @@ class FreeRegion {
 };
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace rbpa::space
+}  // namespace rbpa::space::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif
