@@ -1,5 +1,6 @@
 #include "meshtopo/edits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -9,9 +10,11 @@
 #include "meshops/topology/keep_faces.h"
 #include "meshops/topology/merge_points.h"
 #include "meshops/topology/orient.h"
-#include "meshtopo/components.h"
+#include "meshops/topology/repair.h"
 #include "meshtopo/exact.h"
+#include "meshtopo/face_fans.h"
 #include "rbpa/space/surface/outer_shells.h"
+#include "rbpa/space/surface/surface_components.h"
 
 namespace rbpa::app {
 namespace {
@@ -46,6 +49,28 @@ void weld(EditedMesh& edited, double distance) {
                         .degenerate_faces = merged.degenerate,
                         .duplicate_faces = merged.duplicate};
   renumber(edited, merged);
+}
+
+struct KeptComponents {
+  std::vector<bool> faces;  ///< whether each face is kept; degenerate and repeated faces are not
+  std::size_t dropped = 0;  ///< number of dropped components
+};
+
+/// Returns the faces of the chosen components, which are connected through edges. Their size is that of `rbpa surface`:
+/// a face of n corners counts as the n − 2 triangles of a fan. The choice does not depend on the order of vertices and
+/// faces. Requires: `choice` is not restricted to outer shells. Cost: that of a repair, plus n log n.
+KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice) {
+  // The repair makes the faces of each component agree, and splits no component.
+  const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
+  const FaceFans fans(repaired, mesh.positions);
+  const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());
+  const std::vector<bool> kept = kept_components(components, {}, choice);
+  KeptComponents result;
+  result.faces.assign(mesh.soup.faces(), false);
+  for (std::size_t t = 0; t < fans.face.size(); ++t)
+    if (kept[components.number[t]]) result.faces[repaired.face_was[fans.face[t]]] = true;
+  result.dropped = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), false));
+  return result;
 }
 
 void drop(EditedMesh& edited, const ComponentChoice& choice) {

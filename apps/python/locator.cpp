@@ -1,9 +1,12 @@
 #include <pybind11/pybind11.h>
 
+#include <utility>
+
 #include "python/arrays.h"
 #include "python/module.h"
 #include "python/watched.h"
 #include "rbpa/plane/locate.h"
+#include "rbpa/space/solid/solid_locator.h"
 
 namespace rbpa::python {
 namespace {
@@ -50,14 +53,40 @@ class ArrayLocator {
   Locator locator_;
 };
 
+/// A SolidLocator that keeps its arrays alive.
+class ArraySolidLocator {
+ public:
+  ArraySolidLocator(Doubles points, Indices simplices, Indices neighbors)
+      : points_(std::move(points)),
+        simplices_(std::move(simplices)),
+        neighbors_(std::move(neighbors)),
+        locator_(points3_of(points_, "points"), quadruples_of(simplices_, "simplices"),
+                 quadruples_of(neighbors_, "neighbors")) {}
+
+  Indices find(const Doubles& queries) const {
+    const auto input = points3_of(queries, "queries");
+    return line<std::int32_t>(watched(input.size(), py::none(), [&](Watch& watch) {
+      return locator_.find(input, {.go_on = watch.until_stopped()});
+    }));
+  }
+
+ private:
+  Doubles points_;
+  Indices simplices_, neighbors_;
+  SolidLocator locator_;
+};
+
 }  // namespace
 
-void bind_locator(py::module_& module) {
+void bind_locators(py::module_& module) {
   using py::arg;
   py::class_<ArrayLocator>(module, "Locator")
       .def(py::init<Doubles, Indices, Indices>(), as_is("points"), as_is("simplices"), as_is("neighbors"))
       .def("find", &ArrayLocator::find, as_is("queries"))
       .def("interpolate", &ArrayLocator::interpolate, as_is("values"), as_is("queries"), arg("by_natural_neighbors"));
+  py::class_<ArraySolidLocator>(module, "SolidLocator")
+      .def(py::init<Doubles, Indices, Indices>(), as_is("points"), as_is("simplices"), as_is("neighbors"))
+      .def("find", &ArraySolidLocator::find, as_is("queries"));
 }
 
 }  // namespace rbpa::python

@@ -34,7 +34,7 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_points(module);
   rbpa::python::bind_filtration(module);
   rbpa::python::bind_groups(module);
-  rbpa::python::bind_locator(module);
+  rbpa::python::bind_locators(module);
   rbpa::python::bind_nearest(module);
   rbpa::python::bind_partial(module);
   rbpa::python::bind_soups(module);  // before functions that return soups, so that signatures show the Python types
@@ -45,5 +45,4 @@ PYBIND11_MODULE(_core, module) {
   rbpa::python::bind_solid(module);
   rbpa::python::bind_periodic_solid(module);
   rbpa::python::bind_solid_filtration(module);
-  rbpa::python::bind_solid_locator(module);
 }

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <vector>
 
+#include "meshops/core/progress.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_anatomy.h"
-#include "meshops/topology/z2_rank.h"
 
 namespace meshops {
 namespace {
@@ -10,6 +14,38 @@ namespace {
 using detail::SoupAnatomy;
 using detail::SoupSide;
 using SoupEdge = std::span<const SoupSide>;
+
+/// The rank of a system of equations over Z/2 that are added one by one, by Gaussian elimination on the remaining terms
+/// of each; an equation in one unknown costs next to nothing.
+class Z2Rank {
+ public:
+  /// Adds the equation that the sum of these unknowns is 0. An unknown that is named twice cancels. Throws Cancelled.
+  void add(std::vector<std::size_t> unknowns, Steps& step) {
+    std::sort(unknowns.begin(), unknowns.end());
+    std::vector<std::size_t> row, sum;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      if (!row.empty() && row.back() == unknowns[i])
+        row.pop_back();
+      else
+        row.push_back(unknowns[i]);
+    while (!row.empty()) {
+      step(row.size());
+      const auto [slot, is_new] = rows_.try_emplace(row.front());
+      if (is_new) {
+        slot->second = std::move(row);
+        return;
+      }
+      sum.clear();
+      std::set_symmetric_difference(row.begin(), row.end(), slot->second.begin(), slot->second.end(),
+                                    std::back_inserter(sum));
+      row.swap(sum);
+    }
+  }
+  std::size_t rank() const { return rows_.size(); }
+
+ private:
+  std::unordered_map<std::size_t, std::vector<std::size_t>> rows_;  // by the first unknown of each row
+};
 
 class SoupReporter {
  public:
@@ -139,7 +175,7 @@ class SoupReporter {
     for_each_edge([&](SoupEdge edge) {
       if (edge.size() == 1) is_in_none[piece_of_[edge[0].face()]] = true;
     });
-    detail::Z2Rank equations;
+    Z2Rank equations;
     std::vector<std::size_t> unknowns;
     if (anatomy_.has_non_manifold_edge)
       for_each_edge([&](SoupEdge edge) {

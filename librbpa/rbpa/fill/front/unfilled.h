@@ -24,10 +24,15 @@
 #include "meshops/patch/site.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/fill/front/front_edge.h"
 #include "rbpa/plane/grid/box.h"
 
 namespace rbpa {
+
+/// An edge of a front, as the sites at its ends: the unfilled region lies on its left.
+struct FrontEdge {
+  meshops::Site from, to;
+  friend bool operator==(const FrontEdge&, const FrontEdge&) = default;
+};
 
 class Unfilled {
  public:
