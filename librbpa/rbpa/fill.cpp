@@ -24,8 +24,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 void check_positive(const std::string& what, double value) {
   if (!(value > 0) || std::isinf(value))
     throw InvalidInput(what + ": found " + text(value) + ", expected a finite number above 0");

@@ -14,6 +14,7 @@
 #include "rbpa/space/balls/full/edges.h"
 #include "rbpa/space/balls/full/faces_within.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/outer_faces.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/solid_radii.h"
@@ -170,11 +171,7 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
   std::vector<Point3> more;
   if (delaunay.simplices.empty()) {
     // All points are in a plane. Additional points, too far away for any ball to reach them, make a triangulation.
-    Point3 low = points[0], high = points[0];
-    for (const Point3& p : points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    const auto [low, high] = space::box_of(points);
     const double far = 4 * (radius + (high.x - low.x) + (high.y - low.y) + (high.z - low.z));
     more.assign(points.begin(), points.end());
     for (const Point3& p : {Point3{high.x + far, high.y, high.z}, Point3{high.x, high.y + far, high.z},

@@ -2,43 +2,16 @@
 // Cost: n log n to build; a query visits only nodes near the box.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "meshops/core/progress.h"
-#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/bounding_box.h"
 
 namespace rbpa::space {
-
-/// The bounding box of points. A box of no points meets no other box.
-struct Box {
-  Point3 low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  void include(const Point3& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  void include(const Box& box) {
-    include(box.low);
-    include(box.high);
-  }
-  bool meets(const Box& box) const {
-    return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
-           low.z <= box.high.z && box.low.z <= high.z;
-  }
-};
-
-inline Box box_of(const std::array<Point3, 3>& triangle) {
-  Box box;
-  for (const Point3& p : triangle) box.include(p);
-  return box;
-}
 
 class BoxTree {
  public:

@@ -12,6 +12,7 @@
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/persistence/pairing/sorted_by_alpha.h"
 #include "rbpa/space/persistence/void_tree.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/boundary/check_triangulation.h"
 
@@ -27,11 +28,7 @@ double noise_ratio(std::size_t distinct) { return 1.5 + 10 / std::sqrt(static_ca
 
 /// Returns half the diagonal of the points' bounding box.
 double reach_of(std::span<const Point3> points) {
-  Point3 low = points[0], high = low;
-  for (const Point3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const auto [low, high] = space::box_of(points);
   const auto diagonal = space::from<Wide>(low, high);
   return static_cast<double>(std::sqrt(dot(diagonal, diagonal)) / 2);
 }

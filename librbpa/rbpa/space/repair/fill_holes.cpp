@@ -10,6 +10,7 @@
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/crossing.h"
 #include "rbpa/space/predicate/orientation.h"
@@ -23,7 +24,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
 using space::Chord;
 using space::RimTriangle;
 using space::SimpleLoop;

@@ -4,14 +4,13 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/space/repair/closing/links_of_triangles.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/surface/split_fans.h"
 
 namespace rbpa {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns the vertex at an end of an edge, in the fan of the edge's triangle.
 std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint32_t triangle, std::uint32_t point) {

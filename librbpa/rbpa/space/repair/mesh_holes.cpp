@@ -1,4 +1,5 @@
 #include "rbpa/space/repair/mesh_holes.h"
+#include "rbpa/base/triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,6 @@
 
 namespace rbpa {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
   std::vector<Triangle> triangles;

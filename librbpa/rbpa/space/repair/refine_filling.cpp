@@ -15,6 +15,7 @@
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/space/cells/box_scale.h"
 #include "rbpa/space/cells/box_tree.h"
 #include "rbpa/space/cells/check_input.h"
@@ -26,7 +27,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
 using Indices = std::vector<std::uint32_t>;
 using space::FillingPatch;
 using space::FillingRim;

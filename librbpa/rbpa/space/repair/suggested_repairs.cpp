@@ -30,7 +30,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
 using Indices = std::vector<std::uint32_t>;
 
 constexpr double ladder = 1.25;

@@ -8,6 +8,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/run/input.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/outer_faces.h"
 
@@ -38,13 +39,11 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
           simplices[t][k] < points.size() && (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()),
           "SolidLocator: a corner or a neighbor does not exist");
   if (simplices.empty()) return;
-  low_ = high_ = points[simplices[0][0]];
+  space::Box box;
   for (const auto& row : simplices)
-    for (const std::uint32_t corner : row) {
-      const Point3& p = points[corner];
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
-    }
+    for (const std::uint32_t corner : row) box.include(points[corner]);
+  low_ = box.low;
+  high_ = box.high;
   // Cells are cubes, one for about twenty tetrahedra, unless the box is so flat that there would be too many.
   const std::array<double, 3> extent = {high_.x / 2 - low_.x / 2, high_.y / 2 - low_.y / 2, high_.z / 2 - low_.z / 2};
   const double longest = *std::max_element(extent.begin(), extent.end());

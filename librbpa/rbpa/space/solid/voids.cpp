@@ -7,6 +7,7 @@
 
 #include "rbpa/base/arrays/grouped.h"
 #include "rbpa/base/arrays/sort_unique.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/ray.h"
 #include "rbpa/space/solid/boundary/by_volume.h"
 #include "rbpa/space/solid/boundary/connected.h"
@@ -95,12 +96,9 @@ class Nesting {
   /// Returns the other components inside a surface around a void. Only components that begin in its box are tested.
   std::vector<std::uint32_t> components_within(std::uint32_t surface, const std::vector<std::uint32_t>& by_y) const {
     const auto triangles = surfaces_.items(surface);
-    Point3 low = points_[boundary_.surface.triangles[triangles.front()][0]], high = low;
-    for (const std::uint32_t t : triangles)
-      for (const Point3& p : corners(t)) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      }
+    space::Box box;
+    for (const std::uint32_t t : triangles) box.include(space::box_of(corners(t)));
+    const Point3 &low = box.low, &high = box.high;
     const auto first_from = [&](const std::vector<std::uint32_t>& components, double y) {
       return std::lower_bound(components.begin(), components.end(), y,
                               [&](std::uint32_t c, double value) { return start(c)[0].y < value; });

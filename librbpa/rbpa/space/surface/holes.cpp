@@ -21,8 +21,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 /// Returns the boundary curves, without causes and lengths.
 std::vector<Hole> curves_of(const Surface& surface, Steps& step) {
   std::vector<Hole> curves;

@@ -5,6 +5,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/space/cells/box_tree.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/ray_along_x.h"
@@ -12,8 +13,6 @@
 
 namespace rbpa {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// A corner of a surface, from which a ray starts in the direction of x.
 struct Query {

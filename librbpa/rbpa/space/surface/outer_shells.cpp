@@ -19,7 +19,6 @@ namespace {
 
 using Real = long double;  // products of coordinates in double do not overflow it
 using LongVector = space::Vector3<Real>;
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// A triangle, and the ball of the radius that rests on it.
 class RestingBall {

@@ -16,6 +16,7 @@
 #include "rbpa/base/run/steps.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/box_scale.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/surface/levels/sub_surface.h"
 
@@ -41,11 +42,9 @@ struct Measured : SurfaceComponent {
 /// Measures a component. Requires: at least one triangle.
 Measured measure(std::span<const Point3> points, const Surface& surface, std::span<const std::uint32_t> triangles,
                  Steps& step) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Measured result;
   result.triangles = triangles.size();
-  result.low = {infinity, infinity, infinity};
-  result.high = {-infinity, -infinity, -infinity};
+  space::Box box;
   result.least = corners_of(points, surface.triangles[triangles.front()]);
   for (const std::uint32_t t : triangles) {
     step();
@@ -55,13 +54,14 @@ Measured measure(std::span<const Point3> points, const Surface& surface, std::sp
     for (const std::uint32_t corner : triangle) {
       const Point3& p = points[corner];
       may_be_least |= !(result.least.front() < p);
-      result.low = {std::min(result.low.x, p.x), std::min(result.low.y, p.y), std::min(result.low.z, p.z)};
-      result.high = {std::max(result.high.x, p.x), std::max(result.high.y, p.y), std::max(result.high.z, p.z)};
+      box.include(p);
     }
     if (may_be_least) result.least = std::min(result.least, corners_of(points, triangle));
   }
 
-  const space::BoxScale scale(result.low, result.high);
+  result.low = box.low;
+  result.high = box.high;
+  const space::BoxScale scale(box.low, box.high);
   const auto minus = [](const Vector& v, const Vector& u) { return Vector{v.x - u.x, v.y - u.y, v.z - u.z}; };
   ExactSum areas, volumes;  // exact, so that the order of the triangles does not matter
   for (const std::uint32_t t : triangles) {

@@ -15,8 +15,6 @@
 namespace rbpa {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 /// A side of a triangle between two points, across from a third corner. It opens where it leads from the lower point to
 /// the higher: then the triangle's positive side follows it, counter-clockwise about that direction.
 struct SideInSpace {

@@ -12,8 +12,6 @@
 namespace rbpa::space {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
 /// Returns, for each triangle of vertices, the triangles with which it shares a side: number k is across from corner k.
 std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles, meshops::Steps& step) {
   std::vector<Triangle> neighbors(triangles.size(), {no_index, no_index, no_index});

@@ -9,6 +9,7 @@
 #include "rbpa/base/exact/expansion.h"
 #include "rbpa/base/exact/integer128.h"
 #include "rbpa/base/exact/integer_sum.h"
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
@@ -138,21 +139,18 @@ class Measures::Sums {
 };
 
 ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const std::uint32_t> which) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   ClosedMeasures result;
-  result.low = {infinity, infinity, infinity};
-  result.high = {-infinity, -infinity, -infinity};
-  result.least = {result.low, result.low, result.low};
+  Box box;
+  result.least = {box.low, box.low, box.low};
   Sums sums(*this);
   for (const std::uint32_t t : which) {
     const Corners corners = corners_of(points_, triangles[t]);
     if (corners < result.least) result.least = corners;
-    for (const Point3& p : corners) {
-      result.low = {std::min(result.low.x, p.x), std::min(result.low.y, p.y), std::min(result.low.z, p.z)};
-      result.high = {std::max(result.high.x, p.x), std::max(result.high.y, p.y), std::max(result.high.z, p.z)};
-    }
+    for (const Point3& p : corners) box.include(p);
     sums.add(corners);
   }
+  result.low = box.low;
+  result.high = box.high;
   // These triangles need a scale of their own where other points are much farther out.
   const Point3 size = size_of(std::array{result.low, result.high});
   constexpr int too_small = -200;  // a power of two

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/solid/insertion/hilbert.h"
 
 namespace rbpa::space {
@@ -30,12 +31,9 @@ class Sorter {
   void sort(std::span<Place> places) {
     if (ask_) ask_();
     if (places.size() < 2) return;
-    Point3 low = scaled_[places[0].index], high = low;
-    for (const Place& place : places) {
-      const Point3& p = scaled_[place.index];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
+    Box box;
+    for (const Place& place : places) box.include(scaled_[place.index]);
+    const Point3 &low = box.low, &high = box.high;
     const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (!(size > 0x1p-1000) || places.size() == 2) return sort_by_coordinates(places);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t beyond_end = 16;  // values in a register
 
-double largest(const Box3& box) {
+double largest(const Box& box) {
   double size = 0;
   for (const Point3& p : {box.low, box.high}) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   return size;
@@ -27,7 +27,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
   if (!(side > 0x1p-40 * largest(leaf.box)) || grid_.inverse == 0) return false;
   for (std::size_t k = 0; k < 3; ++k) cells_[k] = leaf.cells[k] + 2 * margin;
   const auto cell_at = [&](int along, std::size_t axis) { return std::clamp(along + margin, -1, cells_[axis]); };
-  const Box3& all = leaves.box();
+  const Box& all = leaves.box();
   filled_ = {{{cell_at(grid_.along_x(all.low.x), 0), cell_at(grid_.along_x(all.high.x), 0)},
               {cell_at(grid_.along_y(all.low.y), 1), cell_at(grid_.along_y(all.high.y), 1)},
               {cell_at(grid_.along_z(all.low.z), 2), cell_at(grid_.along_z(all.high.z), 2)}}};
@@ -41,8 +41,8 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
   const auto beyond = [&](double from, std::size_t axis) { return from + (leaf.cells[axis] + margin + 1) * side; };
   const double reach = (margin + 1) * side;
   const Point3& low = grid_.low;
-  const Box3 around = {{low.x - reach, low.y - reach, low.z - reach},
-                       {beyond(low.x, 0), beyond(low.y, 1), beyond(low.z, 2)}};
+  const Box around = {{low.x - reach, low.y - reach, low.z - reach},
+                      {beyond(low.x, 0), beyond(low.y, 1), beyond(low.z, 2)}};
   const auto add = [&](Place first, Place end) {
     for (Place i = first; i < end; ++i) {
       const Point3& p = leaves.point(i);
@@ -96,7 +96,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
   return true;
 }
 
-bool Tile::ranges(const Box3& box, std::array<Range, 3>& of) const {
+bool Tile::ranges(const Box& box, std::array<Range, 3>& of) const {
   const auto range = [&](int low, int high, std::size_t axis) {
     low = std::max(low + margin, filled_[axis].low);
     high = std::min(high + margin, filled_[axis].high);

@@ -52,7 +52,7 @@ class Tile {
   };
   /// Finds the cells that a box meets, as far as they may contain points. Returns false if it meets cells that may
   /// contain points outside of the tile.
-  bool ranges(const Box3& box, std::array<Range, 3>& of) const;
+  bool ranges(const Box& box, std::array<Range, 3>& of) const;
 
  private:
   CellGrid grid_;

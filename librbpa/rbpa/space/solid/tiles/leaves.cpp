@@ -16,16 +16,6 @@ constexpr double points_in_cell = 2.0;
 
 double coordinate(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-Box3 box_of(std::span<const Point3> points) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box3 box = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  for (const Point3& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
-}
-
 /// The planes of the tree's inner nodes, 1 to 2^depth − 1, each halving the longest side of its sample's box.
 struct Planes {
   Planes(std::span<const Point3> points, std::size_t levels)
@@ -51,7 +41,7 @@ struct Planes {
 
  private:
   void split(std::span<Point3> sample, std::size_t node) {
-    const Box3 box = box_of(sample);
+    const Box box = box_of(sample);
     const double x = box.high.x - box.low.x, y = box.high.y - box.low.y, z = box.high.z - box.low.z;
     const int longest = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
@@ -66,7 +56,7 @@ struct Planes {
 };
 
 /// Returns a box of most of the points: without the few that are far from the others along some axis.
-Box3 box_of_most(std::span<const Point3> points, const Box3& all) {
+Box box_of_most(std::span<const Point3> points, const Box& all) {
   constexpr std::size_t most_sampled = 256, left_out = 2;
   constexpr double more = 0.04;  // so that no points of an even spread are left out
   const std::size_t step = points.size() / most_sampled + 1;
@@ -88,7 +78,7 @@ Box3 box_of_most(std::span<const Point3> points, const Box3& all) {
 }
 
 /// Returns the side of cubic cells that hold `points_in_cell` points each, where `points` points fill the box.
-double cell_size(const Box3& box, std::size_t points) {
+double cell_size(const Box& box, std::size_t points) {
   std::array<double, 3> side = {box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z};
   std::sort(side.begin(), side.end());
   const double cells = std::max(1.0, static_cast<double>(points) / points_in_cell);
@@ -124,7 +114,7 @@ Leaves::Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threa
     leaf.box = boxes_[count + i] = box_of(std::span<const Point3>(points_).subspan(first[i], first[i + 1] - first[i]));
     if (leaf.first == leaf.end) continue;
     const std::size_t size = leaf.end - leaf.first;
-    const Box3 most = box_of_most(std::span<const Point3>(points_).subspan(leaf.first, size), leaf.box);
+    const Box most = box_of_most(std::span<const Point3>(points_).subspan(leaf.first, size), leaf.box);
     const double side = cell_size(most, size);
     leaf.grid = {most.low, side, side > 0 ? 1 / side : 0};
     if (!std::isfinite(leaf.grid.inverse)) leaf.grid.inverse = 0;
@@ -136,9 +126,8 @@ Leaves::Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threa
              1;
   }
   for (std::size_t node = count; node-- > 1;) {
-    const Box3 &a = boxes_[2 * node], &b = boxes_[2 * node + 1];
-    boxes_[node] = {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-                    {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+    boxes_[node] = boxes_[2 * node];
+    boxes_[node].include(boxes_[2 * node + 1]);
   }
   starts_.resize(cells);
   for_each_index(threads, count, [&](std::size_t i) { sort_leaf(i, first[i], first[i + 1]); });

@@ -16,20 +16,12 @@
 #include "rbpa/base/duplicate.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/bounding_box.h"
 
 namespace rbpa::space {
 
 /// A position among the points in the order of leaves and cells. Places of repeated points are no sites.
 using Place = std::uint32_t;
-
-struct Box3 {
-  Point3 low, high;
-
-  bool touches(const Box3& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
-           low.z <= other.high.z && other.low.z <= high.z;
-  }
-};
 
 /// Assigns points to cubic cells. The cell is a monotone function of each coordinate, so that any value between two
 /// coordinates is in the cells between theirs.
@@ -54,7 +46,7 @@ struct CellGrid {
 };
 
 struct Leaf {
-  Box3 box;       ///< of its points
+  Box box;        ///< of its points
   CellGrid grid;  ///< its lower corner is that of a box of most of the points
   /// Number of cells along each axis. Points beyond are in the outermost cells.
   std::array<int, 3> cells{};
@@ -71,7 +63,7 @@ class Leaves {
 
   std::size_t size() const { return leaves_.size(); }
   const Leaf& operator[](std::size_t i) const { return leaves_[i]; }
-  const Box3& box() const { return boxes_[1]; }
+  const Box& box() const { return boxes_[1]; }
 
   /// Returns the number of places; some are no sites.
   std::size_t places() const { return points_.size(); }
@@ -90,21 +82,21 @@ class Leaves {
 
   /// Calls visit(i) for each leaf whose box touches `box`, ascending.
   template <typename Visit>
-  void for_each_leaf(const Box3& box, Visit visit) const {
+  void for_each_leaf(const Box& box, Visit visit) const {
     visit_below(1, box, visit);
   }
 
  private:
   template <typename Visit>
-  void visit_below(std::size_t node, const Box3& box, Visit& visit) const {
-    if (!boxes_[node].touches(box)) return;
+  void visit_below(std::size_t node, const Box& box, Visit& visit) const {
+    if (!boxes_[node].meets(box)) return;
     if (node >= leaves_.size()) return visit(node - leaves_.size());
     visit_below(2 * node, box, visit);
     visit_below(2 * node + 1, box, visit);
   }
   void sort_leaf(std::size_t i, Place first, Place end);
 
-  std::vector<Box3> boxes_;  // boxes of the nodes: 1 is the root, the children of i are 2 i and 2 i + 1
+  std::vector<Box> boxes_;  // boxes of the nodes: 1 is the root, the children of i are 2 i and 2 i + 1
   std::vector<Leaf> leaves_;
   meshops::FreshVector<Point3> points_;
   meshops::FreshVector<std::uint32_t> index_;

@@ -92,7 +92,7 @@ class ApexSearch {
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// Returns a box that contains the ball. Requires: is_certain().
-  Box3 box_of(const Sphere& sphere) const {
+  Box box_of(const Sphere& sphere) const {
     const auto& m = sphere.minor;
     const double half = -0.5 / m[3], x = m[0] * half, y = m[1] * half, z = m[2] * half;
     const double radius = std::sqrt(x * x + y * y + z * z) * (1 + 0x1p-5) + pad_;

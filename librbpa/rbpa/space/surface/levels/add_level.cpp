@@ -14,7 +14,6 @@
 namespace rbpa::space {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
 /// Adds the triangles of one radius to a surface, whose triangles are sorted before and after:

@@ -12,7 +12,7 @@
 #include "support/space_sets.h"
 
 using rbpa::Point3;
-using rbpa::space::Box3;
+using rbpa::space::Box;
 using rbpa::space::Leaf;
 using rbpa::space::Leaves;
 using rbpa::space::Place;
@@ -68,7 +68,7 @@ TEST_CASE("a tile has the points of its cells and no others") {
     for (int i = 0; i < 20; ++i) {
       const Point3& p = leaves.point(own[random.below(own.size())]);
       const double reach = leaf.grid.size * (random.below(8) == 0 ? 1e6 : 4 * random.unit());
-      const Box3 box = {{p.x - reach, p.y - reach, p.z - reach}, {p.x + reach, p.y + reach, p.z + reach}};
+      const Box box = {{p.x - reach, p.y - reach, p.z - reach}, {p.x + reach, p.y + reach, p.z + reach}};
       std::array<Tile::Range, 3> ranges;
       if (!tile.ranges(box, ranges)) {
         ++unknown;
