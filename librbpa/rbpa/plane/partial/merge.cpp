@@ -17,18 +17,18 @@
 namespace rbpa {
 namespace {
 
-using Edge = std::pair<std::uint64_t, std::uint64_t>;
+using PointPair = std::pair<std::uint64_t, std::uint64_t>;
 
-Edge first_edge(const Chain& chain) { return {chain.path[0].index, chain.path[1].index}; }
-Edge last_edge(const Chain& chain) { return {chain.path.end()[-2].index, chain.path.end()[-1].index}; }
+PointPair first_edge(const Chain& chain) { return {chain.path[0].index, chain.path[1].index}; }
+PointPair last_edge(const Chain& chain) { return {chain.path.end()[-2].index, chain.path.end()[-1].index}; }
 
 struct End {
-  Edge edge;
+  PointPair edge;
   std::uint32_t chain;
 };
 
 /// Returns the chains sorted by one of their ends.
-std::vector<End> sorted_by(const std::vector<Chain>& chains, Edge (*edge_of)(const Chain&)) {
+std::vector<End> sorted_by(const std::vector<Chain>& chains, PointPair (*edge_of)(const Chain&)) {
   std::vector<End> ends;
   ends.reserve(chains.size());
   for (std::uint32_t c = 0; c < chains.size(); ++c) ends.push_back({edge_of(chains[c]), c});

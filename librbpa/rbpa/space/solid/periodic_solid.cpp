@@ -19,21 +19,21 @@ namespace {
 using Row = std::array<std::uint32_t, 4>;
 
 /// A face of an image: its points, ascending, and the offsets in boxes of the second and the third point from the first.
-struct Face {
+struct ImageFace {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;
   std::uint32_t at;
 
-  bool operator==(const Face& other) const { return points == other.points && apart == other.apart; }
-  bool operator<(const Face& other) const {
+  bool operator==(const ImageFace& other) const { return points == other.points && apart == other.apart; }
+  bool operator<(const ImageFace& other) const {
     return std::tie(points, apart, at) < std::tie(other.points, other.apart, other.at);
   }
 };
 
-Face face_at(const PeriodicSolid& solid, std::uint32_t at) {
+ImageFace face_at(const PeriodicSolid& solid, std::uint32_t at) {
   Triangle ascending = space::outer_face(solid.simplices[at / 4], at % 4);
   std::sort(ascending.begin(), ascending.end());  // by their points
-  Face face{.points = {}, .apart = {}, .at = at};
+  ImageFace face{.points = {}, .apart = {}, .at = at};
   const PeriodicVertex& first = solid.vertices[ascending[0]];
   face.points[0] = first.point;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -49,7 +49,7 @@ Face face_at(const PeriodicSolid& solid, std::uint32_t at) {
 /// corner k of tetrahedron t. It is identified by its three points and their offsets in boxes relative to each other,
 /// which all its images share.
 void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid) {
-  std::vector<Face> sorted;
+  std::vector<ImageFace> sorted;
   sorted.reserve(faces.size());
   for (const std::uint32_t at : faces) sorted.push_back(face_at(solid, at));
   std::sort(sorted.begin(), sorted.end());
