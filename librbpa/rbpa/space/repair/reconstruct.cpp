@@ -173,7 +173,7 @@ class Reconstructing {
   }
   SurfaceOptions begin(Step step) const { return begin(step, SurfaceOptions()); }
   /// Begins a step of other work, and returns whether to go on.
-  std::function<bool()> counting() const {
+  GoOn counting() const {
     if (options_.on_step) options_.on_step(Step::counting);
     return going_on(run_.progress, cloud_.points.size(), made_.surface.triangles.size());
   }
@@ -259,7 +259,7 @@ class Reconstructing {
 
   /// Finds the components, and the boundary curves with their kinds and the known causes.
   void find_curves(std::span<const Point3> places) {
-    const std::function<bool()> go_on = counting();
+    const GoOn go_on = counting();
     made_.components = surface_components(places, made_.surface, go_on);
     made_.holes = with_causes(surface_curves(places, made_.surface, go_on), made_.holes);
     made_.kinds = curve_kinds(places, made_.components, made_.holes);
@@ -274,7 +274,7 @@ class Reconstructing {
 
   void drop(const std::vector<bool>& kept) {
     if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
-    const std::function<bool()> go_on = counting();
+    const GoOn go_on = counting();
     made_.dropped = dropped_components(cloud_.points, kept, made_.surface, made_.components, go_on);
     Numbers number;  // new number of each kept triangle; for others that of the next kept one
     std::uint32_t next = 0;
@@ -318,7 +318,7 @@ class Reconstructing {
         cloud_.points, made_.surface,
         {.components = &made_.components, .kept = kept, .places = cloud_.places(), .refine = options_.refine},
         begin(Step::filling));
-    const std::function<bool()> go_on = counting();
+    const GoOn go_on = counting();
     made_.dropped = dropped_components(cloud_.points, closed.components, made_.surface, made_.components, go_on);
     made_.given_up = closed.given_up;
     made_.crossing = std::move(closed.crossing);

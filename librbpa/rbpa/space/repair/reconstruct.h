@@ -70,10 +70,9 @@ struct ReconstructionOptions {
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< makes the kept components watertight, in place of `filled`
   bool refine = false;                    ///< refines the fillings
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
+  MaxThreads threads = 0;
   /// Called repeatedly during each step, as SurfaceOptions::progress. Returning false cancels the run.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
   /// Called by the calling thread when a step begins, between two calls of `progress`.
   std::function<void(ReconstructionStep)> on_step = {};
 };

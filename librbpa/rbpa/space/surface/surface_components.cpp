@@ -161,8 +161,7 @@ std::vector<bool> kept_components(const SurfaceComponents& components, const std
 }
 
 DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
-                                     const Surface& surface, const SurfaceComponents& components,
-                                     const std::function<bool()>& go_on) {
+                                     const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
   meshops::require(
       are_of(components, surface) && kept.size() == components.all.size(),
       "dropped_components: expected the components of this surface, and for each of them whether it is kept");

@@ -79,14 +79,14 @@ TEST_CASE("a tile has the points of its cells and no others") {
       for (std::size_t other = 0; other < leaves.size(); ++other)
         for (Place place = leaves[other].first; place < leaves[other].end; ++place) {
           const Point3& q = leaves.point(place);
-          in_box += box.touches({q, q}) ? 1u : 0u;
+          in_box += box.meets({q, q}) ? 1u : 0u;
         }
       for (int x = ranges[0].low; x <= ranges[0].high; ++x)
         for (int y = ranges[1].low; y <= ranges[1].high; ++y)
           for (int z = ranges[2].low; z <= ranges[2].high; ++z)
             for (Tile::Local k = tile.first_in(tile.cell(x, y, z)); k < tile.first_in(tile.cell(x, y, z) + 1); ++k) {
               const Point3& q = leaves.point(tile.place(k));
-              in_cells += box.touches({q, q}) ? 1u : 0u;
+              in_cells += box.meets({q, q}) ? 1u : 0u;
             }
       CHECK(in_cells == in_box);
     }

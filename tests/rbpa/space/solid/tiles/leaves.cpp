@@ -14,7 +14,7 @@
 #include "support/space_sets.h"
 
 using rbpa::Point3;
-using rbpa::space::Box3;
+using rbpa::space::Box;
 using rbpa::space::Leaf;
 using rbpa::space::Leaves;
 using rbpa::space::Place;
@@ -46,7 +46,7 @@ TEST_CASE("every distinct point is one site, in the box of its leaf and in its c
         const Point3& p = leaves.point(i);
         CHECK(lowest.at(key(p)) == leaves.index()[i]);
         CHECK(named.insert(leaves.index()[i]).second);
-        CHECK(leaf.box.touches({p, p}));
+        CHECK(leaf.box.meets({p, p}));
         std::array<int, 3> at = {leaf.grid.along_x(p.x), leaf.grid.along_y(p.y), leaf.grid.along_z(p.z)};
         for (std::size_t k = 0; k < 3; ++k) at[k] = std::clamp(at[k], 0, leaf.cells[k] - 1);
         const auto of = static_cast<std::size_t>((at[0] * leaf.cells[1] + at[1]) * leaf.cells[2] + at[2]);
@@ -67,12 +67,12 @@ TEST_CASE("every distinct point is one site, in the box of its leaf and in its c
     }
     // Leaves that a box touches.
     const Point3 &p = points[random.below(points.size())], &q = points[random.below(points.size())];
-    const Box3 box = {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
-                      {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
+    const Box box = {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
+                     {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
     std::vector<std::size_t> touched, expected;
     leaves.for_each_leaf(box, [&](std::size_t i) { touched.push_back(i); });
     for (std::size_t l = 0; l < leaves.size(); ++l)
-      if (leaves[l].box.touches(box)) expected.push_back(l);
+      if (leaves[l].box.meets(box)) expected.push_back(l);
     CHECK(touched == expected);
   }
 }
