@@ -144,7 +144,7 @@ FullVoids full_voids(std::span<const Point3> points, const Solid& space, double 
 }
 
 FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                           double alpha, unsigned threads, const std::function<bool()>& go_on) {
+                           double alpha, unsigned threads, const GoOn& go_on) {
   const FullCounts counts = count_full(points, delaunay, radii, alpha, threads, go_on);
   return {counts,
           full_voids(points, void_space(points, delaunay, radii, alpha, threads, go_on), alpha, threads, go_on)};

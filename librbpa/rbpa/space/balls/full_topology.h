@@ -61,6 +61,6 @@ struct FullTopology {
 /// Throws:   as these.
 RBPA_API FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay,
                                     std::span<const double> radii, double alpha, unsigned threads = 0,
-                                    const std::function<bool()>& go_on = {});
+                                    const GoOn& go_on = {});
 
 }  // namespace rbpa

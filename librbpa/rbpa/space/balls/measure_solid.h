@@ -41,7 +41,7 @@ struct MeasureSolidOptions {
   /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
   unsigned threads = 0;
   /// Called repeatedly, as SolidOptions::progress. Returning false cancels the run.
-  std::function<bool(const Progress&)> progress = {};
+  OnProgress progress = {};
   /// Called by the calling thread when a step begins, between two calls of `progress`.
   std::function<void(SolidStep)> on_step = {};
 };
