@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -111,24 +112,6 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
   return std::nullopt;
 }
 
-bool is_las_field(std::string_view name) {
-  for (const Known& field : fields)
-    if (is(name, field.name)) return true;
-  return las_axis(name).has_value();
-}
-
-std::optional<std::size_t> las_axis(std::string_view name) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (is(name, axes[axis])) return axis;
-  return std::nullopt;
-}
-
-std::string las_field_names() {
-  std::string names = "x, y, z";
-  for (const Known& field : fields) names += ", " + std::string(field.name);
-  return names;
-}
-
 namespace {
 
 constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // doubles represent every integer up to it
@@ -184,6 +167,18 @@ ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offse
 
 namespace {
 
+/// Returns 0, 1 or 2 for x, y or z, which are no fields, as they need scale and offset; nothing for other names.
+std::optional<std::size_t> las_axis(std::string_view name) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (is(name, axes[axis])) return axis;
+  return std::nullopt;
+}
+
+bool is_las_field(std::string_view name) {
+  return las_axis(name) ||
+         std::any_of(std::begin(fields), std::end(fields), [&](const Known& field) { return is(name, field.name); });
+}
+
 /// Returns the formats that have a field, for a message.
 std::string formats_with(std::string_view field, unsigned minor) {
   std::string formats;
@@ -194,7 +189,11 @@ std::string formats_with(std::string_view field, unsigned minor) {
 
 }  // namespace
 
-FieldNames names_of_las_fields() { return {is_las_field, "a field of LAS: " + las_field_names(), false}; }
+FieldNames names_of_las_fields() {
+  std::string names = "x, y, z";
+  for (const Known& field : fields) names += ", " + std::string(field.name);
+  return {is_las_field, "a field of LAS: " + names, false};
+}
 
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
                                       const std::string& name) {

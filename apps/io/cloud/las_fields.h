@@ -34,15 +34,6 @@ struct LasField {
 /// if the format, in a file of version 1.minor, has no such field.
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor);
 
-/// Whether any format has a field of that name. x, y and z are no fields, as they need scale and offset.
-bool is_las_field(std::string_view name);
-
-/// Returns 0, 1 or 2 for x, y or z; nothing for other names.
-std::optional<std::size_t> las_axis(std::string_view name);
-
-/// Returns all names for messages: "x, y, z, intensity, ...".
-std::string las_field_names();
-
 class ScaledInteger {
  public:
   ScaledInteger(double scale, double offset);

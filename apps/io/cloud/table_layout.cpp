@@ -152,7 +152,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
     bad_input(here(table), is_text_only(fields) ? in_quotes(table.lines.line()) : counted(fields.size(), "column"),
               needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns")
                           : "at least " + counted(needed, "column") + ", as --columns requires");
-  if (x == y) refuse_one_column(fields[x]);  // under two names, or by name and by number
+  if (x == y) refuse_repeated_column(fields[x], "two columns");  // under two names, or by name and by number
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
   layout.header = by_name    ? !has_comment
                   : is_known ? is_header(fields, layout.numbers)

@@ -141,6 +141,11 @@ Box box_of(const std::vector<P>& points) {
   return box;
 }
 
+/// Whether the box lies within longitudes of -360 to 360 and latitudes of -90 to 90.
+bool may_be_degrees(const Box& box) {
+  return box.least.y >= -90 && box.greatest.y <= 90 && box.least.x >= -360 && box.greatest.x <= 360;
+}
+
 /// Whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180 degrees
 /// of longitude, between two of them, has no points.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
@@ -182,8 +187,7 @@ void shift_longitude(std::vector<Point>& points, const std::string& name) {
 std::string warning_on_degrees(const std::vector<Point3>& points) {
   if (points.empty()) return "";
   const Box box = box_of(points);
-  if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360)
-    return "expected longitudes and latitudes: are x and y degrees?";
+  if (!may_be_degrees(box)) return "expected longitudes and latitudes: are x and y degrees?";
   return "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as " +
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
@@ -191,8 +195,8 @@ std::string warning_on_degrees(const std::vector<Point3>& points) {
 void warning_on_degrees(PointFile& file) {
   if (file.points.empty()) return;
   const Box box = box_of(file.points);
-  if (std::abs(box.least.y) > 90 || std::abs(box.greatest.y) > 90 || box.least.x < -360 || box.greatest.x > 360) {
-    const bool exchanged = box.least.x >= -90 && box.greatest.x <= 90 && box.least.y >= -360 && box.greatest.y <= 360;
+  if (!may_be_degrees(box)) {
+    const bool exchanged = may_be_degrees({{box.least.y, box.least.x}, {box.greatest.y, box.greatest.x}});
     file.warnings.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
                             text_of(std::max(std::abs(box.least.x), std::abs(box.greatest.x))) + " and " +
                             text_of(std::max(std::abs(box.least.y), std::abs(box.greatest.y))) +

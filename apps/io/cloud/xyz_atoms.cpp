@@ -56,8 +56,7 @@ bool are_both_data(std::string_view line, std::string_view next) {
   return numbers == count_fields(next, blanks).all;
 }
 
-}  // namespace
-
+/// Whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three numbers.
 bool is_atom_line(std::string_view line, bool by_number) {
   Fields fields(line, blanks);
   const auto take = [&] { return fields.at_end() ? std::string_view() : fields.take(); };
@@ -68,6 +67,8 @@ bool is_atom_line(std::string_view line, bool by_number) {
   if (!is_symbol && !(by_number && number && *number <= 118)) return false;
   return is_number(take()) && is_number(take()) && is_number(take());
 }
+
+}  // namespace
 
 std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number) {
   Lines lines(text);

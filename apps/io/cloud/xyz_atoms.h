@@ -22,7 +22,4 @@ struct XyzAtoms {
 /// `text` is no atom. `by_number`: elements may be numbers.
 std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number);
 
-/// Whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three numbers.
-bool is_atom_line(std::string_view line, bool by_number);
-
 }  // namespace rbpa::app

@@ -112,15 +112,13 @@ MeshFile read_binary(std::string_view bytes, const std::string& name) {
         name, counted(bytes.size(), "byte"),
         std::to_string(end) + " for the " + counted(facets, "facet") + " that the header counts in bytes 80 to 83");
   const std::size_t behind = bytes.size() - end;
-  if (behind > 0 && have_attributes(bytes, facets)) {
-    MeshFile mesh = facets_at(bytes, facets, name, behind_attributes);
-    mesh.warnings.push_back(counted(behind, "byte") + " of attributes " + (behind == 1 ? "is" : "are") + " left out");
-    return mesh;
-  }
-  MeshFile mesh = facets_at(bytes, facets, name, [](const char* facet) { return facet + facet_size; });
+  const bool are_attributes = behind > 0 && have_attributes(bytes, facets);
+  MeshFile mesh = facets_at(bytes, facets, name, [&](const char* facet) {
+    return are_attributes ? behind_attributes(facet) : facet + facet_size;
+  });
   if (behind > 0)
-    mesh.warnings.push_back(counted(behind, "byte") + " after the last facet " + (behind == 1 ? "is" : "are") +
-                            " left out");
+    mesh.warnings.push_back(counted(behind, "byte") + (are_attributes ? " of attributes " : " after the last facet ") +
+                            (behind == 1 ? "is" : "are") + " left out");
   return mesh;
 }
 

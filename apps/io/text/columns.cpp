@@ -35,12 +35,8 @@ std::vector<std::string_view> words_between_commas(std::string_view text) {
 
 }  // namespace
 
-void refuse_one_column(std::string_view columns) {
-  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected two columns");
-}
-
-void refuse_repeated_column(std::string_view columns) {
-  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected different columns");
+void refuse_repeated_column(std::string_view columns, const std::string& expected) {
+  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected " + expected);
 }
 
 std::vector<Column> parse_columns(const std::string& text) {
@@ -50,7 +46,7 @@ std::vector<Column> parse_columns(const std::string& text) {
                      ", expected X,Y (two column numbers or names), or one column of geometries");
   std::vector<Column> columns;
   for (const std::string_view word : words) columns.push_back(parse_column(word));
-  if (columns.size() == 2 && columns[0] == columns[1]) refuse_one_column(text);
+  if (columns.size() == 2 && columns[0] == columns[1]) refuse_repeated_column(text, "two columns");
   return columns;
 }
 
@@ -65,10 +61,8 @@ std::vector<Column> parse_space_columns(const std::string& text) {
     columns.push_back(parse_column(word));
   }
   if (columns.size() != 3 && columns.size() != 6) refuse();
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(i), columns[i]) !=
-        columns.begin() + static_cast<std::ptrdiff_t>(i))
-      refuse_repeated_column(text);
+  for (auto column = columns.begin(); column != columns.end(); ++column)
+    if (std::find(columns.begin(), column, *column) != column) refuse_repeated_column(text);
   return columns;
 }
 
@@ -94,9 +88,9 @@ constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", 
                                              "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
 constexpr std::string_view normal_names[3][4] = {
     {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
-constexpr std::string_view color_names[3][6] = {{"r", "red", "colorr", "colorr", "rf", "diffusered"},
-                                                {"g", "green", "colorg", "colorg", "gf", "diffusegreen"},
-                                                {"b", "blue", "colorb", "colorb", "bf", "diffuseblue"}};
+constexpr std::string_view color_names[3][5] = {{"r", "red", "colorr", "rf", "diffusered"},
+                                                {"g", "green", "colorg", "gf", "diffusegreen"},
+                                                {"b", "blue", "colorb", "bf", "diffuseblue"}};
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 

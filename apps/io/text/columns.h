@@ -17,11 +17,8 @@ struct Column {
   friend bool operator==(const Column&, const Column&) = default;
 };
 
-/// Throws WrongUsage: x and y of `columns` are the same column.
-[[noreturn]] void refuse_one_column(std::string_view columns);
-
-/// Throws WrongUsage: two of `columns`, for points in space, are the same column.
-[[noreturn]] void refuse_repeated_column(std::string_view columns);
+/// Throws WrongUsage: two of `columns` are the same column.
+[[noreturn]] void refuse_repeated_column(std::string_view columns, const std::string& expected = "different columns");
 
 /// Parses "X,Y", two different columns by number, from 1, or name; or one column, of geometries. Throws WrongUsage.
 std::vector<Column> parse_columns(const std::string& text);

@@ -53,8 +53,7 @@ void write_value(OutputFile& file, const Item& item) {
 void write_csv(OutputFile& file, const Hierarchy& hierarchy) {
   const char* before = "";
   for (const Item& item : items_of({}, {}, 0)) {
-    file.write(std::exchange(before, ","));
-    file.write(item.name);
+    file.write_all(std::exchange(before, ","), item.name);
   }
   file.write("\n");
   for_each_level(hierarchy, [&](const auto& items) {
@@ -68,19 +67,13 @@ void write_csv(OutputFile& file, const Hierarchy& hierarchy) {
 }
 
 void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& method) {
-  file.write("{\n  \"least_radius\": ");
-  file.write_number(hierarchy.least_radius);
-  file.write(",\n  \"leaf_capacity\": ");
-  file.write_number(std::uint64_t{method.leaf_capacity.value_or(0)});
-  file.write(",\n  \"levels\": [");
+  file.write_all("{\n  \"least_radius\": ", hierarchy.least_radius,
+                 ",\n  \"leaf_capacity\": ", method.leaf_capacity.value_or(0), ",\n  \"levels\": [");
   const char* line = "\n    {";
   for_each_level(hierarchy, [&](const auto& items) {
     const char* before = std::exchange(line, ",\n    {");
     for (const Item& item : items) {
-      file.write(std::exchange(before, ", "));
-      file.write("\"");
-      file.write(item.name);
-      file.write("\": ");
+      file.write_all(std::exchange(before, ", "), "\"", item.name, "\": ");
       const double* number = std::get_if<double>(&item.value);
       if (number && std::isinf(*number))
         file.write("\"inf\"");  // as in --stats

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
@@ -29,11 +30,7 @@ void write_value(OutputFile& out, std::size_t value) { out.write_number(static_c
 
 void write_value(OutputFile& out, bool value) { out.write(value ? "true" : "false"); }
 
-void write_value(OutputFile& out, std::string_view value) {
-  out.write("\"");
-  out.write(value);
-  out.write("\"");
-}
+void write_value(OutputFile& out, std::string_view value) { out.write_all("\"", value, "\""); }
 
 void write_value(OutputFile& out, double value) {
   if (std::isinf(value))
@@ -53,10 +50,7 @@ class JsonLine {
 
   template <typename Value>
   JsonLine& item(std::string_view name, const Value& value) {
-    out_.write(before_);
-    before_ = ", \"";
-    out_.write(name);
-    out_.write("\": ");
+    out_.write_all(std::exchange(before_, ", \""), name, "\": ");
     write_value(out_, value);
     return *this;
   }
@@ -98,9 +92,7 @@ void write_line(OutputFile& out, const Plateau& plateau) {
 
 template <typename Lines>
 void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
-  out.write(",\n  \"");
-  out.write(name);
-  out.write("\": [");
+  out.write_all(",\n  \"", name, "\": [");
   const char* before = "\n    ";
   for_each_line(lines, [&](const auto& line) {
     out.write(before);
@@ -253,10 +245,7 @@ void write_csv(OutputFile& out, const AlphaReport& report) {
   if (report.pairs) {
     out.write("dimension,birth,death\n");
     for_each_line(*report.pairs, [&](const PersistencePair& pair) {
-      write_value(out, static_cast<std::size_t>(pair.dimension));
-      out.write(",");
-      out.write_number(pair.birth);
-      out.write(",");
+      out.write_all(static_cast<std::size_t>(pair.dimension), ",", pair.birth, ",");
       if (pair.death) out.write_number(*pair.death);
       out.write("\n");
     });
@@ -264,14 +253,8 @@ void write_csv(OutputFile& out, const AlphaReport& report) {
   }
   out.write("alpha,triangles,solid_components,components,holes,covered,area\n");
   for_each_line(report.radii.filtration.steps, [&](const FiltrationStep& step) {
-    out.write_number(step.alpha);
-    for (const std::size_t count : {step.triangles, step.solid_components, step.components, step.holes, step.covered}) {
-      out.write(",");
-      write_value(out, count);
-    }
-    out.write(",");
-    out.write_number(step.area);
-    out.write("\n");
+    out.write_all(step.alpha, ",", step.triangles, ",", step.solid_components, ",", step.components, ",", step.holes,
+                  ",", step.covered, ",", step.area, "\n");
   });
 }
 

@@ -166,10 +166,7 @@ void write_cells(OutputFile& file, const char* sign, const Cells& cells, Vertice
     for (const std::uint32_t point : cell) vertices.add(point);
   for (const auto& cell : cells) {
     file.write(sign);
-    for (const std::uint32_t point : cell) {
-      file.write(" ");
-      file.write_number(vertices.number(point));
-    }
+    for (const std::uint32_t point : cell) file.write_all(" ", vertices.number(point));
     file.write("\n");
   }
 }

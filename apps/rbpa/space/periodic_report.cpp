@@ -98,13 +98,7 @@ void write_periodic_voids(OutputFile& file, Format format, const PointNames& nam
   std::uint64_t number = 0;
   for (const PeriodicPart& part : voids) {
     write_volumes(file, ++number, part.volume, part.outside_balls);
-    file.write(",");
-    file.write_number(part.area);
-    for (const std::size_t count : {std::size_t{part.dimension}, part.tetrahedra, part.points.size()}) {
-      file.write(",");
-      file.write_number(std::uint64_t{count});
-    }
-    file.write("\n");
+    file.write_all(",", part.area, ",", part.dimension, ",", part.tetrahedra, ",", part.points.size(), "\n");
   }
 }
 

@@ -72,10 +72,7 @@ void write_json(OutputFile& file, const SpacePersistence& report, const std::vec
 void write_csv(OutputFile& file, const SpacePersistence& report) {
   file.write("dimension,birth,death\n");
   for (const SolidPair& pair : report.pairs) {
-    file.write_number(static_cast<std::uint64_t>(pair.dimension));
-    file.write(",");
-    file.write_number(pair.birth);
-    file.write(",");
+    file.write_all(static_cast<std::uint64_t>(pair.dimension), ",", pair.birth, ",");
     if (pair.death) file.write_number(*pair.death);
     file.write("\n");
   }

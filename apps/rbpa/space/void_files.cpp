@@ -22,12 +22,7 @@ using Corners = std::array<std::uint32_t, 3>;
 Corners seen_from_around(const Corners& triangle) { return {triangle[0], triangle[2], triangle[1]}; }
 
 void write_life_csv(OutputFile& file, const VoidLife& life) {
-  for (const double radius : {life.closes, life.filled}) {
-    file.write(",");
-    file.write_number(radius);
-  }
-  file.write(",");
-  file.write_number(std::uint64_t{life.depth});
+  file.write_all(",", life.closes, ",", life.filled, ",", life.depth);
 }
 
 void add_life(Json& json, const VoidLife& life) {
@@ -43,17 +38,8 @@ void write_csv(OutputFile& file, std::span<const SolidVoid> voids, ComplexKind w
   std::uint64_t number = 0;
   for (const SolidVoid& hollow : voids) {
     write_volumes(file, ++number, hollow.volume, hollow.outside_balls);
-    file.write(",");
-    file.write_number(hollow.area);
-    for (const std::size_t count : {hollow.islands, hollow.points.size()}) {
-      file.write(",");
-      file.write_number(std::uint64_t{count});
-    }
-    for (const Point3& p : {hollow.low, hollow.high})
-      for (const double value : {p.x, p.y, p.z}) {
-        file.write(",");
-        file.write_number(value);
-      }
+    file.write_all(",", hollow.area, ",", hollow.islands, ",", hollow.points.size());
+    for (const Point3& p : {hollow.low, hollow.high}) file.write_all(",", p.x, ",", p.y, ",", p.z);
     if (lives) write_life_csv(file, (*lives)[number - 1]);
     file.write("\n");
   }
@@ -91,19 +77,11 @@ void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& 
         if (!vertex.try_emplace(fan, written + 1).second) continue;
         ++written;
         const Point3& p = points[fans.point[fan]];
-        file.write("v");
-        for (const double value : {p.x, p.y, p.z}) {
-          file.write(" ");
-          file.write_number(value);
-        }
-        file.write("\n");
+        file.write_all("v ", p.x, " ", p.y, " ", p.z, "\n");
       }
     for (const std::uint32_t t : hollow.triangles) {
       file.write("f");
-      for (const std::uint32_t fan : seen_from_around(fans.triangles[t])) {
-        file.write(" ");
-        file.write_number(vertex.at(fan));
-      }
+      for (const std::uint32_t fan : seen_from_around(fans.triangles[t])) file.write_all(" ", vertex.at(fan));
       file.write("\n");
     }
   }
@@ -136,12 +114,8 @@ std::string volume_columns(ComplexKind walls) {
 }
 
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls) {
-  file.write_number(number);
-  file.write(",");
-  file.write_number(between_points);
-  if (!outside_balls) return;
-  file.write(",");
-  file.write_number(*outside_balls);
+  file.write_all(number, ",", between_points);
+  if (outside_balls) file.write_all(",", *outside_balls);
 }
 
 Json json_of_volumes(double between_points, std::optional<double> outside_balls) {
@@ -167,14 +141,9 @@ void write_pockets(OutputFile& file, Format format, const PointNames& names, std
     stop_if_interrupted();
     ++number;
     if (is_csv) {
-      file.write_number(number);
-      file.write(",");
-      file.write_number(pocket.volume);
+      file.write_all(number, ",", pocket.volume);
       write_life_csv(file, pocket.life);
-      for (const std::uint32_t corner : pocket.mouth) {
-        file.write(",");
-        file.write_number(std::uint64_t{names.index(corner)});
-      }
+      for (const std::uint32_t corner : pocket.mouth) file.write_all(",", names.index(corner));
       for (std::size_t k = 0; has_serials && k < pocket.mouth.size(); ++k)
         file.write("," + names.text(serial, pocket.mouth[k]));
       file.write("\n");
