@@ -1,6 +1,6 @@
 // Prints how many estimated normals are on the right side, and how many of the others are marked as doubtful: bodies,
-// sheets and nested bodies with normals by formulas, then scans and models of the further data, as a table. Section 3 of
-// docs/explanation/surfaces.md names its cases. A set is the same in each run, but for the last bits of sines.
+// sheets and nested bodies with normals by formulas, then scans and models of the further data, as a table. Its cases
+// are in docs/explanation/surfaces.md, section 3. A set is the same in each run, but for the last bits of sines.
 #include <cmath>
 #include <fstream>
 #include <numbers>
