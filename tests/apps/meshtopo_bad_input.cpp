@@ -229,7 +229,8 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.off --repair m.off", 2, "m.off: found the file of the mesh, expected another file to write to");
     refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
             "a.obj: found twice among the files to write, expected once");
-    refuses(folder, "m.off --output-format off", 2, "--output-format requires a mesh to write (--repair OUT)");
+    refuses(folder, "m.off --output-format off", 2,
+            "--output-format requires a mesh to write (-o OUT or --repair OUT)");
     refuses(folder, "m.off -q -o r.txt", 2,
             "-o of a text report cannot be combined with --quiet, which leaves it out (add --json)");
     refuses(folder, "m.off --repair -o - --output-format off", 2,

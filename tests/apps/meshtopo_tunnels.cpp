@@ -150,7 +150,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
       CHECK(outcome.err == "meshtopo: --close-tunnels-below: found '" + wrong + "', expected a length, such as 2.5\n");
     }
     CHECK(folder.meshtopo("m.off --close-tunnels-below 1").err ==
-          "meshtopo: --close-tunnels-below requires -o OUT or --repair OUT, a file for the mesh, or "
+          "meshtopo: --close-tunnels-below changes the mesh, and requires a file for it (-o OUT or --repair OUT), or "
           "--check\n");
     folder.file("t.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 1 4\n");
     CHECK(folder.meshtopo("t.off -q -o w.off --close-tunnels-below 1")

@@ -285,8 +285,8 @@ TEST_SUITE("solid voids") {
       CHECK(outcome.err.find(message) != std::string::npos);
     };
     refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected one of json, csv");
-    refuses("--void-radii", "--void-radii requires --voids FILE.csv or FILE.json");
-    refuses("--void-radii --voids v.obj", "--void-radii requires --voids FILE.csv or FILE.json");
+    refuses("--void-radii", "--void-radii requires --voids FILE with one of the endings json, csv");
+    refuses("--void-radii --voids v.obj", "--void-radii requires --voids FILE with one of the endings json, csv");
     refuses("--top 3", "--top requires --voids or --pockets");
     refuses("--voids v.csv --voids-above -1", "--voids-above: found '-1'");
     refuses("--box 4 --pockets p.csv", "--pockets cannot be combined with --box");

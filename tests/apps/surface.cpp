@@ -281,7 +281,7 @@ TEST_SUITE("surface") {
   TEST_CASE("wrong usage is refused without a file") {
     const Folder folder;
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
-    const std::string number = ", expected a radius: a number above 0, several with commas between them, or auto";
+    const std::string number = ", expected numbers above 0 with commas between them, or auto";
     refuses(folder, "p.xyz --radius 0 -o m.off", 2, "--radius: found '0'" + number);
     refuses(folder, "p.xyz --radius=-1 -o m.off", 2, "--radius: found '-1'" + number);
     refuses(folder, "p.xyz --radius 1,x -o m.off", 2, "--radius: found 'x'" + number);

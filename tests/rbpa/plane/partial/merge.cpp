@@ -280,7 +280,7 @@ TEST_CASE("different radii and overlapping regions are not merged") {
   CHECK(says(refusal([&] {
                rbpa::merge(part({0, 0, 6, 9}, 1), part({5, 8, 7, 12}, 1));
              }),
-             "from (5, 8) on, expected disjoint regions"));
+             "the area with the lower left corner (5, 8), expected disjoint regions"));
 }
 
 TEST_CASE("a refusal names the missing region") {
