@@ -80,9 +80,9 @@ Place direction(Place p) {
   return size > 0 ? (1 / size) * p : p;
 }
 
-Place polar(double degrees, double radius, Place center) {
+Place polar(double degrees, double radius) {
   const double angle = degrees * std::numbers::pi / 180;
-  return center + Place{radius * std::cos(angle), radius * std::sin(angle)};
+  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 void Canvas::outline(const std::vector<Segment>& sides, std::string_view fill) {
@@ -142,18 +142,11 @@ void Canvas::circle(Place center, double radius, const Stroke& stroke) {
                    attribute("r", decimal(radius)), attributes(stroke)});
 }
 
-void Canvas::ring(Place at, double radius, std::string_view color) {
-  body_ += joined({"<circle", attribute("cx", decimal(at.x)), attribute("cy", decimal(at.y)),
-                   attribute("r", decimal(radius)), attribute("fill", color::paper), attribute("stroke", color),
-                   " stroke-width=\"1.4\"/>\n"});
-}
-
-void Canvas::text(Place at, std::string_view words, Lettering lettering, Align align) {
+void Canvas::text(Place at, std::string_view words, Lettering lettering) {
   body_ += "<text";
   if (const auto name = class_of(lettering); !name.empty()) body_ += attribute("class", name);
-  if (align == Align::middle) body_ += attribute("text-anchor", "middle");
-  if (align == Align::end) body_ += attribute("text-anchor", "end");
-  body_ += attribute("x", decimal(at.x)) + attribute("y", decimal(at.y)) + ">" + escaped(words) + "</text>\n";
+  body_ += attribute("text-anchor", "middle") + attribute("x", decimal(at.x)) + attribute("y", decimal(at.y)) + ">" +
+           escaped(words) + "</text>\n";
 }
 
 std::string Canvas::svg(std::string_view title, int width, int height) const {

@@ -19,8 +19,8 @@ struct Place {
 double length(Place p);
 /// Returns the vector scaled to length 1; the zero vector stays.
 Place direction(Place p);
-/// Returns the point at an angle in degrees on a circle about the origin or another center.
-Place polar(double degrees, double radius, Place center = {});
+/// Returns the point at an angle in degrees on a circle about the origin.
+Place polar(double degrees, double radius);
 
 /// Line from place to place. With `bend` it is a parabola that leaves and arrives in the direction of `bend`.
 struct Segment {
@@ -32,12 +32,9 @@ struct Segment {
 
 /// Colors that are distinct for every kind of color vision, and in gray: blue against orange, dark against light.
 namespace color {
-constexpr std::string_view paper = "#ffffff";
 constexpr std::string_view text = "#1b2733";
-constexpr std::string_view muted = "#5b6b7a";
 constexpr std::string_view inner = "#7d8b98";
 constexpr std::string_view pale = "#d3dbe3";
-constexpr std::string_view pale_face = "#f1f4f7";
 constexpr std::string_view face = "#dcebf8";
 constexpr std::string_view curve = "#1f6fb2";
 constexpr std::string_view touched = "#d9730d";
@@ -45,7 +42,6 @@ constexpr std::string_view touched_face = "#fadcb9";
 }  // namespace color
 
 enum class Lettering { plain, italic, code, small };
-enum class Align { start, middle, end };
 
 struct Stroke {
   std::string_view color = color::inner;
@@ -69,11 +65,10 @@ class Canvas {
   void dot(Place at, double radius, std::string_view fill);
   /// Draws dots as one element.
   void dots(const std::vector<Place>& at, double radius, std::string_view fill);
-  void ring(Place at, double radius, std::string_view color);
   /// Draws a circle and leaves its inside as it is.
   void circle(Place center, double radius, const Stroke& stroke);
-  /// Writes text whose base line begins, has its middle, or ends at a place.
-  void text(Place at, std::string_view words, Lettering lettering, Align align = Align::start);
+  /// Writes text whose base line has its middle at a place.
+  void text(Place at, std::string_view words, Lettering lettering);
 
   /// Returns the whole file for an image of the given size.
   std::string svg(std::string_view title, int width, int height) const;

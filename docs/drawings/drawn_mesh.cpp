@@ -13,9 +13,7 @@ void draw_faces(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, cons
   meshops::for_each_face(drawn.mesh, [&](Face f) {
     std::vector<Segment> sides;
     for (const Halfedge h : drawn.mesh.fh_range(f)) sides.push_back(frame.of(drawn.segment(h)));
-    canvas.outline(sides, marks.faces.contains(f)        ? color::touched_face
-                          : marks.pale_faces.contains(f) ? color::pale_face
-                                                         : color::face);
+    canvas.outline(sides, marks.faces.contains(f) ? color::touched_face : color::face);
   });
 }
 
@@ -45,12 +43,8 @@ void draw_boundary(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, c
 
 void draw_vertices(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Marks& marks) {
   const auto dot = [&](Place at, Vertex v) {
-    if (marks.vertices.contains(v))
-      canvas.dot(frame(at), 4.6, color::touched);
-    else if (marks.pale_vertices.contains(v))
-      canvas.ring(frame(at), 2.6, color::inner);
-    else
-      canvas.dot(frame(at), 3.4, color::text);
+    const bool touched = marks.vertices.contains(v);
+    canvas.dot(frame(at), touched ? 4.6 : 3.4, touched ? color::touched : color::text);
   };
   meshops::for_each_vertex(drawn.mesh, [&](Vertex v) {
     if (drawn.mesh.is_isolated(v)) dot(drawn.place(v), v);
@@ -109,35 +103,14 @@ std::vector<Place> DrawnMesh::all_places() const {
   return places;
 }
 
-DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
-                     const std::vector<std::uint32_t>& vertex_of) {
-  // Vertices are the places that are their own vertex, in their order.
-  std::vector<std::uint32_t> number(places.size());
-  std::vector<Place> own;
-  for (std::uint32_t p = 0; p < places.size(); ++p) {
-    const std::uint32_t least = vertex_of.empty() ? p : vertex_of[p];
-    number[p] = least == p ? static_cast<std::uint32_t>(own.size()) : number[least];
-    if (least == p) own.push_back(places[p]);
-  }
+DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces) {
   meshops::PolygonSoup soup;
-  soup.points = own.size();
-  for (const Corners& face : faces) {
-    Corners cycle;
-    for (const std::uint32_t p : face) cycle.push_back(number[p]);
-    soup.add_face(cycle);
-  }
+  soup.points = places.size();
+  for (const Corners& face : faces) soup.add_face(face);
   DrawnMesh drawn;
   const auto point_of_vertex = meshops::build_mesh(drawn.mesh, soup);
   for (std::size_t v = 0; v < point_of_vertex.size(); ++v)
-    drawn.move(Vertex(static_cast<int>(v)), own[point_of_vertex[v]]);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    Halfedge h = drawn.mesh.halfedge_handle(Face(static_cast<int>(f)));  // from corner 0 to corner 1
-    for (std::size_t i = 1; i <= faces[f].size(); ++i) {
-      const Place at = places[faces[f][i % faces[f].size()]];
-      if (!(at == drawn.place(drawn.mesh.to_vertex_handle(h)))) drawn.apart[h] = at;
-      h = drawn.mesh.next_halfedge_handle(h);
-    }
-  }
+    drawn.move(Vertex(static_cast<int>(v)), places[point_of_vertex[v]]);
   return drawn;
 }
 
@@ -166,7 +139,7 @@ void draw(Canvas& canvas, const Frame& frame, const DrawnMesh& drawn, const Mark
   draw_boundary(canvas, frame, drawn, marks);
   draw_vertices(canvas, frame, drawn, marks);
   for (const Marks::Label& label : marks.labels)
-    canvas.text(frame(label.at) + Place{0, 5}, label.words, Lettering::italic, Align::middle);
+    canvas.text(frame(label.at) + Place{0, 5}, label.words, Lettering::italic);
 }
 
 }  // namespace figures

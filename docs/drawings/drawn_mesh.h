@@ -56,10 +56,8 @@ struct DrawnMesh {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Returns a mesh of faces over places. `vertex_of` gives the vertex of each place, as the least place of that vertex;
-/// by default each place is its own vertex.
-DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces,
-                     const std::vector<std::uint32_t>& vertex_of = {});
+/// Returns a mesh of faces whose corners are places.
+DrawnMesh drawn_mesh(const std::vector<Place>& places, const std::vector<Corners>& faces);
 
 /// Ring of quadrangles, each cut in two, between two circles about the origin. From 0 to 360 degrees it closes. Places
 /// 0, 1, … lie on the outer circle, followed by as many on the inner one.
@@ -74,8 +72,6 @@ struct Marks {
   std::set<Vertex> vertices;  ///< elements that the operator touches
   std::set<Edge> edges;
   std::set<Face> faces;
-  std::set<Vertex> pale_vertices;  ///< elements drawn in pale ink
-  std::set<Face> pale_faces;
   struct Label {
     Place at;
     std::string words;

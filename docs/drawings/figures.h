@@ -1,29 +1,21 @@
-// What: the figures of the pages, each drawn after running the operator on a mesh or the method on points.
+// What: the figures of the pages that only C++ can draw, each by running the operator on a mesh or the method on points.
 #pragma once
 
-#include <span>
 #include <string>
 
 namespace figures {
 
-struct Figure {
-  const char* name;  ///< name of the file, without its ending
-  std::string (*svg)();
-};
-
-std::span<const Figure> handle_figures();
-std::span<const Figure> stellar_figures();
-std::span<const Figure> front_figures();
-std::span<const Figure> topology_figures();
-std::span<const Figure> defect_figures();
-std::span<const Figure> pivoting_figures();
-std::span<const Figure> candidate_figures();
-std::span<const Figure> shape_figures();
-std::span<const Figure> hierarchy_figures();
-std::span<const Figure> filtration_figures();
-std::span<const Figure> tile_figures();
-std::span<const Figure> free_region_figures();
-std::span<const Figure> timing_figures();
-std::span<const Figure> cookbook_figures();
+std::string glue_join();
+std::string glue_split_curve();
+std::string glue_handle();
+std::string glue_zip();
+std::string glue_close();
+std::string remove_triangle();
+std::string split_edge();
+std::string collapse();
+std::string front_events();
+std::string front_refusals();
+std::string pivoting();
+std::string tile();
 
 }  // namespace figures

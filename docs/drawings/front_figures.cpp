@@ -1,15 +1,18 @@
+// What: advancing fronts: events of curves, what is refused, and moments of a run of ball pivoting.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <map>
 #include <optional>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
-#include "drawings/drawn_front.h"
 #include "drawings/figures.h"
 #include "drawings/sheet.h"
 #include "meshops/core/live.h"
 #include "meshops/front/engine.h"
+#include "rbpa/paper/pivoting.h"
 #include "rbpa/rbpa.h"
 
 namespace figures {
@@ -18,6 +21,40 @@ namespace {
 using meshops::Front;
 using meshops::Site;
 using Triangle = std::array<Site, 3>;
+
+/// Returns the present mesh of a front. Fans on one site lie slightly apart, each on its side. Vertices that were
+/// merged into others are left out.
+DrawnMesh drawn_front(const Front& front, const Mesh& mesh, const std::vector<Place>& places) {
+  DrawnMesh drawn;
+  drawn.mesh = mesh;
+  meshops::for_each_vertex(mesh, [&](Vertex v) {
+    const Site s = front.site(v);
+    if (mesh.is_isolated(v) && !(front.is_free(s) && v == Vertex(static_cast<int>(s))))
+      drawn.mesh.status(v).set_deleted(true);
+    else
+      drawn.move(v, places[s]);
+  });
+  std::map<Vertex, Place> apart;
+  for (Site s = 0; s < front.sites(); ++s) {
+    std::vector<Vertex> fans;
+    front.for_each_fan(s, [&](Vertex v) { fans.push_back(v); });
+    if (fans.size() < 2) continue;
+    for (const Vertex v : fans) {
+      Place towards;
+      for (const Face f : mesh.vf_range(v)) towards = towards + direction(drawn.centroid(f) - drawn.place(v));
+      apart[v] = drawn.place(v) + 0.1 * direction(towards);
+    }
+  }
+  for (const auto& [v, place] : apart) drawn.move(v, place);
+  return drawn;
+}
+
+struct Events : meshops::CurveVisitor {
+  std::string last;
+  void curves_joined(const Front&, Halfedge) { last = "curves_joined"; }
+  void curve_split(const Front&, Halfedge, Halfedge) { last = "curve_split"; }
+  void curve_closed(const Front&) { last = "curve_closed"; }
+};
 
 /// Policy that attaches the triangles of a list, each counter-clockwise, and freezes an edge at which none fits.
 class GivenTriangles {
@@ -45,13 +82,6 @@ class GivenTriangles {
   std::vector<Triangle> left_;
 };
 
-struct Events : meshops::CurveVisitor {
-  std::vector<std::string> names;
-  void curves_joined(const Front&, Halfedge) { names.emplace_back("curves_joined"); }
-  void curve_split(const Front&, Halfedge, Halfedge) { names.emplace_back("curve_split"); }
-  void curve_closed(const Front&) { names.emplace_back("curve_closed"); }
-};
-
 std::vector<Triangle> as_triangles(const std::vector<Corners>& faces) {
   std::vector<Triangle> triangles;
   for (const Corners& f : faces)
@@ -64,9 +94,8 @@ void event_row(Sheet& sheet, const std::vector<Place>& places, const std::vector
                const std::vector<Corners>& more) {
   Mesh mesh;
   Front front(mesh, places.size());
-  meshops::FrontVisitor silent;
-  GivenTriangles first(as_triangles(faces));
-  meshops::advance(front, first, silent);
+  GivenTriangles first(as_triangles(faces)), then(as_triangles(more));
+  meshops::advance(front, first);
   const DrawnMesh before = drawn_front(front, mesh, places);
   Marks fitting, attached;
   for (const Triangle& t : as_triangles(more))
@@ -74,13 +103,135 @@ void event_row(Sheet& sheet, const std::vector<Place>& places, const std::vector
       if (h.is_valid()) fitting.add(mesh.edge_handle(h));
   front.next_level();
   Events events;
-  GivenTriangles then(as_triangles(more));
   meshops::advance(front, then, events);
   for (std::size_t f = faces.size(); f < mesh.n_faces(); ++f) attached.add(Face(static_cast<int>(f)));
   const std::string times = more.size() > 1 ? std::to_string(more.size()) + " × " : "";
-  sheet.row(counted(before, fitting), {times + "attach", "", events.names.empty() ? "" : events.names.back()},
+  sheet.row(counted(before, fitting), {times + "attach", "", events.last},
             counted(drawn_front(front, mesh, places), attached));
 }
+
+/// Returns a panel with a mesh, a triangle that a policy proposes, and the answer of the front.
+Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& faces, const Triangle& triangle) {
+  Mesh mesh;
+  Front front(mesh, places.size());
+  for (const Triangle& t : as_triangles(faces)) front.create(t[0], t[1], t[2]);
+  Panel panel{drawn_front(front, mesh, places), {}};
+  panel.extent = places;
+  const auto refusal = front.create_blocker(triangle[0], triangle[1], triangle[2]);
+  panel.heading = refusal ? "refused: " + std::string(meshops::name(refusal->kind)) : "taken";
+  panel.more = [=, ink = refusal ? color::touched : color::curve](Canvas& canvas, const Frame& frame) {
+    for (unsigned i = 0; i < 3; ++i) {
+      const Place a = frame(places[triangle[i]]), b = frame(places[triangle[(i + 1) % 3]]);
+      canvas.segment({a, b, {}}, {ink, 2.5, true});
+      canvas.dot(a, 4, ink);
+    }
+  };
+  return panel;
+}
+
+/// Disc in which the plane cuts a ball.
+struct Disc {
+  Place center;
+  double radius;
+};
+
+constexpr double alpha = 0.85;
+
+Place left_of(Place d) { return {-d.y, d.x}; }
+double dot(Place a, Place b) { return a.x * b.x + a.y * b.y; }
+
+/// Returns the disc of a ball at rest on three points.
+Disc ball_on(Place a, Place b, Place c) {
+  const Place e = c - a, f = c - b, d = b - a;
+  const double half_chords = dot(e, f) / dot(e, left_of(d));  // from the edge ab to the center, to the left
+  return {0.5 * (a + b) + (half_chords / 2) * left_of(d), length(d) / 2 * std::sqrt(1 + half_chords * half_chords)};
+}
+
+/// Returns the disc of a ball that touches two points at its equator, after it turned to the left of the edge without
+/// touching a third point.
+Disc largest_left_of(Place a, Place b) {
+  const Place d = b - a;
+  return {0.5 * (a + b) + std::sqrt(alpha * alpha - dot(d, d) / 4) * direction(left_of(d)), alpha};
+}
+
+/// Visitor that keeps a panel of the first moment of each kind of a run.
+class Recorder : public meshops::FrontVisitor {
+ public:
+  static constexpr bool follows_curves = true;
+
+  Recorder(const Mesh& mesh, const std::vector<Place>& places) : mesh_(mesh), places_(places) {}
+
+  void seeded(const Front& front, const meshops::InsertedTriangle& triangle) {
+    const auto corner = [&](std::size_t i) { return places_[front.to_site(triangle.side[i])]; };
+    free_ = free_sites(front);
+    first.try_emplace("a seed", panel(front, triangle.face, {ball_on(corner(0), corner(1), corner(2))}));
+  }
+  void attached(const Front& front, Halfedge h, const meshops::InsertedTriangle& triangle) {
+    const std::size_t free = free_sites(front);
+    latest_ = panel(front, triangle.face, {ball_right_of(front, h), ball_left_of(front, h)});
+    first.try_emplace(free == free_ ? "to a point of the front" : "over an edge to a free point", latest_);
+    free_ = free;
+  }
+  void frozen(const Front& front, Halfedge h) {
+    frozen_.insert(h);
+    const Disc after = largest_left_of(places_[front.from_site(h)], places_[front.to_site(h)]);
+    first.try_emplace("nothing to touch: frozen", panel(front, std::nullopt, {ball_right_of(front, h), after}));
+  }
+  void curve_split(const Front&, Halfedge, Halfedge) { first.try_emplace("the front becomes two curves", latest_); }
+
+  /// Returns a panel of the present mesh, with the new triangle, and the balls before and after.
+  Panel panel(const Front& front, std::optional<Face> fresh, const std::vector<Disc>& balls) const {
+    Panel panel{drawn_front(front, mesh_, places_), {}};
+    std::size_t frozen = 0;
+    meshops::for_each_halfedge(mesh_, [&](Halfedge h) {
+      if (!mesh_.is_boundary(h)) return;
+      if (frozen_.contains(h))
+        ++frozen;
+      else
+        panel.marks.add(mesh_.edge_handle(h));
+    });
+    if (fresh) panel.marks.add(*fresh);
+    panel.caption = {"triangles " + std::to_string(front.faces()) + " · active " +
+                     std::to_string(panel.marks.edges.size()) + " · frozen " + std::to_string(frozen)};
+    for (const Disc& ball : balls)
+      for (const Place corner : {Place{-1, -1}, {1, 1}}) panel.extent.push_back(ball.center + ball.radius * corner);
+    panel.more = [balls](Canvas& canvas, const Frame& frame) {
+      for (std::size_t i = 0; i < balls.size(); ++i) {
+        const bool before = i + 1 < balls.size();
+        canvas.circle(frame(balls[i].center), frame.scale * balls[i].radius,
+                      {before ? color::inner : color::text, before ? 1.0 : 1.6, before});
+        canvas.dot(frame(balls[i].center), 2.2, before ? color::inner : color::text);
+      }
+      if (balls.size() < 2) return;
+      canvas.arrow({frame(balls[0].center), frame(balls[1].center), {}}, {color::text, 1.2}, 7);
+    };
+    return panel;
+  }
+
+  std::map<std::string, Panel> first;  ///< by what happened
+
+ private:
+  Disc ball_left_of(const Front& front, Halfedge h) const {
+    return ball_on(places_[front.from_site(h)], places_[front.to_site(h)],
+                   places_[front.to_site(mesh_.next_halfedge_handle(h))]);
+  }
+  Disc ball_right_of(const Front& front, Halfedge h) const {
+    return ball_left_of(front, mesh_.opposite_halfedge_handle(h));
+  }
+  static std::size_t free_sites(const Front& front) {
+    std::size_t free = 0;
+    for (Site s = 0; s < static_cast<Site>(front.sites()); ++s) free += front.is_free(s) ? 1U : 0U;
+    return free;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Place>& places_;
+  std::set<Halfedge> frozen_;
+  std::size_t free_ = 0;
+  Panel latest_;
+};
+
+}  // namespace
 
 std::string front_events() {
   Sheet sheet("Events of a front: a curve splits, two curves join, a curve closes");
@@ -94,76 +245,6 @@ std::string front_events() {
   for (int i = 0; i < 3; ++i) hole.push_back(polar(150 + 120 * i, 1.7));
   event_row(sheet, hole, {{0, 3, 1}, {3, 4, 1}, {1, 4, 2}, {4, 5, 2}, {2, 5, 0}, {5, 3, 0}}, {{0, 1, 2}});
   return sheet.svg();
-}
-
-/// Returns a panel on which carried sites are marked, and those left behind are pale.
-Panel transfer_panel(const DrawnMesh& drawn, const Front& front, const meshops::LevelTransfer& transfer) {
-  Marks marks;
-  const auto carried = [&](Vertex v) {
-    return std::binary_search(transfer.carried.begin(), transfer.carried.end(), front.site(v));
-  };
-  meshops::for_each_vertex(drawn.mesh, [&](Vertex v) {
-    if (carried(v))
-      marks.add(v);
-    else
-      marks.pale_vertices.insert(v);
-  });
-  meshops::for_each_face(drawn.mesh, [&](Face f) { marks.pale_faces.insert(f); });
-  Panel panel{drawn, marks, {}};
-  panel.caption = {
-      "carried " + std::to_string(transfer.carried.size()) + " · left behind " + std::to_string(transfer.left_behind),
-      "reactivated " + std::to_string(transfer.reactivated) + " halfedges"};
-  return panel;
-}
-
-std::string level_transfer() {
-  // Seeds of a sunflower, at growing distances.
-  std::vector<Place> places;
-  std::vector<rbpa::Point> points;
-  for (int i = 1; i <= 64; ++i) {
-    places.push_back(polar(137.508 * i, 0.15 * std::pow(i, 0.7)));
-    points.push_back({places.back().x, places.back().y});
-  }
-  Sheet sheet("Two levels: boundary and free points are carried to the next, the interior is left behind", 50, 300);
-  Mesh mesh;
-  Front front(mesh, places.size());
-  meshops::FrontVisitor silent;
-  std::vector<Triangle> done;
-  int level = 0;
-  for (const double alpha : {0.4, 0.47}) {
-    std::vector<Triangle> triangles;
-    for (const auto& t : rbpa::triangles(rbpa::rbpa(points, alpha)))
-      triangles.push_back({static_cast<Site>(t[0]), static_cast<Site>(t[1]), static_cast<Site>(t[2])});
-    std::vector<Triangle> fresh;
-    std::set_difference(triangles.begin(), triangles.end(), done.begin(), done.end(), std::back_inserter(fresh));
-    GivenTriangles policy(fresh);
-    meshops::advance(front, policy, silent);
-    done = triangles;
-    const DrawnMesh drawn = drawn_front(front, mesh, places);
-    Panel before = counted(drawn);
-    before.heading = "level " + std::to_string(++level);
-    sheet.row(before, {"next_level", ""}, transfer_panel(drawn, front, front.next_level()));
-  }
-  return sheet.svg();
-}
-
-/// Returns a panel with a mesh, a triangle that a policy proposes, and the answer of the front.
-Panel proposed(const std::vector<Place>& places, const std::vector<Corners>& faces, const Triangle& triangle) {
-  Mesh mesh;
-  Front front(mesh, places.size());
-  for (const Triangle& t : as_triangles(faces)) front.create(t[0], t[1], t[2]);
-  Panel panel{drawn_front(front, mesh, places), {}};
-  panel.extent = places;
-  const auto refusal = front.create_blocker(triangle[0], triangle[1], triangle[2]);
-  panel.heading = refusal ? "refused: " + std::string(meshops::name(refusal->kind)) : "taken";
-  panel.more = [=, refused = refusal.has_value()](Canvas& canvas, const Frame& frame) {
-    for (unsigned i = 0; i < 3; ++i) {
-      const Place a = frame(places[triangle[i]]), b = frame(places[triangle[(i + 1) % 3]]);
-      canvas.segment({a, b, {}}, {refused ? color::touched : color::curve, 2.5, true});
-      canvas.dot(a, 4, refused ? color::touched : color::curve);
-    }
-  };
-  return panel;
 }
 
 std::string front_refusals() {
@@ -181,12 +262,43 @@ std::string front_refusals() {
   return sheet.svg();
 }
 
-}  // namespace
-
-std::span<const Figure> front_figures() {
-  static constexpr std::array figures = {Figure{"front_events", front_events}, Figure{"front_refusals", front_refusals},
-                                         Figure{"level_transfer", level_transfer}};
-  return figures;
+std::string pivoting() {
+  const std::vector<Place> places = {{1.5, 1.5},   {2.1, 0.6},  {2.7, 1.55}, {1.0, 0.55}, {0.4, 1.6},  {0.95, 2.4},
+                                     {2.05, 2.35}, {3.1, 0.65}, {3.65, 1.5}, {4.2, 0.5},  {4.8, 1.45}, {4.15, 2.45},
+                                     {5.25, 2.3},  {0.45, 3.3}, {1.6, 3.25}, {2.65, 3.3}, {3.7, 3.35}, {4.75, 3.2},
+                                     {2.15, 4.15}, {3.2, 4.2},  {4.3, 4.1},  {6.3, 3.7}};
+  std::vector<rbpa::Point> points;
+  for (const Place p : places) points.push_back({p.x, p.y});
+  Mesh mesh;
+  Front front(mesh, places.size());
+  rbpa::paper::RestrictedBallPivoting policy(points, front.next_level().carried, rbpa::Radius(alpha));
+  Recorder recorder(mesh, places);
+  meshops::advance(front, policy, recorder);
+  std::set<std::array<std::uint32_t, 3>> drawn;
+  meshops::for_each_face(mesh, [&](Face f) {
+    std::array<std::uint32_t, 3> corners{};
+    auto corner = corners.begin();
+    for (const Vertex v : mesh.fv_range(f)) *corner++ = static_cast<std::uint32_t>(front.site(v));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    drawn.insert(corners);
+  });
+  const auto expected = rbpa::triangles(rbpa::rbpa(points, alpha));
+  if (!std::equal(drawn.begin(), drawn.end(), expected.begin(), expected.end()))
+    throw std::logic_error("the pivoting that is drawn does not end in the solid alpha complex");
+  recorder.first["the front has run dry"] = recorder.panel(front, std::nullopt, {});
+  const auto of = [&](const char* heading) {
+    Panel panel = recorder.first.at(heading);
+    panel.heading = heading;
+    return panel;
+  };
+  return Sheet(
+             "Ball pivoting: a seed, a triangle to a free point, an edge that freezes, a triangle to the front, a "
+             "curve that "
+             "splits, the end",
+             42)
+      .row({of("a seed"), of("over an edge to a free point"), of("nothing to touch: frozen")})
+      .row({of("to a point of the front"), of("the front becomes two curves"), of("the front has run dry")})
+      .svg();
 }
 
 }  // namespace figures

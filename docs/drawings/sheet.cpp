@@ -42,12 +42,12 @@ void draw_arrow(Canvas& canvas, Place left, double width, const Arrow& arrow) {
   const double apart = arrow.back.empty() ? 0 : 5;
   const Stroke stroke{color::text, 1.6};
   canvas.arrow({from - Place{0, apart}, to - Place{0, apart}, {}}, stroke, 10);
-  canvas.text({middle, left.y - apart - 9}, arrow.there, Lettering::code, Align::middle);
+  canvas.text({middle, left.y - apart - 9}, arrow.there, Lettering::code);
   if (!arrow.back.empty()) {
     canvas.arrow({to + Place{0, apart}, from + Place{0, apart}, {}}, stroke, 10);
-    canvas.text({middle, left.y + apart + 19}, arrow.back, Lettering::code, Align::middle);
+    canvas.text({middle, left.y + apart + 19}, arrow.back, Lettering::code);
   }
-  if (!arrow.note.empty()) canvas.text({middle, left.y - apart - 28}, arrow.note, Lettering::small, Align::middle);
+  if (!arrow.note.empty()) canvas.text({middle, left.y - apart - 28}, arrow.note, Lettering::small);
 }
 
 std::string number(const char* name, long value) { return std::string(name) + " " + std::to_string(value); }
@@ -64,16 +64,6 @@ Panel counted(const DrawnMesh& drawn, const Marks& marks) {
                number("genus", counts.genus())}};
 }
 
-Sheet& Sheet::row(const Panel& before, const Arrow& arrow, const Panel& after) {
-  rows_.push_back({{before, after}, {arrow}});
-  return *this;
-}
-
-Sheet& Sheet::row(const std::vector<Panel>& panels) {
-  rows_.push_back({panels, {}});
-  return *this;
-}
-
 std::string Sheet::svg() const {
   Canvas canvas;
   double y = margin, right = 0;
@@ -81,7 +71,7 @@ std::string Sheet::svg() const {
     const Box box = box_of(row.panels);
     const double inside = scale_ * (box.high.x - box.low.x), height = scale_ * (box.high.y - box.low.y);
     const double width = std::max(inside + 12, least_width_);
-    const double between = row.arrow.empty() ? gap : width_of_arrow(row.arrow[0]);
+    const double between = row.arrow ? width_of_arrow(*row.arrow) : gap;
     std::size_t lines = 0;
     bool headed = false;
     for (const Panel& panel : row.panels) {
@@ -95,15 +85,15 @@ std::string Sheet::svg() const {
       const Panel& panel = row.panels[i];
       const double middle = x + width / 2;
       const Frame frame{{middle - inside / 2 - scale_ * box.low.x, bottom + scale_ * box.low.y}, scale_};
-      if (!panel.heading.empty()) canvas.text({middle, top - 20}, panel.heading, Lettering::plain, Align::middle);
+      if (!panel.heading.empty()) canvas.text({middle, top - 20}, panel.heading, Lettering::plain);
       draw(canvas, frame, panel.drawn, panel.marks);
       if (panel.more) panel.more(canvas, frame);
       for (std::size_t line = 0; line < panel.caption.size(); ++line)
         canvas.text({middle, bottom + 30 + line_height * static_cast<double>(line)}, panel.caption[line],
-                    Lettering::small, Align::middle);
+                    Lettering::small);
       x += width;
       if (i + 1 < row.panels.size()) {
-        if (!row.arrow.empty()) draw_arrow(canvas, {x, (top + bottom) / 2}, between, row.arrow[0]);
+        if (row.arrow) draw_arrow(canvas, {x, (top + bottom) / 2}, between, *row.arrow);
         x += between;
       }
     }

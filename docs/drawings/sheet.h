@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,16 +36,19 @@ class Sheet {
   explicit Sheet(std::string title, double pixels_per_unit = 50, double least_width = 220)
       : title_(std::move(title)), scale_(pixels_per_unit), least_width_(least_width) {}
 
-  Sheet& row(const Panel& before, const Arrow& arrow, const Panel& after);
-  /// Adds a row of panels.
-  Sheet& row(const std::vector<Panel>& panels);
+  /// Adds a row of panels, with an arrow between them if there are two.
+  Sheet& row(const std::vector<Panel>& panels, const std::optional<Arrow>& arrow = {}) {
+    rows_.push_back({panels, arrow});
+    return *this;
+  }
+  Sheet& row(const Panel& before, const Arrow& arrow, const Panel& after) { return row({before, after}, arrow); }
 
   std::string svg() const;
 
  private:
   struct Row {
     std::vector<Panel> panels;
-    std::vector<Arrow> arrow;  // one, or none
+    std::optional<Arrow> arrow;
   };
   std::string title_;
   double scale_;

@@ -1,18 +1,13 @@
+// What: one tile of a complex: what it owns, its patch, and what all tiles leave over.
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <random>
 #include <set>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
-#include "drawings/caption.h"
-#include "drawings/drawn_complex.h"
 #include "drawings/figures.h"
-#include "drawings/random.h"
 #include "drawings/sheet.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/plane/alpha_complex.h"
@@ -26,10 +21,13 @@ namespace {
 
 using Corners3 = std::array<std::uint32_t, 3>;
 
+Place place_of(const rbpa::Point& p) { return {p.x, p.y}; }
+
 /// Returns uniform points in a square of side 12 except for an empty disc, and many points near one place.
-Points with_a_dense_place_and_a_gap() {
-  Points points;
-  Random random(11);
+std::vector<rbpa::Point> with_a_dense_place_and_a_gap() {
+  std::vector<rbpa::Point> points;
+  std::mt19937_64 engine(11);
+  const auto random = [&] { return static_cast<double>(engine() >> 11U) * 0x1p-53; };  // equal on every platform
   const Place gap{8.6, 8.4}, dense{4.1, 6.2};
   for (int row = 0; row < 24; ++row)
     for (int column = 0; column < 24; ++column) {
@@ -43,15 +41,13 @@ Points with_a_dense_place_and_a_gap() {
   return points;
 }
 
-/// Result of one tile.
-struct OfTile {
-  rbpa::Tile tile;
-  std::vector<Corners3> triangles;
-  std::set<std::uint32_t> settled;
-};
-
-/// All tiles of a set of points, and the remainder; numbers are sites.
+/// All tiles of a set of points with their patches, and the remainder; numbers are sites.
 struct Tiling {
+  struct OfTile {
+    rbpa::Tile tile;
+    std::vector<Corners3> triangles;
+    std::set<std::uint32_t> settled;
+  };
   std::vector<Place> places;
   std::vector<OfTile> tiles;
   std::vector<std::uint32_t> not_done;
@@ -60,171 +56,151 @@ struct Tiling {
 
 std::vector<Corners3> triangles_of(const meshops::Patch& patch) {
   std::vector<Corners3> triangles;
-  for (const auto& corners : patch.triangles) {
-    triangles.push_back({});
-    std::transform(corners.begin(), corners.end(), triangles.back().begin(),
-                   [](auto site) { return static_cast<std::uint32_t>(site); });
-  }
+  for (const auto& [a, b, c] : patch.triangles)
+    triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
   return triangles;
 }
 
-/// Throws unless the triangles of all patches are the complex, so that no wrong figure is drawn.
-void require_complex(const Tiling& tiling, const rbpa::Sites& sites, const Points& points, double alpha) {
-  std::vector<Corners3> found;
-  const auto add = [&](const std::vector<Corners3>& triangles) {
-    for (Corners3 t : triangles) {
-      for (std::uint32_t& corner : t) corner = sites.input_index()[corner];
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-      found.push_back(t);
-    }
-  };
-  for (const OfTile& tile : tiling.tiles) add(tile.triangles);
-  add(tiling.missing);
-  std::sort(found.begin(), found.end());
-  if (found != rbpa::alpha_complex(points, alpha).triangles)
-    throw std::logic_error("the patches that are drawn are not the complex");
-}
-
-Tiling tiling_of(const Points& points, double alpha, std::uint32_t max_points) {
+Tiling tiling_of(const std::vector<rbpa::Point>& points, double alpha, std::uint32_t max_points) {
   rbpa::Threads threads(1);
   const rbpa::Sites sites(points, threads);
   const rbpa::Radius radius = rbpa::Radius::of(alpha);
-  if (sites.window().exponent != 0 || !sites.beyond().empty())
-    throw std::logic_error("the points do not lie in the window as they are");
   Tiling tiling;
   for (const rbpa::Point& p : sites.points()) tiling.places.push_back(place_of(p));
   rbpa::Cutter cutter(sites.grid(), sites.hidden());
   rbpa::FinderWorkspace workspace;
-  rbpa::TilePatch found;
+  rbpa::TilePatch found, rest;
   rbpa::Remainder remainder(sites, radius);
+  std::vector<Corners3> all;
+  const auto add = [&](const std::vector<Corners3>& triangles) {
+    for (Corners3 t : triangles) {
+      for (std::uint32_t& corner : t) corner = sites.input_index()[corner];
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      all.push_back(t);
+    }
+  };
   for (const rbpa::Block& block : rbpa::blocks(sites.grid(), max_points)) {
-    OfTile of;
+    Tiling::OfTile of;
     cutter.cut(block, of.tile);
     rbpa::find_patch(of.tile, sites.window().scaled(radius), workspace, found);
     of.triangles = triangles_of(found.patch);
     of.settled.insert(found.settled.begin(), found.settled.end());
     remainder.add(found);
+    add(of.triangles);
     tiling.tiles.push_back(std::move(of));
   }
   tiling.not_done = remainder.not_done();
-  rbpa::TilePatch rest;
   remainder.complete(
       threads, [] {}, rest);
   tiling.missing = triangles_of(rest.patch);
-  require_complex(tiling, sites, points, alpha);
+  add(tiling.missing);
+  std::sort(all.begin(), all.end());
+  if (all != rbpa::alpha_complex(points, alpha).triangles)
+    throw std::logic_error("the patches that are drawn are not the complex");
   return tiling;
 }
 
-/// Returns the tile with the most unknown cells.
-const OfTile& most_telling(const std::vector<OfTile>& tiles) {
-  const auto unknown = [](const OfTile& of) { return of.tile.unknown.empty() ? 0 : of.tile.unknown.back(); };
-  return *std::max_element(tiles.begin(), tiles.end(),
-                           [&](const OfTile& l, const OfTile& r) { return unknown(l) < unknown(r); });
-}
+/// Canvas of a panel, on which everything is placed by its frame.
+struct Drawing {
+  Canvas& canvas;
+  const Frame& frame;
 
-std::vector<Place> box(const Frame& frame, Place low, Place high) {
-  return {frame(low), frame({high.x, low.y}), frame(high), frame({low.x, high.y})};
-}
-
-void draw_cells(Canvas& canvas, const Frame& frame, const rbpa::Tile& tile) {
-  std::vector<std::vector<Place>> unknown;
-  for (std::size_t c = 0; c + 1 < tile.unknown.size(); ++c) {
-    if (tile.unknown[c] == tile.unknown[c + 1]) continue;
-    const auto columns = static_cast<std::size_t>(tile.columns);
-    const Place low{tile.x0 + static_cast<double>(c % columns) * tile.cell,
-                    tile.y0 + static_cast<double>(c / columns) * tile.cell};
-    unknown.push_back(box(frame, low, low + Place{tile.cell, tile.cell}));
+  std::vector<Place> seen(std::vector<Place> places) const {
+    for (Place& p : places) p = frame(p);
+    return places;
   }
-  canvas.region(unknown, color::touched_face);
-  std::vector<Segment> lines;
-  for (int i = 0; i <= tile.columns; ++i) {
-    const double x = tile.x0 + i * tile.cell;
-    lines.push_back({frame({x, tile.y0}), frame({x, tile.y1()}), {}});
+  void dots(const std::vector<Place>& places, double radius, std::string_view ink) const {
+    canvas.dots(seen(places), radius, ink);
   }
-  for (int i = 0; i <= tile.rows; ++i) {
-    const double y = tile.y0 + i * tile.cell;
-    lines.push_back({frame({tile.x0, y}), frame({tile.x1(), y}), {}});
+  void cells(const rbpa::Tile& tile) const {
+    std::vector<std::vector<Place>> unknown;
+    std::vector<Segment> lines;
+    for (std::size_t c = 0; c + 1 < tile.unknown.size(); ++c) {
+      if (tile.unknown[c] == tile.unknown[c + 1]) continue;
+      const auto columns = static_cast<std::size_t>(tile.columns);
+      const Place low{tile.x0 + static_cast<double>(c % columns) * tile.cell,
+                      tile.y0 + static_cast<double>(c / columns) * tile.cell};
+      const Place high = low + Place{tile.cell, tile.cell};
+      unknown.push_back(seen({low, {high.x, low.y}, high, {low.x, high.y}}));
+    }
+    canvas.region(unknown, color::touched_face);
+    for (int i = 0; i <= tile.columns; ++i) {
+      const double x = tile.x0 + i * tile.cell;
+      lines.push_back({frame({x, tile.y0}), frame({x, tile.y1()}), {}});
+    }
+    for (int i = 0; i <= tile.rows; ++i) {
+      const double y = tile.y0 + i * tile.cell;
+      lines.push_back({frame({tile.x0, y}), frame({tile.x1(), y}), {}});
+    }
+    canvas.segments(lines, {color::pale, 0.7});
   }
-  canvas.segments(lines, {color::pale, 0.7});
-}
+  void triangles(const Tiling& tiling, const std::vector<Corners3>& corners, std::string_view fill) const {
+    std::vector<std::vector<Place>> faces;
+    for (const auto& [a, b, c] : corners) faces.push_back(seen({tiling.places[a], tiling.places[b], tiling.places[c]}));
+    canvas.region(faces, fill);
+    canvas.closed_lines(faces, {color::inner, 0.7});
+  }
+};
 
-void draw_triangles(Canvas& canvas, const Frame& frame, const std::vector<Place>& places,
-                    const std::vector<Corners3>& triangles, std::string_view fill) {
-  std::vector<std::vector<Place>> faces;
-  for (const Corners3& t : triangles) faces.push_back({frame(places[t[0]]), frame(places[t[1]]), frame(places[t[2]])});
-  canvas.region(faces, fill);
-  canvas.closed_lines(faces, {color::inner, 0.7});
-}
-
-std::vector<Place> owned(const rbpa::Tile& tile, bool wanted) {
-  std::vector<Place> places;
-  for (std::size_t i = 0; i < tile.points.size(); ++i)
-    if ((tile.owned[i] != 0) == wanted) places.push_back(place_of(tile.points[i]));
-  return places;
-}
-
-std::vector<Place> seen(const Frame& frame, std::vector<Place> places) {
-  for (Place& p : places) p = frame(p);
-  return places;
-}
-
-std::string tile() {
-  constexpr double alpha = 1.9;
-  const Points points = with_a_dense_place_and_a_gap();
-  const Tiling tiling = tiling_of(points, alpha, 100);
-  const OfTile& one = most_telling(tiling.tiles);
-
-  Panel cut = panel_over(
-      points, "(a) one tile",
-      {of("owned", owned(one.tile, true).size()) + " · " + of("ghosts", owned(one.tile, false).size()),
-       "of " + std::to_string(points.size()) + " points, " + std::to_string(tiling.tiles.size()) + " tiles"});
-  cut.more = [=](Canvas& canvas, const Frame& frame) {
-    draw_cells(canvas, frame, one.tile);
-    canvas.dots(seen(frame, tiling.places), 1.4, color::pale);
-    canvas.dots(seen(frame, owned(one.tile, false)), 1.8, color::inner);
-    canvas.dots(seen(frame, owned(one.tile, true)), 2.2, color::text);
-  };
-
-  std::vector<Place> settled, unsettled;
-  for (std::size_t i = 0; i < one.tile.points.size(); ++i)
-    if (one.tile.owned[i] != 0)
-      (one.settled.contains(one.tile.site[i]) ? settled : unsettled).push_back(place_of(one.tile.points[i]));
-  Panel patch = panel_over(points, "(b) its patch",
-                           {of("triangles", one.triangles.size()),
-                            of("settled stars", settled.size()) + " · others " + std::to_string(unsettled.size())});
-  patch.more = [=](Canvas& canvas, const Frame& frame) {
-    draw_cells(canvas, frame, one.tile);
-    canvas.dots(seen(frame, tiling.places), 1.4, color::pale);
-    draw_triangles(canvas, frame, tiling.places, one.triangles, color::face);
-    canvas.dots(seen(frame, settled), 2.2, color::text);
-    canvas.dots(seen(frame, unsettled), 2.6, color::touched);
-  };
-
-  std::size_t found = 0;
-  for (const OfTile& tile : tiling.tiles) found += tile.triangles.size();
-  Panel rest = panel_over(points, "(c) what is left over",
-                          {of("triangles of all patches", found) + " · left " + std::to_string(tiling.missing.size()),
-                           "points for these " + std::to_string(tiling.not_done.size())});
-  rest.more = [=](Canvas& canvas, const Frame& frame) {
-    for (const OfTile& tile : tiling.tiles) draw_triangles(canvas, frame, tiling.places, tile.triangles, color::face);
-    draw_triangles(canvas, frame, tiling.places, tiling.missing, color::touched_face);
-    std::vector<Place> places;
-    for (const std::uint32_t site : tiling.not_done) places.push_back(tiling.places[site]);
-    canvas.dots(seen(frame, places), 1.8, color::touched);
-  };
-  for (Panel* panel : {&cut, &patch, &rest})
-    for (const Place corner : {Place{one.tile.x0, one.tile.y0}, {one.tile.x1(), one.tile.y1()}})
-      panel->extent.push_back(corner);
-  return Sheet("A tile: its points and ghosts, the patch found on it, and what all tiles leave over", 26, 310)
-      .row({cut, patch, rest})
-      .svg();
-}
+std::string number(const char* name, std::size_t value) { return name + std::to_string(value); }
 
 }  // namespace
 
-std::span<const Figure> tile_figures() {
-  static constexpr std::array figures = {Figure{"tile", tile}};
-  return figures;
+std::string tile() {
+  const std::vector<rbpa::Point> points = with_a_dense_place_and_a_gap();
+  const Tiling tiling = tiling_of(points, 1.9, 100);
+  // The tile with the most unknown cells.
+  const auto unknown = [](const Tiling::OfTile& of) { return of.tile.unknown.empty() ? 0 : of.tile.unknown.back(); };
+  const Tiling::OfTile& one = *std::max_element(tiling.tiles.begin(), tiling.tiles.end(),
+                                                [&](const auto& l, const auto& r) { return unknown(l) < unknown(r); });
+  std::vector<Place> owned, ghosts, settled, unsettled, left;
+  for (std::size_t i = 0; i < one.tile.points.size(); ++i) {
+    const Place p = place_of(one.tile.points[i]);
+    (one.tile.owned[i] != 0 ? owned : ghosts).push_back(p);
+    if (one.tile.owned[i] != 0) (one.settled.contains(one.tile.site[i]) ? settled : unsettled).push_back(p);
+  }
+  for (const std::uint32_t site : tiling.not_done) left.push_back(tiling.places[site]);
+  std::size_t found = 0;
+  for (const auto& of : tiling.tiles) found += of.triangles.size();
+
+  std::vector<Panel> panels(3);
+  panels[0].heading = "(a) one tile";
+  panels[0].caption = {number("owned ", owned.size()) + number(" · ghosts ", ghosts.size()),
+                       number("of ", points.size()) + number(" points, ", tiling.tiles.size()) + " tiles"};
+  panels[0].more = [&](Canvas& canvas, const Frame& frame) {
+    const Drawing drawing{canvas, frame};
+    drawing.cells(one.tile);
+    drawing.dots(tiling.places, 1.4, color::pale);
+    drawing.dots(ghosts, 1.8, color::inner);
+    drawing.dots(owned, 2.2, color::text);
+  };
+  panels[1].heading = "(b) its patch";
+  panels[1].caption = {number("triangles ", one.triangles.size()),
+                       number("settled stars ", settled.size()) + number(" · others ", unsettled.size())};
+  panels[1].more = [&](Canvas& canvas, const Frame& frame) {
+    const Drawing drawing{canvas, frame};
+    drawing.cells(one.tile);
+    drawing.dots(tiling.places, 1.4, color::pale);
+    drawing.triangles(tiling, one.triangles, color::face);
+    drawing.dots(settled, 2.2, color::text);
+    drawing.dots(unsettled, 2.6, color::touched);
+  };
+  panels[2].heading = "(c) what is left over";
+  panels[2].caption = {number("triangles of all patches ", found) + number(" · left ", tiling.missing.size()),
+                       number("points for these ", tiling.not_done.size())};
+  panels[2].more = [&](Canvas& canvas, const Frame& frame) {
+    const Drawing drawing{canvas, frame};
+    for (const auto& of : tiling.tiles) drawing.triangles(tiling, of.triangles, color::face);
+    drawing.triangles(tiling, tiling.missing, color::touched_face);
+    drawing.dots(left, 1.8, color::touched);
+  };
+  for (Panel& panel : panels) {
+    panel.extent = {{one.tile.x0, one.tile.y0}, {one.tile.x1(), one.tile.y1()}};
+    for (const rbpa::Point& p : points) panel.extent.push_back(place_of(p));
+  }
+  return Sheet("A tile: its points and ghosts, the patch found on it, and what all tiles leave over", 26, 310)
+      .row(panels)
+      .svg();
 }
 
 }  // namespace figures

@@ -1,7 +1,7 @@
-// Measures the data of the figures of docs/reference/performance.md, time per point against the number of points,
+// Measures the data of the figure of docs/reference/performance.md, time per point against the number of points,
 // against alpha, and against the unevenness of the points; and of figure 6 of docs/explanation/paper.md. Writes
 // performance_scaling.csv, performance_alpha.csv, performance_density.csv and paper_6_timing.csv, each complete or not
-// at all, which draw_figures draws. Values are medians, in nanoseconds per point, of figure 6 in seconds.
+// at all, which docs/drawings/draw.py draws. Values are medians, in nanoseconds per point, of figure 6 in seconds.
 //   bench_curves [--runs=N] [--points=N] FOLDER      5 runs of each; 1,000,000 points and up to 16 times
 #include <algorithm>
 #include <cmath>

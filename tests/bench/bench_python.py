@@ -1,6 +1,6 @@
 """Compares the Python package with the C++ call, with SciPy and a filter in NumPy, and with GEOS' concave hull.
 
-usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--plot FILE.png] [--markdown]
+usage: PYTHONPATH=build/release/python python3 tests/bench/bench_python.py [--points N] [--runs R] [--markdown]
 
 Contestants take turns, so that other work on the machine affects all of them; the median of the runs counts.
 """
@@ -70,7 +70,6 @@ def main() -> None:
     arguments = argparse.ArgumentParser()
     arguments.add_argument("--points", type=int, default=1_000_000)
     arguments.add_argument("--runs", type=int, default=5)
-    arguments.add_argument("--plot")
     arguments.add_argument("--markdown", action="store_true")
     given = arguments.parse_args()
     points = np.random.default_rng(1).random((given.points, 2))
@@ -114,24 +113,6 @@ def main() -> None:
             print(f"| {name} | {median[name]:.3f} | {min(seconds[name]):.3f} | {ratio} |")
         else:
             print(f"{name:30} {median[name]:8.3f} s, least {min(seconds[name]):8.3f} s  {ratio}")
-    if given.plot:
-        draw(median, given.plot)
-
-
-def draw(median: dict[str, float], file: str) -> None:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
-    figure, axes = plt.subplots(figsize=(7, 2.2), layout="constrained")
-    names = list(median)[::-1]
-    bars = axes.barh(names, [median[n] for n in names], color=["#9ecae1" if n[0] in "rC" else "#cccccc" for n in names])
-    axes.bar_label(bars, [f" {median[n]:.3g} s" for n in names])
-    axes.set(xlabel="seconds")
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.margins(x=0.15)
-    figure.savefig(file, dpi=120)
 
 
 if __name__ == "__main__":

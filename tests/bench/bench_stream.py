@@ -178,7 +178,7 @@ def count_of(text: str) -> int:
 
 
 def write_trace(run: Watched, name: str, head: str, memory: float) -> None:
-    """Writes, for draw_figures, one row per pixel of the picture, with the largest values of each."""
+    """Writes, for docs/drawings/draw.py, one row per pixel of the picture, with the largest values of each."""
     ends = np.cumsum([run.stats["seconds"][part] for part in ("count", "cut", "build")])
     step = run.seconds / 400
     with open(name, "w") as file:
