@@ -29,8 +29,7 @@ class Threads {
    public:
     template <typename Function>
     // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload): a lambda is passed, no Call
-    Call(Function&& function)
-        requires(!std::is_same_v<std::remove_cvref_t<Function>, Call>)
+    Call(Function&& function) requires(!std::is_same_v<std::remove_cvref_t<Function>, Call>)
         : function_(&function), call_([](const void* f, Arguments... arguments) -> Result {
             using Called = std::remove_reference_t<Function>;
             return (*static_cast<Called*>(const_cast<void*>(f)))(arguments...);
