@@ -171,6 +171,9 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
     warnings.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
                        ", as --columns requires");
+  if (!request.columns && fields.size() > 2)
+    warnings.push_back("no name of a column is that of a coordinate; x is column 1, " + in_quotes(fields[x]) +
+                       ", and y is column 2, " + in_quotes(fields[y]) + " (--columns chooses others)");
   find_height_column(fields, layout);
   return layout;
 }

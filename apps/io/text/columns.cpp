@@ -68,7 +68,8 @@ std::vector<Column> parse_space_columns(const std::string& text) {
 
 namespace {
 
-/// Names of columns that belong together: lower-case letters and digits, without the unit in brackets.
+/// Names of columns that belong together: lower-case letters and digits, without a unit in brackets or after a last
+/// space or underscore.
 struct Names {
   std::vector<std::string_view> x, y;
   bool degrees = false;
@@ -80,8 +81,8 @@ const std::vector<Names>& known_names() {
        true},
       {{"x", "xcoord", "xcoordinate", "coordx", "coordinatex", "xcoor", "pointx", "posx", "positionx", "utmx"},
        {"y", "ycoord", "ycoordinate", "coordy", "coordinatey", "ycoor", "pointy", "posy", "positiony", "utmy"}},
-      {{"easting", "eastings", "east", "e", "utmeasting", "rechtswert", "ostwert"},
-       {"northing", "northings", "north", "n", "utmnorthing", "hochwert", "nordwert"}}};
+      {{"easting", "eastings", "east", "e", "utmeasting", "utme", "rechtswert", "ostwert"},
+       {"northing", "northings", "north", "n", "utmnorthing", "utmn", "hochwert", "nordwert"}}};
   return known;
 }
 constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", "coordz",    "coordinatez", "zcoor",
@@ -94,9 +95,15 @@ constexpr std::string_view color_names[3][5] = {{"r", "red", "colorr", "rf", "di
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 
+constexpr std::string_view units[] = {"m", "ft", "deg"};
+
 std::string folded(std::string_view name) {
+  name = name.substr(0, name.find_first_of("(["));
+  if (const auto last = name.find_last_of(" _");
+      last != name.npos && std::find(std::begin(units), std::end(units), name.substr(last + 1)) != std::end(units))
+    name = name.substr(0, last);
   std::string result;
-  for (const char c : name.substr(0, std::min(name.find_first_of("(["), name.size())))
+  for (const char c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0)
       result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
