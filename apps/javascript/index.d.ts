@@ -11,7 +11,7 @@
 /** Points, each as [x, y], or numbers x0, y0, x1, y1, …; a typed array is fastest. */
 export type Points = ArrayLike<readonly number[]> | ArrayLike<number>;
 
-/** A radius, or a rule: "plateau:K" is a radius in the K-th plateau, a range in which the shape hardly changes, the
+/** A radius, or a rule: "plateau:K" is a radius in the K-th plateau, a range in which parts and holes hardly change, the
  * best first; "plateau" means "plateau:1"; "auto" is the least radius that covers every point in one solid
  * component; "min" is the least that covers every point. */
 export type Alpha = number | "auto" | "min" | "plateau" | `plateau:${number}`;

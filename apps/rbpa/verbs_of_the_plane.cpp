@@ -112,7 +112,8 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
       "shape",
       "Make polygons with holes of the alpha solid, valid under OGC Simple Features\n\n"
-      "Which alpha to choose: plateau first. It is a radius around which the shape hardly changes, and single points "
+      "Which alpha to choose: plateau first. It is a radius around which parts and holes hardly change, and single "
+      "points "
       "far from the others do not decide it. Give a number if you know which gaps are to stay open. min covers every "
       "point, and auto does so in one piece, so the most isolated point decides; with --cover 0.99 they leave out 1 "
       "point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");

@@ -36,7 +36,7 @@ def alpha_shape(
         GeoPandas GeoSeries or GeoDataFrame.
     alpha : float, "plateau", "plateau:K", "auto" or "min"
         A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "plateau" is a radius
-        around which the shape hardly changes, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is
+        around which parts and holes hardly change, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is
         the least radius at which every point is in a triangle. "auto" is the least radius at which, moreover, the
         triangles form at most `components` pieces. Both are exact, and one outlier decides them unless `cover` is less
         than 1. The default is "plateau", or "auto" if `cover` or `components` is given. `AlphaShape.alpha` is the

@@ -46,7 +46,7 @@ def read_points(
     format : str, optional
         "las", "text", ...; by default according to the ending of the path.
     skip_invalid : bool
-        Leave out lines of text, and records of LAS, that are no points; `PointFile.notes` counts them.
+        Leave out lines of text, and records of LAS, that are no points; `PointFile.warnings` counts them.
     vertices : bool
         Take the vertices of lines and polygons as points.
 
@@ -111,7 +111,7 @@ class PointFile:
         The requested fields by name. A missing value of a molecule is NaN, or an empty text.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", if the file names one.
-    notes : list of str
+    warnings : list of str
         Warnings, one sentence each: data that were left out, and guesses that may be wrong.
     """
 
@@ -120,7 +120,7 @@ class PointFile:
     colors: Optional[npt.NDArray[np.uint8]]
     fields: dict[str, npt.NDArray[Any]]
     crs: Optional[str]
-    notes: list[str]
+    warnings: list[str]
 
     def __init__(self, read: dict[str, Any]) -> None:
         self._selected: Optional[npt.NDArray[np.int64]] = read.pop("selected")

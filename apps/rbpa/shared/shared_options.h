@@ -130,7 +130,7 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   RadiusArguments& radius = arguments.radius;
   verb.add_option("--alpha", radius.alpha,
                   "Set the largest circumradius (required): a radius in units of the points, or inf; plateau: a radius "
-                  "around which the shape hardly changes; plateau:K: the K-th best of these; min: the least that "
+                  "around which parts and holes hardly change; plateau:K: the K-th best of these; min: the least that "
                   "covers every point; auto: the least that does so in at most --components solid components (rbpa "
                   "alpha lists them all)")
       ->type_name("R|plateau[:K]|auto|min|inf");

@@ -77,7 +77,7 @@ class Page {
     const choices = plateaus.slice(0, maxPlateaus).map(({ alpha, from, to }, i) => [
       i === 0 ? "plateau" : `plateau:${i + 1}`,
       alpha,
-      `the shape hardly changes from ${short(from)} to ${short(to)}`,
+      `parts and holes hardly change from ${short(from)} to ${short(to)}`,
     ]);
     choices.push(["min", min, `the least alpha that covers ${share}`]);
     choices.push(["auto", auto, `the least alpha that covers ${share} in at most ${most} solid component${most === 1 ? "" : "s"}`]);
