@@ -105,7 +105,7 @@ TEST_SUITE("images") {
     touching.grey[4] = 0;
     CHECK(points_of_pgm(pgm(touching, false)) == centers(touching, 0));
     CHECK(points_of_pgm("P2 2 2 1 0 0 0 0").empty());
-    // Each pixel of the border counts once; if both are as many, the figure is dark.
+    // Each pixel of the border is counted once; if as many are dark as light, the figure is dark.
     CHECK(points_of_pgm("P2 3 3 1  0 1 0  1 1 1  0 1 0").size() == 4);
     CHECK(points_of_pgm("P2 1 5 1  0 1 1 0 0").size() == 2);
     CHECK(points_of_pgm("P2 2 1 1 0 1") == std::vector<Point>{{0.5, 0.5}});

@@ -169,7 +169,7 @@ TEST_SUITE("heights of triangles") {
     CHECK(made("--complex full", "f.obj") == all);
     CHECK(made("--complex full", "f.vtu") == all);
     CHECK(sorted(made("", "t.geojson")) == sorted(used));
-    // A file without heights beside one with heights.
+    // Mesh a file with empty heights together with a file with heights.
     folder.file("flat.csv", "x,y,z\n20,0,\n21,0,\n20,1,\n");
     const Outcome joined = folder.rbpa("mesh p.csv flat.csv --columns x,y --alpha 2 --group-by-file -o j.obj");
     CHECK(joined.code == 0);

@@ -46,7 +46,8 @@ std::set<Triangle> peer_triangles(const PolygonCase& polygon) {
   return triangles;
 }
 
-/// Returns whether the four points of two neighbors lie on one circle: then there is more than one triangulation.
+/// Returns whether the four corners of any two neighboring triangles lie on one circle. If so, the constrained Delaunay
+/// triangulation is not unique.
 bool has_ties(const rbpa::Filling& filling) {
   for (std::size_t t = 0; t < filling.triangles.size(); ++t)
     for (const std::uint32_t other : filling.neighbors[t]) {

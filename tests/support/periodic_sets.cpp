@@ -54,7 +54,7 @@ PeriodicSet periodic_set(std::uint64_t kind, std::size_t count, Random& random) 
       });
       break;
     case 3: {
-      set.name = "body-centerd";
+      set.name = "body-centered";
       set.box = {4, 4, 4};
       fill([&] {
         const Point3 p = on_lattice(set.box, 4, random);

@@ -38,7 +38,7 @@ Points3 shuffled(Points3 points, std::uint64_t seed) {
   return points;
 }
 
-Points3 body_centerd(std::size_t count) {
+Points3 body_centered(std::size_t count) {
   Points3 points;
   const int columns = columns_for(count / 2);
   for (const Point3& p : cubic_grid(count / 2, 2, 1)) {
@@ -176,7 +176,7 @@ std::vector<SolidSet> solid_sets(std::size_t count) {
   sets.push_back({"integer grid", cubic_grid(count, 1, 9)});
   sets.push_back({"grid of tenths", cubic_grid(count, 0.1, 10)});
   sets.push_back({"turned grid", turned_grid(count, 19)});
-  sets.push_back({"body-centerd grid", body_centerd(count)});
+  sets.push_back({"body-centered grid", body_centered(count)});
   sets.push_back({"jittered grid", jittered_cubes(count, 11)});
   sets.push_back({"cospherical shells", shells(count)});
   sets.push_back({"clusters", clusters_in_cube(count, 12)});

@@ -63,7 +63,7 @@ std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, con
   const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides, step);
   std::vector<std::uint32_t> point_of_vertex(soup.points);
   std::iota(point_of_vertex.begin(), point_of_vertex.end(), 0U);
-  // A fan gets its vertex at its least corner; as long as its halfedges have no end, it has no vertex.
+  // Give each fan its vertex at its first corner in the soup. Until then its halfedges have no end.
   for (std::size_t c = 0; c < soup.corners.size(); ++c) {
     step();
     const Halfedge out = side_of_corner[c];

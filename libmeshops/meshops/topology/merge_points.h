@@ -14,7 +14,7 @@
 
 namespace meshops {
 
-struct MergedPoints : SoupPart {  ///< for points that became one, point_was has the least
+struct MergedPoints : SoupPart {  ///< for merged points, point_was has their lowest index
   std::size_t merged = 0;         ///< number of points that were removed
   std::size_t corners = 0;        ///< number of repeated corners that were removed from remaining faces
   std::size_t degenerate = 0;     ///< number of removed faces with fewer than three corners left, or one point twice
@@ -22,7 +22,7 @@ struct MergedPoints : SoupPart {  ///< for points that became one, point_was has
 };
 
 /// Merges points with the same value of `least`. Points without a face stay.
-/// Requires: least[p] is the least of the points that become one with p; every corner is a point.
+/// Requires: least[p] is the lowest index of the points that are merged with p, p included; every corner is a point.
 /// Throws:   ContractViolation that names the requirement that is not met, and when there are 2³⁰ corners, points or
 ///           faces, or more; Cancelled.
 MESHOPS_API MergedPoints merge_points(const PolygonSoup& soup, std::span<const std::uint32_t> least,

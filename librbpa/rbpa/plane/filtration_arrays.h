@@ -18,7 +18,7 @@
 
 namespace rbpa {
 
-/// An edge that is in the full alpha complex before any of its triangles is.
+/// An edge that enters the full alpha complex at a smaller alpha than every triangle that contains it.
 struct FreeEdge {
   double alpha = 0;            ///< radius at which the edge appears: half its length, rounded up
   std::uint32_t triangle = 0;  ///< the first triangle at the edge, which appears later

@@ -21,8 +21,8 @@
 
 namespace rbpa {
 
-/// Counts over the merged regions. Counts of items that regions own add up; components and curves count once they are
-/// finished.
+/// Counts over the merged regions. Counts of items that regions own add up; components and curves are counted when they
+/// are finished.
 struct PartialCounts {
   std::uint64_t points = 0;      ///< input points, duplicates included
   std::uint64_t duplicates = 0;  ///< points equal to one of a lower index

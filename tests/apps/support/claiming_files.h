@@ -1,4 +1,4 @@
-// Small complete files of every format whose header has sizes.
+// Small complete files of every format that declares sizes in its header.
 #pragma once
 
 #include <cstddef>

@@ -51,7 +51,7 @@ TEST_SUITE("front walk") {
   }
 }
 
-// Too long for every run: only the nightly tests run it.
+// Only the nightly tests run this suite: it takes too long for every run.
 TEST_SUITE("long walk" * doctest::skip()) {
   TEST_CASE("1,000,000 random calls of fronts agree with the model") { walk(3, 1'000'000); }
   TEST_CASE("1,000,000 random proposals leave advancing fronts sound") { advance(4, 1'000'000); }

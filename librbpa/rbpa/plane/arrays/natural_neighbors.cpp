@@ -69,7 +69,8 @@ bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::ab
 
 }  // namespace
 
-/// Returns whether the circle of the triangle beyond a side contains the query.
+/// Returns whether the circumcircle of the triangle across a side contains the query strictly inside; false if there is
+/// no such triangle.
 bool NaturalNeighbors::goes_on_beyond(const Side& s, const Point& query) const {
   const std::uint32_t other = of_.neighbors[s.triangle][s.across];
   if (other == no_index) return false;
@@ -77,7 +78,7 @@ bool NaturalNeighbors::goes_on_beyond(const Side& s, const Point& query) const {
   return Predicates<long double>::in_circle(points_[a], points_[b], points_[c], query) > 0;
 }
 
-/// Returns the same side in the triangle beyond.
+/// Returns the side `s` as a side of the triangle across it.
 NaturalNeighbors::Side NaturalNeighbors::beyond(const Side& s) const {
   const std::uint32_t other = of_.neighbors[s.triangle][s.across];
   const auto& back = of_.neighbors[other];

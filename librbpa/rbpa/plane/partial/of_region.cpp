@@ -20,7 +20,7 @@ namespace {
 
 constexpr unsigned all = 7;  // bits of corners that are owned
 
-/// Calls `ask` now and then; it throws to cancel.
+/// Calls `ask` at every 65,536th step. Throws: Cancelled, from `ask`.
 void ask_at(std::size_t step, const Ask& ask) {
   if (ask && step % 65536 == 0) ask();
 }

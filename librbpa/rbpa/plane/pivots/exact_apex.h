@@ -1,5 +1,5 @@
 // What: decides exactly which of a few points of a tile a ball touches first when it rolls over a→b to its left.
-// Why:  bounds in single precision leave two or more points now and then, and on a lattice a tie for each point.
+// Why:  bounds in single precision sometimes leave two or more candidates, and on a lattice a tie for each point.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ class ExactApex {
   /// Keeps references.
   ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
-  /// Returns the winner among points that may lie on either side of the chord; `none` if all lie right of it or on it.
+  /// Returns the candidate that the ball touches first. Candidates may lie on either side of the chord. The result is
+  /// `none` if all lie right of the chord or on it.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> candidates, Index none) const {
     const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
@@ -34,7 +35,8 @@ class ExactApex {
     return best;
   }
 
-  /// Returns the winner among points left of the chord, in a box of at most `lattice_extent`.
+  /// Returns the candidate that the ball touches first.
+  /// Requires: candidates left of the chord, in a box of at most `lattice_extent`.
   Index winner_on_lattice(std::size_t a, std::size_t b, std::span<const Index> candidates) const {
     Index best = candidates[0];
     for (const Index i : candidates.subspan(1))

@@ -41,12 +41,13 @@ struct Cloud {
   }
 };
 
-/// The input that has points left out.
+/// The whole input cloud, from which points are left out.
 struct WholeCloud {
   std::vector<Point3> points, normals;
-  Numbers number = {};  // in the input, of each point that is not left out
+  Numbers number = {};  // for each point that is not left out, its index in the input
 
-  /// Takes points out of the cloud and the viewpoints. Requires: ascending numbers.
+  /// Copies the cloud, then removes the points `left_out` from it, with their normals and viewpoints.
+  /// Requires: ascending indices.
   WholeCloud(Cloud& cloud, std::vector<Point3>& viewpoints, std::span<const std::uint32_t> left_out)
       : points(cloud.points), normals(cloud.normals) {
     std::size_t next = 0;

@@ -44,7 +44,8 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
     for (const std::uint32_t corner : row) box.include(points[corner]);
   low_ = box.low;
   high_ = box.high;
-  // Cells are cubes, one for about twenty tetrahedra, unless the box is so flat that there would be too many.
+  // Cells are cubes, about one for twenty tetrahedra. The volume of a flat box counts as if each side were at least
+  // 10⁻⁶ of the longest, and each axis has at most 1,024 cells.
   const std::array<double, 3> extent = {high_.x / 2 - low_.x / 2, high_.y / 2 - low_.y / 2, high_.z / 2 - low_.z / 2};
   const double longest = *std::max_element(extent.begin(), extent.end());
   double volume = 1;

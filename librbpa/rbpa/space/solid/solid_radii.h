@@ -24,16 +24,16 @@ RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
                                          std::span<const std::array<std::uint32_t, 4>> simplices,
                                          MaxThreads threads = 0, const GoOn& go_on = {});
 
-/// Returns the least alpha at which a share of the points are corners of tetrahedra: all of them, or fewer so that
-/// outliers do not decide. The result is infinity if there is no tetrahedron.
+/// Returns the least alpha at which at least the fraction `share` of the distinct points are corners of tetrahedra. A
+/// share below 1 ignores outliers. The result is infinity if there is no tetrahedron.
 /// Requires: the result of solid() at infinity, and its circumradii; 0 < share ≤ 1.
-/// Throws:   ContractViolation otherwise.
+/// Throws:   ContractViolation if the number of radii is wrong or the share is out of range; Cancelled.
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                           const GoOn& go_on = {});
 
-/// Returns the least alpha at which one solid component, connected through triangles, has a share of the points for
-/// corners. Other components may exist. The result is infinity if there is no tetrahedron.
-/// Requires: as min_alpha(), with neighbors.
+/// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction
+/// `share` of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
+/// Requires: what min_alpha() requires; a triangulation with neighbors.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                            const GoOn& go_on = {});
 

@@ -21,7 +21,7 @@ namespace {
 /// Finds the void that each surface of the boundary bounds:
 ///   1. for each component of the complex, find the surface around it; its other surfaces are around voids;
 ///   2. find the components within each surface around a void;
-///   3. find the void that each component floats in: the innermost of those around it.
+///   3. find the innermost void around each component.
 class Nesting {
  public:
   Nesting(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary, space::Outside& outside)
@@ -43,7 +43,8 @@ class Nesting {
   const space::Grouped& surfaces() const { return surfaces_; }
   /// Returns whether a surface is around a component.
   bool is_outer(std::uint32_t surface) const { return outer_[component_[surface]] == surface; }
-  /// Returns, for a surface around a component, the surface around the void in which the component floats, or none.
+  /// Returns, for a surface around a component, the surface around the innermost void that
+  /// contains the component, or none.
   std::uint32_t around(std::uint32_t surface) const { return around_[surface]; }
 
   /// Does steps 2 and 3.

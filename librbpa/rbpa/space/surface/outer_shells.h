@@ -1,8 +1,9 @@
-// What: decides which shells the ball touches from the outside of everything, and how deep closed surfaces are nested.
-// Law:  a shell is outer if no shell winds around the center of a ball that rests on it, which is at least the radius
-//       away from all points. Exact except for the rounding of that center: if the radius is above 10⁻⁹ of the
-//       coordinates, only triangles whose circumcircle is nearly a great circle of the ball are in doubt.
-//       docs/explanation/surfaces.md, section 21.
+// What: decides which shells are outer: those that the ball can reach from outside of all shells; counts the closed
+//       surfaces that enclose each closed surface.
+// Law:  a shell is outer if no shell, itself included, winds around the center of a ball that rests on it. That center
+//       is at least the radius away from all points. Winding numbers are exact; the center is rounded. If the radius is
+//       above 10⁻⁹ of the coordinates, rounding can matter only at triangles whose circumcircle is nearly a great
+//       circle of the ball. docs/explanation/surfaces.md, section 21.
 // Cost: a sort of the shells, and for each triangle a search among them.
 #pragma once
 
@@ -26,7 +27,7 @@ namespace rbpa {
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 
-/// Returns for each closed surface in how many others it lies, exactly: 0 for a body beside others, 1 for the wall of a
+/// Returns for each closed surface in how many others it lies, exactly: 0 for a body outside of all others, 1 for the wall of a
 /// cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner that is
 /// on no other surface. A surface without a triangle lies in none. A surface with every corner on another one does not
 /// lie in that one.

@@ -1,4 +1,4 @@
-// Tiles beside points that are not in the grid: their results hold for all points.
+// Tests tiles near hidden points, which are not in the grid: the results hold for all points.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -59,7 +59,8 @@ Points3 joined(const Points3& points, const RefinedSurface& refined) {
   return all;
 }
 
-/// Checks that the surface is closed and crosses nothing, and that the triangles before still exist.
+/// Checks that refining keeps the number of boundary curves and all old triangles, that no triangles cross, and that
+/// each added point adds two triangles.
 void check_refined(const Sample& sample, const FilledSurface& before, const RefinedSurface& refined) {
   const Points3 all = joined(sample.points, refined);
   CHECK(rbpa::surface_curves(all, refined.surface).size() ==
@@ -76,7 +77,6 @@ void check_refined(const Sample& sample, const FilledSurface& before, const Refi
   REQUIRE(refined.between.size() == refined.points.size());
   for (std::size_t k = 0; k < refined.points.size(); ++k)
     for (const std::uint32_t v : refined.between[k]) CHECK(v < sample.points.size() + k);
-  // Each added point adds two triangles, wherever it lies.
   CHECK(refined.surface.triangles.size() == before.surface.triangles.size() + 2 * refined.points.size());
 }
 

@@ -32,7 +32,8 @@ using Offset = std::array<std::int8_t, 3>;
 
 double most_radius(const Point3& box) { return std::nextafter(std::min({box.x, box.y, box.z}) / 2, 0.0); }
 
-/// Returns the Delaunay tetrahedra of 27 images of all points whose least corner is in the box.
+/// Returns the Delaunay tetrahedra of the 27 images of all points that have their first corner in the box, and a
+/// circumradius of at most `alpha` and below half the shortest side of the box.
 std::vector<PeriodicCorners> rows_by_definition(const Points3& in_box, const Point3& box, double alpha) {
   const AllImages all = all_images(in_box, box);
   const Solid delaunay = rbpa::solid(all.positions, infinity, {.threads = 1});

@@ -1,6 +1,6 @@
-// What: surfaces of few points computed literally from their definitions: every triple against every point, every pair
-//       of sides.
-// Law:  shares with the library only the signs of predicate/exact.h and the ball, which have tests of their own.
+// What: computes surfaces of few points directly from their definitions: tests every triple of points against every
+//       point, and compares every pair of sides at an edge.
+// Law:  calls only the signs of predicate/exact.h and the ball of the library, which have tests of their own.
 #pragma once
 
 #include <array>

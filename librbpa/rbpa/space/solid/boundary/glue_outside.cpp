@@ -31,7 +31,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
   struct Side {
     std::uint32_t to, triangle, across;
   };
-  // The sides that leave each point.
+  // Group the sides by the point that they leave.
   std::vector<std::uint32_t> end(points.size() + 1, 0);
   for_each_rising_side(triangles, [&](std::uint32_t from, auto...) { ++end[from + 1]; });
   for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];

@@ -86,8 +86,8 @@ class Block {
   /// The number of cells on each side of a cell.
   static constexpr int cells = 2;
 
-  /// Gathers the open points in the cells around a cell and around `more` cells after it in its row. `open` has one bit
-  /// for each point, and is readable beyond the end.
+  /// Gathers the unfinished points in the cells around a cell and around `more` cells after it in its row. `open` has
+  /// one bit for each point, which is set if the point is unfinished, and one more readable byte at its end.
   HWY_INLINE void gather(const Tile& tile, const std::array<int, 3>& cell, int more, const std::uint8_t* open) {
     const Doubles d;
     const hn::RebindToSigned<Doubles> numbers;
@@ -120,7 +120,7 @@ class Block {
       }
     count_ = count;
   }
-  /// Returns the ranges of cells whose open points are all in the block.
+  /// Returns the ranges of cells whose unfinished points are all in the block.
   const std::array<Tile::Range, 3>& ranges() const { return cells_; }
 
   void remove(Local i) {

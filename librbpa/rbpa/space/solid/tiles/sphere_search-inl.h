@@ -79,7 +79,8 @@ class ApexSearch {
   /// Returns the sphere through a face (v, p, q) and r, as sphere_minors() computes it for (q, p, r).
   HWY_INLINE static Sphere sphere_of(const Face& face, const Spoke& r) {
     const auto &n = face.normal, &m = face.turned;
-    // The lengths of docs/explanation/exact_decisions.md, bounded by their squares: (α + β + γ)² ≤ 3 (α² + β² + γ²).
+    // The error bound of docs/explanation/exact_decisions.md, section 7, for spokes p, q, r of lengths α, β, γ, with
+    // (α + β + γ)² ≤ 3 (α² + β² + γ²).
     const double weight = in_sphere_filter * std::sqrt(face.product * r.square);
     return {{n.x * r.square + (m.y * r.z - m.z * r.y), n.y * r.square + (m.z * r.x - m.x * r.z),
              n.z * r.square + (m.x * r.y - m.y * r.x), -(n.x * r.x + n.y * r.y + n.z * r.z)},

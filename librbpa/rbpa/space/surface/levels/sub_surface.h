@@ -1,5 +1,5 @@
-// What: parts of a surface, such as the part made by its smaller radii.
-// Law:  the part of the smaller radii is the surface by those radii alone, as a later radius changes no gluing between
+// What: extracts parts of a surface, for example the triangles of its smaller radii.
+// Law:  the triangles of the smaller radii are the surface of those radii alone: a later radius changes no gluing between
 //       earlier triangles.
 #pragma once
 

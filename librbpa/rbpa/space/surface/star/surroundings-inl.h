@@ -71,12 +71,12 @@ class Surroundings {
 
   /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most
   /// `to`, in squared radii, and whose cap may meet a cone of the bound. visit() may shrink the bound meanwhile.
-  /// Returns false, and stops, as soon as visit() returns false.
+  /// Stops and returns false when visit() returns false.
   template <typename Visit>
   bool for_each_candidate(const BoundingCones& bound, float from, float to, Visit visit) {
-    // One vector of sites is tested against each cone: lane k is the site i + k, relative to v.
+    // A vector of at most 16 sites is tested against each cone: lane k is the site i + k, relative to v.
     //
-    //   x y z          │ p        │ p'       │ …  16 sites
+    //   x y z          │ p        │ p'       │ …  at most 16 sites
     //   cone: middle   │ M        │ M        │ …  M · p + margin > p²/4 where p's cap may meet it
     for (std::size_t i = 0; i < count_; i += hn::Lanes(f)) {
       const Seen p = seen(i);

@@ -22,7 +22,7 @@ using Vector = std::array<long double, 3>;
 long double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
 
 /// Returns point i and the points around it, relative to their centroid.
-std::vector<Vector> centerd(const Neighborhoods& points, std::size_t i) {
+std::vector<Vector> centered(const Neighborhoods& points, std::size_t i) {
   std::vector<Vector> all = {{points.points[i].x, points.points[i].y, points.points[i].z}};
   for (const std::uint32_t j : points.around(i))
     all.push_back({points.points[j].x, points.points[j].y, points.points[j].z});
@@ -57,7 +57,7 @@ TEST_CASE("no other plane fits better, in any direction and to first order") {
       const Point3 found = rbpa::space::fit_plane<double>(near, i).normal;
       const Vector n = {found.x, found.y, found.z};
       CHECK(std::abs(dot(n, n) - 1) < 1e-14L);
-      const std::vector<Vector> points = centerd(near, i);
+      const std::vector<Vector> points = centered(near, i);
       long double size = 0;
       for (const Vector& v : points) size += dot(v, v);
       const long double least = misfit(points, n);
