@@ -28,7 +28,7 @@ bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
 }
 
 std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b, Edge without) {
-  require(is_live(mesh, a) && is_live(mesh, b), "smaller_part: no such face");
+  require(is_live(mesh, a) && is_live(mesh, b), "smaller_part: a face does not exist or is deleted");
   if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;

@@ -19,7 +19,7 @@ std::size_t BoundaryCurve::length() const {
 bool BoundaryCurve::contains(Halfedge h) const { return on_same_curve(*mesh_, through_, h); }
 
 std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v) {
-  require(is_live(mesh, v), "boundary_curve_at: no such vertex");
+  require(is_live(mesh, v), "boundary_curve_at: the vertex does not exist or is deleted");
   if (mesh.is_isolated(v) || !mesh.is_boundary(v)) return std::nullopt;
   return BoundaryCurve(mesh, mesh.halfedge_handle(v));
 }

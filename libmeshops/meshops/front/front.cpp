@@ -83,7 +83,7 @@ bool Front::is_boundary(Halfedge h) const {
 }
 
 std::size_t Front::level(Face f) const {
-  require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: no such face");
+  require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: the face does not exist");
   return levels_.level(f);
 }
 

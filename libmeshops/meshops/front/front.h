@@ -257,7 +257,7 @@ class MESHOPS_API Front {
   }
   Halfedge checked(Halfedge h) const {
     guard_.require_intact();
-    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: no such halfedge");
+    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: the halfedge does not exist");
     return h;
   }
   friend class detail::EngineSide;

@@ -26,7 +26,7 @@ template <typename Mesh>
 auto length_map(const Mesh& mesh) {
   return edge_map([&mesh](Edge e) {
     require(e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.Connectivity::n_edges(),
-            "length_map: no such edge");
+            "length_map: the edge does not exist or is deleted");
     const Halfedge h = mesh.halfedge_handle(e, 0);
     const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h));
     return static_cast<double>(along.norm());

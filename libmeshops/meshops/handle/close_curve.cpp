@@ -9,7 +9,7 @@ namespace meshops {
 namespace {
 
 const char* reason_against_closing(const Connectivity& mesh, Halfedge h) {
-  if (!is_live(mesh, h)) return "no such halfedge";
+  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
   if (!mesh.is_boundary(h)) return "the halfedge is not on the boundary";
   if (mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h) return "the curve has two edges: glue them";
   Halfedge side = h;
@@ -32,7 +32,7 @@ bool is_passed_again(const Connectivity& mesh, Halfedge h) {
 
 const char* reason_against_opening(const Connectivity& mesh, Face f) {
   if (!mesh.has_face_status()) return "the mesh needs face status to mark what is deleted (request_face_status())";
-  if (!is_live(mesh, f)) return "no such face";
+  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;
   std::size_t sides = 0;

@@ -12,7 +12,7 @@ namespace {
 
 const char* reason_against_any(const Connectivity& mesh, Face f) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, f)) return "no such face";
+  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
   const Halfedge first = mesh.halfedge_handle(f);
   const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
   return mesh.next_halfedge_handle(third) == first ? nullptr : "the face is not a triangle";

@@ -7,7 +7,7 @@
 namespace meshops {
 
 TriangleRim rim_of(const Connectivity& mesh, Face f) {
-  require(is_live(mesh, f), "rim_of: no such face");
+  require(is_live(mesh, f), "rim_of: the face does not exist or is deleted");
   TriangleRim rim;
   Halfedge side = mesh.halfedge_handle(f);
   for (unsigned i = 0; i < 3; ++i, side = mesh.next_halfedge_handle(side)) {

@@ -43,7 +43,7 @@ const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other
 }
 
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
+  if (!is_live(mesh, first) || !is_live(mesh, second)) return "a halfedge does not exist or is deleted";
   if (mesh.edge_handle(first) == mesh.edge_handle(second)) return "both halfedges are of one edge";
   if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
   if (const char* reason = merge_refusal(mesh, first, mesh.next_halfedge_handle(second))) return reason;

@@ -111,7 +111,7 @@ void require_ungluable(const char* operation, const Connectivity& mesh, Halfedge
 namespace detail {
 
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h) {
-  if (!is_live(mesh, h)) return "no such halfedge";
+  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
   if (mesh.is_boundary(mesh.edge_handle(h))) return "the edge is on the boundary";
   for (const Vertex end : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
     if (has_several_fans(mesh, end)) return several_fans;

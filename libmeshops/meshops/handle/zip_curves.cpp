@@ -22,7 +22,7 @@ std::size_t length_of_curve(const Connectivity& mesh, Halfedge through) {
 
 std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, first) || !is_live(mesh, second)) return "no such halfedge";
+  if (!is_live(mesh, first) || !is_live(mesh, second)) return "a halfedge does not exist or is deleted";
   if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
   if (on_same_curve(mesh, first, second)) return "both halfedges are on one curve";
   if (const std::size_t a = length_of_curve(mesh, first), b = length_of_curve(mesh, second); a != b)

@@ -47,14 +47,14 @@ class MESHOPS_API SiteVertices {
   Site site(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
     if (i < first_) return static_cast<Site>(i);
-    require(i - first_ < further_.size(), "Front: no such vertex");
+    require(i - first_ < further_.size(), "Front: the vertex does not exist");
     return further_[i - first_].site;
   }
 
   /// Returns whether no fan is on this site. Throws ContractViolation when there is no such site.
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
-    require(s < sites(), "Front: no such site");
+    require(s < sites(), "Front: the site does not exist");
     return first_listed(s) < 0;
   }
 
@@ -66,7 +66,7 @@ class MESHOPS_API SiteVertices {
   /// first() and next() return the same vertices one by one, and an invalid handle after the last. They throw
   /// ContractViolation also when a listed vertex has lost its faces to a change by other code.
   Vertex first(Site s) const {
-    require(s < sites(), "Front: no such site");
+    require(s < sites(), "Front: the site does not exist");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
   }
   Vertex next(Vertex v) const {

@@ -7,7 +7,7 @@ namespace {
 
 const char* collapse_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  return is_live(mesh, h) ? detail::close_refusal(mesh, h, keep) : "no such halfedge";
+  return is_live(mesh, h) ? detail::close_refusal(mesh, h, keep) : "the halfedge does not exist or is deleted";
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace meshops {
 namespace {
 
 const char* refusal(const Connectivity& mesh, Halfedge from, Halfedge to, Keep keep) {
-  if (!is_live(mesh, from) || !is_live(mesh, to)) return "no such halfedge";
+  if (!is_live(mesh, from) || !is_live(mesh, to)) return "a halfedge does not exist or is deleted";
   if (mesh.is_boundary(from) || mesh.face_handle(from) != mesh.face_handle(to))
     return "the halfedges are not sides of one face";
   if (from == to || mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
@@ -25,7 +25,7 @@ const char* refusal(const Connectivity& mesh, Halfedge from, Halfedge to, Keep k
 
 const char* refusal(const Connectivity& mesh, Halfedge h) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, h)) return "no such halfedge";
+  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   if (mesh.is_boundary(h) || mesh.is_boundary(o)) return "the edge is on the boundary";
   return mesh.face_handle(h) == mesh.face_handle(o) ? "the face lies on both sides of the edge" : nullptr;

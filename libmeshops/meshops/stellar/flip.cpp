@@ -31,7 +31,7 @@ bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, 
 }
 
 const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
-  if (!is_live(mesh, e)) return "no such edge";
+  if (!is_live(mesh, e)) return "the edge does not exist or is deleted";
   const Quadrangle q(mesh, e);
   if (mesh.is_boundary(q.h) || mesh.is_boundary(q.o)) return "the edge is on the boundary";
   if (!detail::is_triangle(mesh, q.h) || !detail::is_triangle(mesh, q.o)) return "a face is not a triangle";

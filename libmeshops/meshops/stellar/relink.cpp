@@ -262,7 +262,8 @@ void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                          Keep keep) {
   if (!left && !right) return "both halfedges are left out";
-  if ((left && !is_live(mesh, *left)) || (right && !is_live(mesh, *right))) return "no such halfedge";
+  if ((left && !is_live(mesh, *left)) || (right && !is_live(mesh, *right)))
+    return "a halfedge does not exist or is deleted";
   const Vertex w = mesh.from_vertex_handle(left ? *left : *right);
   if (left && right && mesh.from_vertex_handle(*right) != w) return "the halfedges leave different vertices";
   if ((!left || !right) && !mesh.is_boundary(w)) return "a halfedge is left out and the vertex is not on the boundary";

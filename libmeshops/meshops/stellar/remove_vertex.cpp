@@ -12,7 +12,7 @@ struct Choice {
 
 Choice choose(const Connectivity& mesh, Vertex v, Keep keep) {
   if (const char* reason = detail::status_refusal(mesh)) return {Halfedge(), reason};
-  if (!is_live(mesh, v)) return {Halfedge(), "no such vertex"};
+  if (!is_live(mesh, v)) return {Halfedge(), "the vertex does not exist or is deleted"};
   if (mesh.is_isolated(v)) return {Halfedge(), "the vertex is isolated"};
   const Halfedge first = mesh.halfedge_handle(v);
   Choice choice{first, detail::close_refusal(mesh, first, keep)};

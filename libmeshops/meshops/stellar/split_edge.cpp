@@ -7,7 +7,7 @@ namespace meshops {
 namespace {
 
 const char* split_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
-  if (!is_live(mesh, h)) return "no such edge";
+  if (!is_live(mesh, h)) return "the edge does not exist or is deleted";
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   for (const Halfedge side : {h, o})
     if (!mesh.is_boundary(side) && !detail::is_triangle(mesh, side)) return "a face is not a triangle";

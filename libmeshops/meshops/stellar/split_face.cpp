@@ -7,7 +7,7 @@ namespace meshops {
 namespace {
 
 const char* refusal(const Connectivity& mesh, Face f) {
-  if (!is_live(mesh, f)) return "no such face";
+  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
   return detail::is_triangle(mesh, mesh.halfedge_handle(f)) ? nullptr : "the face is not a triangle";
 }
 

@@ -19,7 +19,7 @@ struct Corner {
 
 Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) {
   if (!is_live(mesh, face)) {
-    reason_ = "no such face";
+    reason_ = "the face does not exist or is deleted";
     return;
   }
   const Halfedge first = mesh.halfedge_handle(face);

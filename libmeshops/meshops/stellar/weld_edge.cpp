@@ -13,7 +13,7 @@ Halfedge beyond(const Connectivity& mesh, Halfedge h) {
 
 const char* weld_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, h)) return "no such halfedge";
+  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
   const Vertex v = mesh.from_vertex_handle(h);
   const Halfedge far = beyond(mesh, h);
   if (mesh.is_boundary(v)) {

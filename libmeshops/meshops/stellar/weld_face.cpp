@@ -7,7 +7,7 @@ namespace {
 
 const char* refusal(const Connectivity& mesh, Vertex v, Keep keep) {
   if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, v)) return "no such vertex";
+  if (!is_live(mesh, v)) return "the vertex does not exist or is deleted";
   if (mesh.is_isolated(v)) return "the vertex is isolated";
   if (mesh.is_boundary(v)) return "the vertex is on the boundary";
   const Halfedge first = mesh.halfedge_handle(v), second = detail::ccw(mesh, first), third = detail::ccw(mesh, second);

@@ -38,7 +38,7 @@ std::vector<Edge> seams_of_spheres(const Connectivity& mesh, std::span<const Edg
 std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges) {
   for (const Edge e : edges) {
     const std::string name = "edge " + std::to_string(e.idx()) + ": ";
-    if (!is_live(mesh, e)) return name + "no such edge";
+    if (!is_live(mesh, e)) return name + "the edge does not exist or is deleted";
     if (const auto blocker = unglue_blocker(mesh, mesh.halfedge_handle(e, 0))) return name + *blocker;
   }
   std::vector<Edge> sorted(edges.begin(), edges.end());

@@ -31,7 +31,7 @@ struct HomologySignature {
   /// Returns the words of an edge. Throws ContractViolation when there is no such edge.
   std::span<const std::uint64_t> of(Edge e) const {
     require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(),
-            "HomologySignature: no such edge");
+            "HomologySignature: the edge does not exist or is deleted");
     return std::span(edges).subspan(static_cast<std::size_t>(e.idx()) * words, words);
   }
 };

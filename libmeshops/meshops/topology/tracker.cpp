@@ -27,7 +27,7 @@ TopologyTracker::TopologyTracker(Connectivity& mesh)
 }
 
 bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
-  for (const Vertex v : {a, b}) require(is_live(mesh_, v), "TopologyTracker: no such vertex");
+  for (const Vertex v : {a, b}) require(is_live(mesh_, v), "TopologyTracker: the vertex does not exist or is deleted");
   return nodes_.find(node(a)) == nodes_.find(node(b));
 }
 
@@ -49,7 +49,7 @@ GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
 }
 
 void TopologyTracker::note_created(Halfedge first_side) {
-  require(is_live(mesh_, first_side), "TopologyTracker: no such halfedge");
+  require(is_live(mesh_, first_side), "TopologyTracker: the halfedge does not exist or is deleted");
   change(delta_of_create());
   const std::uint32_t fresh = new_node();
   Halfedge h = first_side;
@@ -84,7 +84,7 @@ void TopologyTracker::note(const UnglueEffect& effect) {
     require(parted.has_value(), "TopologyTracker: the component was not split");
   }
   for (const Vertex v : {effect.new_start, effect.new_end})
-    require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: no such vertex");
+    require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: the vertex does not exist or is deleted");
 
   change(effect.delta());
   for (const Vertex v : {effect.new_start, effect.new_end})
@@ -102,7 +102,7 @@ void TopologyTracker::note(const UnglueEffect& effect) {
 }
 
 void TopologyTracker::note(const CloseCurveEffect& effect) {
-  require(is_live(mesh_, effect.face), "TopologyTracker: no such face");
+  require(is_live(mesh_, effect.face), "TopologyTracker: the face does not exist or is deleted");
   change(effect.delta());
 }
 
@@ -122,7 +122,8 @@ ZipCurvesEffect TopologyTracker::zip_curves(Halfedge first, Halfedge second) {
 }
 
 void TopologyTracker::note(const SplitEffect& effect) {
-  require(is_live(mesh_, effect.halfedge) && is_live(mesh_, effect.added.vertex), "TopologyTracker: no such split");
+  require(is_live(mesh_, effect.halfedge) && is_live(mesh_, effect.added.vertex),
+          "TopologyTracker: the halfedge or the new vertex of the split does not exist or is deleted");
   const std::uint32_t old = node(mesh_.to_vertex_handle(effect.halfedge));
   change(effect.delta());
   put(effect.added.vertex, old);
@@ -130,12 +131,13 @@ void TopologyTracker::note(const SplitEffect& effect) {
 
 void TopologyTracker::note(const WeldEffect& effect) {
   require(is_live(mesh_, effect.survivor) && effect.removed.vertex.is_valid() && !is_live(mesh_, effect.removed.vertex),
-          "TopologyTracker: no such weld");
+          "TopologyTracker: the surviving vertex of the weld does not exist, or the removed vertex is not deleted");
   change(effect.delta());
 }
 
 void TopologyTracker::note_undone(const WeldEffect& effect) {
-  require(is_live(mesh_, effect.removed.vertex), "TopologyTracker: no such vertex");
+  require(is_live(mesh_, effect.removed.vertex),
+          "TopologyTracker: the removed vertex is not restored (call note_undone() after undo())");
   const std::uint32_t old = node(effect.survivor);
   change(-effect.delta());
   put(effect.removed.vertex, old);

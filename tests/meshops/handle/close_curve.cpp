@@ -72,9 +72,9 @@ TEST_SUITE("close_curve") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 1);
     CHECK(*open_curve_blocker(mesh, Face(0)) == "a side of the face is on the boundary");
-    CHECK(*open_curve_blocker(mesh, Face(7)) == "no such face");
+    CHECK(*open_curve_blocker(mesh, Face(7)) == "the face does not exist or is deleted");
     CHECK(*close_curve_blocker(mesh, mesh.opposite_halfedge_handle(b[0])) == "the halfedge is not on the boundary");
-    CHECK(*close_curve_blocker(mesh, Halfedge(99)) == "no such halfedge");
+    CHECK(*close_curve_blocker(mesh, Halfedge(99)) == "the halfedge does not exist or is deleted");
     // A triangle with others glued around it, which touches the boundary in its corners.
     TestMesh star;
     add_triangles(star, 6, {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}});

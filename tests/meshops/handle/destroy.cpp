@@ -35,7 +35,7 @@ TEST_SUITE("destroy") {
     const auto b = separate_triangles(mesh, 2);
     glue(mesh, b[0], b[3]);
     CHECK(*destroy_triangle_blocker(mesh, Face(0)) == "a side is glued to another face");
-    CHECK(*destroy_triangle_blocker(mesh, Face(2)) == "no such face");
+    CHECK(*destroy_triangle_blocker(mesh, Face(2)) == "the face does not exist or is deleted");
     check_refused(mesh, "a side is glued to another face", [&] { destroy_triangle(mesh, Face(0)); });
     TestMesh polygon;
     std::vector<OpenMesh::SmartVertexHandle> corner;

@@ -92,8 +92,8 @@ TEST_SUITE("glue") {
     CHECK(*glue_blocker(mesh, b[0], b[0]) == "both halfedges are of one edge");
     CHECK(*glue_blocker(mesh, b[0], inner) == "both halfedges are of one edge");
     CHECK(*glue_blocker(mesh, inner, b[3]) == "a halfedge is not on the boundary");
-    CHECK(*glue_blocker(mesh, Halfedge(), b[3]) == "no such halfedge");
-    CHECK(*glue_blocker(mesh, Halfedge(99), b[3]) == "no such halfedge");
+    CHECK(*glue_blocker(mesh, Halfedge(), b[3]) == "a halfedge does not exist or is deleted");
+    CHECK(*glue_blocker(mesh, Halfedge(99), b[3]) == "a halfedge does not exist or is deleted");
     // The far ends of sides 0 and 1 of one triangle are joined by side 2.
     CHECK(*glue_blocker(mesh, b[0], b[1]) == "an edge joins two vertices that would become one");
     const auto label = std::vector<int>{0, 1, 2, 3, 4, 5};

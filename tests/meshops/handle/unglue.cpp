@@ -33,7 +33,7 @@ TEST_SUITE("unglue") {
       for (int i = 0; i < n; i += stride(mesh)) {
         const Halfedge h(i);
         if (const auto blocker = unglue_blocker(mesh, h)) {
-          CHECK((*blocker == "no such halfedge" || *blocker == "the edge is on the boundary"));
+          CHECK((*blocker == "the halfedge does not exist or is deleted" || *blocker == "the edge is on the boundary"));
           check_refused(mesh, *blocker, [&] { unglue(mesh, h); });
           continue;
         }
@@ -117,6 +117,6 @@ TEST_SUITE("unglue") {
     const GlueEffect other = glue(mesh, b[0], b[4]);
     CHECK(other.survivor == glued.survivor);
     check_refused(mesh, "the edge is no longer as glue() left it", [&] { unglue(mesh, glued); });
-    check_refused(mesh, "no such halfedge", [&] { unglue(mesh, Halfedge(99)); });
+    check_refused(mesh, "the halfedge does not exist or is deleted", [&] { unglue(mesh, Halfedge(99)); });
   }
 }

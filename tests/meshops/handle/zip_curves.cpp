@@ -93,7 +93,7 @@ TEST_SUITE("zip_curves") {
     glue(mesh, b[3], b[6]);
     CHECK(*zip_curves_blocker(mesh, b[0], b[4]) == "the curves have 3 and 4 edges");
     CHECK(*zip_curves_blocker(mesh, b[0], b[1]) == "both halfedges are on one curve");
-    CHECK(*zip_curves_blocker(mesh, b[0], Halfedge(77)) == "no such halfedge");
+    CHECK(*zip_curves_blocker(mesh, b[0], Halfedge(77)) == "a halfedge does not exist or is deleted");
     CHECK(*zip_curves_blocker(mesh, b[0], mesh.opposite_halfedge_handle(b[0])) == "a halfedge is not on the boundary");
     // A ring of six triangles whose rims, of three edges each, are joined by edges.
     TestMesh ring;

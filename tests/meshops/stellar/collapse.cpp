@@ -175,7 +175,7 @@ TEST_SUITE("collapse") {
   TEST_CASE("every reason against a collapse is reported") {
     TestMesh wheel;
     corpus()[2].build(wheel);
-    CHECK(*collapse_blocker(wheel, Halfedge()) == "no such halfedge");
+    CHECK(*collapse_blocker(wheel, Halfedge()) == "the halfedge does not exist or is deleted");
     CHECK_FALSE(collapse_blocker(wheel, wheel.find_halfedge(Vertex(0), Vertex(1))));
     CHECK_FALSE(collapse_blocker(wheel, wheel.find_halfedge(Vertex(1), Vertex(0))));
     TestMesh square;

@@ -95,7 +95,7 @@ TEST_SUITE("diagonal") {
     mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
     mesh.add_face({Vertex(2), Vertex(1), Vertex(4)});
     const auto side = [&](int from, int to) { return mesh.find_halfedge(Vertex(from), Vertex(to)); };
-    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), Halfedge()) == "no such halfedge");
+    CHECK(*insert_diagonal_blocker(mesh, side(0, 1), Halfedge()) == "a halfedge does not exist or is deleted");
     CHECK(*insert_diagonal_blocker(mesh, side(0, 1), side(2, 1)) == "the halfedges are not sides of one face");
     CHECK(*insert_diagonal_blocker(mesh, side(1, 0), side(3, 2)) == "the halfedges are not sides of one face");
     const char* const neighbors = "the corners are neighbors: a face of two sides would be left";
@@ -106,7 +106,7 @@ TEST_SUITE("diagonal") {
     check_sound(mesh);
     CHECK(side(1, 3).is_valid());
     CHECK(*remove_diagonal_blocker(mesh, side(0, 1)) == "the edge is on the boundary");
-    CHECK(*remove_diagonal_blocker(mesh, Halfedge(99)) == "no such halfedge");
+    CHECK(*remove_diagonal_blocker(mesh, Halfedge(99)) == "the halfedge does not exist or is deleted");
 
     // The other side of a square is another face; its diagonal would join vertices that are joined already.
     TestMesh pillow;

@@ -51,7 +51,7 @@ TEST_SUITE("flip") {
 
   TEST_CASE("every reason against a flip is reported") {
     TestMesh mesh;
-    CHECK(*flip_blocker(mesh, Edge(0)) == "no such edge");
+    CHECK(*flip_blocker(mesh, Edge(0)) == "the edge does not exist or is deleted");
     add_triangles(mesh, 4, {{0, 1, 2}, {0, 2, 3}});
     CHECK(*flip_blocker(mesh, mesh.edge_handle(mesh.find_halfedge(Vertex(0), Vertex(1)))) ==
           "the edge is on the boundary");

@@ -42,7 +42,7 @@ TEST_SUITE("remove_vertex") {
   TEST_CASE("every reason against removing a vertex is reported") {
     TestMesh mesh;
     mesh.new_vertex();
-    CHECK(*remove_vertex_blocker(mesh, Vertex(-1)) == "no such vertex");
+    CHECK(*remove_vertex_blocker(mesh, Vertex(-1)) == "the vertex does not exist or is deleted");
     CHECK(*remove_vertex_blocker(mesh, Vertex(0)) == "the vertex is isolated");
     TestMesh triangle;
     add_triangles(triangle, 3, {{0, 1, 2}});

@@ -68,9 +68,9 @@ TEST_SUITE("split_edge") {
 
   TEST_CASE("every reason against splitting an edge is reported") {
     TestMesh mesh;
-    CHECK(*split_edge_blocker(mesh, Edge(0)) == "no such edge");
-    CHECK(*split_edge_blocker(mesh, Halfedge(0)) == "no such edge");
-    CHECK(*split_edge_blocker(mesh, Edge()) == "no such edge");
+    CHECK(*split_edge_blocker(mesh, Edge(0)) == "the edge does not exist or is deleted");
+    CHECK(*split_edge_blocker(mesh, Halfedge(0)) == "the edge does not exist or is deleted");
+    CHECK(*split_edge_blocker(mesh, Edge()) == "the edge does not exist or is deleted");
     for (int i = 0; i < 5; ++i) mesh.new_vertex();
     mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
     mesh.add_face({Vertex(1), Vertex(0), Vertex(4)});

@@ -47,8 +47,8 @@ TEST_SUITE("split_face") {
   TEST_CASE("every reason against splitting a face is reported") {
     TestMesh mesh;
     for (int i = 0; i < 4; ++i) mesh.new_vertex();
-    CHECK(*split_face_blocker(mesh, Face(0)) == "no such face");
-    CHECK(*split_face_blocker(mesh, Face()) == "no such face");
+    CHECK(*split_face_blocker(mesh, Face(0)) == "the face does not exist or is deleted");
+    CHECK(*split_face_blocker(mesh, Face()) == "the face does not exist or is deleted");
     mesh.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3)});
     CHECK(*split_face_blocker(mesh, Face(0)) == "the face is not a triangle");
     CHECK_THROWS_AS(split_face(mesh, Face(0)), ContractViolation);

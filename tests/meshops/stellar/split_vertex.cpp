@@ -82,8 +82,8 @@ TEST_SUITE("split_vertex") {
     const Halfedge a = wheel.find_halfedge(Vertex(0), Vertex(1)), b = wheel.find_halfedge(Vertex(0), Vertex(2));
     const Halfedge rim = wheel.find_halfedge(Vertex(1), Vertex(2));
     CHECK(*split_vertex_blocker(wheel, std::nullopt, std::nullopt) == "both halfedges are left out");
-    CHECK(*split_vertex_blocker(wheel, Halfedge(99), a) == "no such halfedge");
-    CHECK(*split_vertex_blocker(wheel, std::nullopt, Halfedge()) == "no such halfedge");
+    CHECK(*split_vertex_blocker(wheel, Halfedge(99), a) == "a halfedge does not exist or is deleted");
+    CHECK(*split_vertex_blocker(wheel, std::nullopt, Halfedge()) == "a halfedge does not exist or is deleted");
     CHECK(*split_vertex_blocker(wheel, a, rim) == "the halfedges leave different vertices");
     CHECK(*split_vertex_blocker(wheel, a, std::nullopt) ==
           "a halfedge is left out and the vertex is not on the boundary");

@@ -305,9 +305,10 @@ TEST_SUITE("triangulate_face") {
     };
     CHECK_THROWS_AS(triangulate_face(mesh, f, stop), std::runtime_error);
     CHECK(snapshot(mesh) == before);
-    CHECK(*triangulate_face_blocker(mesh, Face(9)) == "no such face");
+    CHECK(*triangulate_face_blocker(mesh, Face(9)) == "the face does not exist or is deleted");
     const auto any = [](Vertex, Vertex, Vertex) { return 0; };
-    check_refused(mesh, "triangulate_face: no such face", [&] { triangulate_face(mesh, Face(-1), any); });
+    check_refused(mesh, "triangulate_face: the face does not exist or is deleted",
+                  [&] { triangulate_face(mesh, Face(-1), any); });
     CHECK(triangulate_face(mesh, f, any).faces.size() == 2);
     const auto then = snapshot(mesh);
     CHECK(triangulate_face(mesh, f, any).diagonals.empty());

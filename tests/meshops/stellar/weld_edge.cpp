@@ -52,7 +52,7 @@ TEST_SUITE("weld_edge") {
   TEST_CASE("every reason against welding an edge is reported") {
     TestMesh wheel;
     corpus()[2].build(wheel);
-    CHECK(*weld_edge_blocker(wheel, Halfedge()) == "no such halfedge");
+    CHECK(*weld_edge_blocker(wheel, Halfedge()) == "the halfedge does not exist or is deleted");
     CHECK(*weld_edge_blocker(wheel, wheel.find_halfedge(Vertex(0), Vertex(1))) ==
           "the vertex does not have four edges");
     CHECK(*weld_edge_blocker(wheel, wheel.find_halfedge(Vertex(1), Vertex(0))) ==

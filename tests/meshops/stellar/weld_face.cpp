@@ -28,7 +28,7 @@ TEST_SUITE("weld_face") {
   TEST_CASE("every reason against welding a face is reported") {
     TestMesh mesh;
     mesh.new_vertex();
-    CHECK(*weld_face_blocker(mesh, Vertex(1)) == "no such vertex");
+    CHECK(*weld_face_blocker(mesh, Vertex(1)) == "the vertex does not exist or is deleted");
     CHECK(*weld_face_blocker(mesh, Vertex(0)) == "the vertex is isolated");
     TestMesh wheel;
     corpus()[2].build(wheel);

@@ -61,7 +61,7 @@ TEST_SUITE("cut_open") {
     separate_triangles(mesh, 1);
     const std::vector<Edge> on_boundary = {Edge(0)}, none = {Edge(99)};
     check_refused(mesh, "edge 0: the edge is on the boundary", [&] { cut_open(mesh, on_boundary); });
-    check_refused(mesh, "edge 99: no such edge", [&] { cut_open(mesh, none); });
+    check_refused(mesh, "edge 99: the edge does not exist or is deleted", [&] { cut_open(mesh, none); });
     TestMesh closed;
     corpus()[6].build(closed);
     Edge inner;
