@@ -1,9 +1,9 @@
 // What: fills holes of a mesh: --fill-holes.
-// Law:  no face moves, and no vertex is added, except where merged vertices would give an edge more than two faces:
-//       there edges are cut as by a repair, so that the result is a surface again. The new faces are triangles, as in
-//       `rbpa surface`: they turn least against the faces around the hole and intersect nothing, which is decided
-//       exactly. For this decision a face of more than three corners counts as triangles around the mean of its
-//       corners. The filled holes and their triangles do not depend on the order of vertices and faces.
+// Law:  no face moves. Vertices are merged where a hole passes a position several times; an edge that would then have
+//       more than two faces is cut as by a repair, which adds vertices. The new faces are triangles, as in
+//       `rbpa surface`: they have the least dihedral angles to the faces around the hole and to each other, and cross
+//       nothing, which is decided exactly. For both, a face of more than three corners is split into triangles around
+//       the mean of its corners. The filled holes and their triangles do not depend on the order of vertices and faces.
 // Cost: that of a repair and of rbpa::fill_holes().
 #pragma once
 
@@ -24,7 +24,7 @@ namespace rbpa::app {
 
 struct Filled {
   FillingCounts counts = {};
-  std::array<std::size_t, 3> not_chosen = {};  ///< number of boundary curves that stay, by CurveKind
+  std::array<std::size_t, 3> not_chosen = {};  ///< number of boundary curves that were not chosen, by CurveKind
   std::size_t merged = 0;                      ///< vertices along a hole merged with one at an equal position
 };
 
@@ -34,7 +34,8 @@ struct FilledMesh {
   Filled report;
 };
 
-/// Decides whether to fill a boundary curve, by its kind and the points of the mesh along it.
+/// Decides whether to fill a boundary curve, from the curve, its kind, and the numbers of the points along it in the
+/// given mesh. Numbers within Hole refer to a copy of the mesh with one vertex for each fan.
 using CurveChoice = std::function<bool(const Hole&, CurveKind, std::span<const std::uint32_t>)>;
 
 /// Fills the chosen holes. Requires: a surface without defects other than pinches. Throws Cancelled.

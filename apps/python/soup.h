@@ -1,4 +1,4 @@
-// What: polygon soups from Python's arrays: the corners of all faces, and the begin of each face.
+// What: makes polygon soups of NumPy arrays: the corners of all faces, and where each face begins.
 #pragma once
 
 #include "meshops/topology/polygon_soup.h"
@@ -6,7 +6,9 @@
 
 namespace rbpa::python {
 
-/// Returns the faces. Throws ContractViolation if `begin` does not ascend from 0 to the number of corners.
+/// Returns a copy of the faces: face f has corners[begin[f]] to corners[begin[f + 1] − 1]. `points` is the number of
+/// points. `begin` has one entry more than there are faces. Corners may be out of range, as in any PolygonSoup.
+/// Throws: ContractViolation unless `begin` starts with 0, never decreases, and ends with the number of corners.
 meshops::PolygonSoup soup_of(const Indices& corners, const Begins& begin, std::size_t points);
 
 }  // namespace rbpa::python

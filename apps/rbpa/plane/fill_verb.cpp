@@ -71,7 +71,8 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// Peak memory of a run of a million triangles, for each of them: docs/explanation/plane.md, Triangles of a given size.
+/// Memory of a run for each triangle of its estimate, with a margin. A run of a million triangles takes 228 bytes for
+/// each of them at its peak: docs/explanation/plane.md, Triangles of a given size.
 constexpr double bytes_a_triangle = 320;
 
 /// Throws BadInput if so many triangles would take more memory than is available.

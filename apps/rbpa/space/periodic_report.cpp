@@ -44,7 +44,7 @@ Json json_of(const PeriodicPart& part, bool is_void, const PointNames& names) {
                    {"dimension", part.dimension},
                    {"tetrahedra", part.tetrahedra},
                    {"points", names.indices(part.points)}});
-  if (names.are_any()) json["atoms"] = names.atoms(part.points);
+  if (names.has_any()) json["atoms"] = names.atoms(part.points);
   return json;
 }
 

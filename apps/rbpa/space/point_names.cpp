@@ -26,7 +26,7 @@ Json PointNames::indices(std::span<const std::uint32_t> points) const { return r
 
 bool PointNames::has(std::size_t column) const { return column < file_.texts.size() && file_.texts[column]; }
 
-bool PointNames::are_any() const {
+bool PointNames::has_any() const {
   return std::any_of(file_.texts.begin(), file_.texts.end(), [](const auto& texts) { return texts.has_value(); });
 }
 

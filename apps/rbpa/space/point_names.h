@@ -1,4 +1,4 @@
-// What: names the points of a run in its files: by input indices, and atoms by the columns of the input.
+// What: writes points of a run by their input indices, and atoms by the columns that name them.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,18 @@ class PointNames {
   /// Keeps a reference to the file. Requires: its texts are those of columns_of_names(), or none.
   explicit PointNames(const SpacePoints& file) : file_(file) {}
 
+  /// Returns the points of the file.
   std::span<const Point3> points() const { return file_.points; }
+  /// Returns the input index of a point.
   std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }
+  /// Returns the input indices of points, as an array in their order.
   nlohmann::ordered_json indices(std::span<const std::uint32_t> points) const;
 
-  /// Return whether the input has this one of columns_of_names(), or any of them.
+  /// Returns whether the input has column number `column` of columns_of_names().
   bool has(std::size_t column) const;
-  bool are_any() const;
+  /// Returns whether the input has any of these columns.
+  bool has_any() const;
+  /// Returns the text of a point in a column. Requires: has(column).
   const std::string& text(std::size_t column, std::uint32_t point) const;
   /// Returns an object for each point: x, y, z and the columns of the input; null if the point has no value.
   nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;

@@ -104,7 +104,7 @@ Json json_of(const SolidVoid& hollow, const PointNames& names) {
                    {"islands", hollow.islands},
                    {"box", Json::array({corner(hollow.low), corner(hollow.high)})},
                    {"points", names.indices(hollow.points)}});
-  if (names.are_any()) json["atoms"] = names.atoms(hollow.points);
+  if (names.has_any()) json["atoms"] = names.atoms(hollow.points);
   return json;
 }
 
@@ -151,7 +151,7 @@ void write_pockets(OutputFile& file, Format format, const PointNames& names, std
       Json one = json_of_volumes(pocket.volume, {});
       add_life(one, pocket.life);
       one["mouth"] = names.indices(pocket.mouth);
-      if (names.are_any()) one["mouth_atoms"] = names.atoms(pocket.mouth);
+      if (names.has_any()) one["mouth_atoms"] = names.atoms(pocket.mouth);
       file.write(number == 1 ? "\n" : ",\n");
       file.write(one.dump());
     }

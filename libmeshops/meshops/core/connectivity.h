@@ -5,7 +5,7 @@
 
 namespace meshops {
 
-/// The connectivity of any OpenMesh mesh, whatever its traits: every mesh type converts to it.
+/// The connectivity of any OpenMesh mesh, whatever its traits: every mesh type derives from it.
 using Connectivity = OpenMesh::PolyConnectivity;
 
 using Vertex = OpenMesh::VertexHandle;

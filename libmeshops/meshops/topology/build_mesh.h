@@ -1,5 +1,5 @@
 // What: builds a halfedge mesh from a soup of faces, and returns the faces of a mesh as a soup.
-// Law:  the mesh is sound; a point on which several fans stand gets a vertex for each fan.
+// Law:  validate() finds no defect in the mesh; a point with several fans of faces gets a vertex for each fan.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,21 @@
 
 namespace meshops {
 
-/// Fills an empty mesh. Vertex i stands on point i and has its first fan, or is isolated; further fans get the numbers
-/// after the last point. Face i is face i of the soup, and its halfedge is its first side. Edges are in the order of
-/// their ends.
+/// Fills an empty mesh. Vertex i has the position of point i, and the first fan there; it is isolated if no face has the
+/// point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges ascend by
+/// the lesser point at their ends, then by the greater.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the only defects of the soup are pinches (find_defects()).
-/// Throws:   ContractViolation that names the first other defect, or as require_parted(), mesh untouched; Cancelled,
-///           mesh empty.
+/// Throws:   ContractViolation when the mesh is not empty, when the soup has another defect than pinches, of which it
+///           names the first, and as find_defects(); the mesh is then unchanged. Cancelled; the mesh is then empty.
 /// Cost:     near-linear.
 MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// Returns the faces of a mesh as a soup, in the order of their handles, without deleted ones. A deleted vertex keeps
 /// its number, as a point without a face.
 /// Requires: `point_of_vertex` has the point of each vertex, or is empty: then each vertex is its own point.
+/// Throws:   ContractViolation unless `point_of_vertex` is empty or has an entry for each vertex.
+/// Cost:     linear.
 MESHOPS_API PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex = {});
 
 }  // namespace meshops

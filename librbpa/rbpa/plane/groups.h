@@ -1,8 +1,8 @@
-// What: computes many sets of points in one call, each on its own: a footprint for every building, a hull for every
-//       cluster.
-// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. Nothing
-//       depends on the number of threads, or on the other groups: an error in one group is reported as a sentence in
-//       the result, and the other groups are computed.
+// What: computes the shapes of many sets of points in one call, each on its own: a footprint for every building, a hull
+//       for every cluster.
+// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. It does not
+//       depend on the number of threads, or on the other groups: shapes_of_groups() reports an error in one group as a
+//       sentence in the result, and computes the other groups.
 // Cost: that of the single calls, shared among threads, without the fixed cost of a call:
 //       docs/reference/performance.md.
 // Note: independent of OpenMesh.
@@ -44,7 +44,8 @@ RBPA_API Groups groups_of(std::span<const std::uint32_t> labels, std::size_t cou
 
 struct GroupOptions {
   MaxThreads threads = 0;
-  /// Like OnProgress, with the number of finished groups.
+  /// Callback that is called with the number of finished groups, one call at a time but from any thread of the run.
+  /// Returning false ends the run with Cancelled. for_each_group() calls it only between groups.
   std::function<bool(std::size_t)> go_on = {};
 };
 
@@ -55,7 +56,8 @@ struct Group {
   std::span<const std::uint32_t> members = {};  ///< for each of these points, its input index
 };
 
-/// Calls visit(Group) once for each group, in any order and thread.
+/// Calls visit(group) once for each group, in any order; several threads may call it at the same time. The group is
+/// valid until visit() returns.
 /// Throws: InvalidInput when the offsets or members are not valid Groups of these points; any exception of `visit`,
 ///         after which some groups are not visited; Cancelled.
 RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups,
@@ -65,8 +67,9 @@ RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups
 struct GroupAlpha {
   /// One radius for all groups, or one for each; empty: `choice` has the radius or the rule.
   std::span<const double> given = {};
-  /// The radius of all groups, or the rule that chooses a radius for each. By default all points of a group must be in
-  /// one component. A rank above the number of a group's plateaus means its last plateau.
+  /// The radius of all groups, or the rule that chooses a radius for each. By default the least radius at which all
+  /// points of the group are in one solid component. A rank above the number of a group's plateaus means its last
+  /// plateau.
   AlphaChoice choice = {.rule = AlphaRule::automatic};
 };
 
@@ -84,7 +87,9 @@ struct GroupProblem {
 
 /// The solid alpha complexes of groups. Entry g of a vector is that of group g, unless stated otherwise.
 struct GroupShapes {
-  std::vector<double> alphas;  ///< the given or chosen radius; NaN if the points have no triangle at any radius
+  /// The given or chosen radius. NaN if a point is not finite, if the group's own radius is not above 0, or if the rule
+  /// finds no radius.
+  std::vector<double> alphas;
   std::vector<Polygon>
       polygons;  ///< of all groups, in their order, each sorted as by outline_polygons(); input indices
   /// The polygons of group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
@@ -95,11 +100,11 @@ struct GroupShapes {
   std::vector<GroupProblem> problems;  ///< for groups without a polygon, ascending
 };
 
-/// Computes the solid alpha complex of each group. Groups may overlap, and points need not be finite: each group that
-/// has no polygon is listed in `problems`.
-/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups.
-/// Throws:   InvalidInput as for_each_group(), and when the number of radii is not 0, 1 or the number of groups;
-///           Cancelled.
+/// Computes the solid alpha complex of each group. Groups may overlap. Each group that has no polygon is listed in
+/// `problems`, also if a point is not finite or the group's own radius is not above 0.
+/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups; 0 < cover ≤ 1, if a rule uses it.
+/// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, and when
+///           the one radius is not above 0; ContractViolation when cover is out of its bounds; Cancelled.
 RBPA_API GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
                                       const GroupShapesOptions& options = {});
 

@@ -1,7 +1,7 @@
 // What:   the counts of a complex while its triangles are added one by one.
 // Law:    triangles may be added in any order; after each, the counts are what count() finds on the complex so far.
-//         Vertices on one point, which a mesh has where it is split at pinches, are one point of the space.
-// Cost:   linear to begin with, then practically constant per triangle.
+//         Vertices with the same point, as at a split pinch, count as one point.
+// Cost:   construction linear, a triangle practically constant, counts() constant.
 // Source: Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995);
 //         docs/explanation/filtration_and_persistence.md, section 3.
 #pragma once
@@ -17,8 +17,9 @@ namespace rbpa {
 
 class Growth {
  public:
-  /// Prepares for triangles on `vertices` vertices. Vertex v stands on the point point_of_vertex[v], or on a point of
-  /// its own if that is empty. Keeps the spans of the arrays.
+  /// Begins with the empty complex on `vertices` vertices. Vertex v has the point point_of_vertex[v]; without such a list
+  /// each vertex is a point. The arrays must outlive the object.
+  /// Requires: corners below `vertices`; `point_of_vertex` is empty or has an entry for each vertex.
   Growth(const TriangleArrays& arrays, std::size_t vertices, const std::vector<std::uint32_t>& point_of_vertex = {});
 
   /// Adds a triangle. Requires: it was not added before.

@@ -25,7 +25,7 @@ struct LevelSink {
   static constexpr bool needs_outline = true;
 
   void prepare(const TilePatch& tile, Share& share) const {
-    share.levels.part(tile.patch, levels);
+    share.levels.split(tile.patch, levels);
     if (!share.levels.later.empty()) meshops::survey(share.levels.first, share.outline);
   }
   void place(const TilePatch& tile, Share& share) {

@@ -1,9 +1,8 @@
-// What:   builds the complex from level to level, with the mesh of each level; levels_at_once.h is for callers who need
-//         only the last.
-// Law:    after grow() the mesh is the complex of the level's radius, if it was that of the level before; every
-//         boundary halfedge is frozen.
-// How:    tiles and remainder are laid as rbpa() lays them, each without the triangles of later levels. These wait, and
-//         are added to the mesh on their level.
+// What:   builds the complex level by level, with the mesh of each level; LevelsAtOnce builds only the last one.
+// Law:    if the mesh was the complex of the previous level's radius, it is that of this level's radius after grow();
+//         every boundary halfedge is then frozen.
+// How:    adds the triangles of the first level at once, those of tiles and remainder as rbpa() does; the triangles of
+//         later levels wait and are inserted on their level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
 // Source: docs/explanation/plane.md, sections 16 and 17.
 #pragma once
@@ -24,21 +23,22 @@ namespace rbpa {
 
 class GrowthByTiles {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   GrowthByTiles(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
       : sites_(sites), ladder_(ladder), threads_(threads), monitor_(monitor) {}
 
   /// Returns the front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
-  /// Adds the triangles of a level to the mesh; called for levels in ascending order from 0 on.
-  /// Returns: the number of sites with one of them.
+  /// Adds the triangles of a level to the mesh.
+  /// Requires: ascending levels from 0; a level without triangles may be left out.
+  /// Returns:  the number of sites that are corners of these triangles.
   std::size_t grow(int level, meshops::Front& front);
 
-  /// Returns the number of sites that are isolated or on the boundary at the end of a level.
+  /// Returns the number of sites that were isolated or on the boundary after the last grow().
   std::size_t open_sites() const { return open_sites_; }
 
-  /// Returns the first level after this one that has triangles to add.
+  /// Returns the first level after this one that has triangles to add; Ladder::never when no level follows.
   int next(int level) const { return waiting_.after(level); }
 
  private:

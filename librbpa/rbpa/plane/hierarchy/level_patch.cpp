@@ -16,7 +16,8 @@ int renumbered(int beyond, const std::vector<int>& number) {
 
 }  // namespace
 
-void LevelPatch::part(const meshops::Patch& patch, const SiteLevels& levels) {
+void LevelPatch::split(const meshops::Patch& patch, const SiteLevels& levels) {
+  first.clear();
   later.clear();
   number.resize(patch.triangles.size());
   int sides = 0;
@@ -26,8 +27,6 @@ void LevelPatch::part(const meshops::Patch& patch, const SiteLevels& levels) {
     if (level != 0) later.push_back({patch.triangles[t], level});
   }
   if (later.empty()) return;
-  first.triangles.clear();
-  first.across.clear();
   for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
     if (number[t] < 0) continue;
     const auto [a, b, c] = patch.across[t];

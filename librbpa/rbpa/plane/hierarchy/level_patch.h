@@ -19,14 +19,16 @@ struct WaitingTriangle {
 };
 
 struct LevelPatch {
-  meshops::Patch first;  ///< both in the order of the original patch
-  std::vector<WaitingTriangle> later;
-  /// For each triangle of the original patch, its first side in `first`; negative if it waits.
+  /// The triangles of the first level, in the order of the patch. Across from a side whose neighbor waits:
+  /// Patch::nothing.
+  meshops::Patch first;
+  std::vector<WaitingTriangle> later;  ///< the other triangles, in the order of the patch
+  /// For each triangle of the patch, the number of its first side in `first`; negative if it waits.
   std::vector<int> number;
 
   /// Replaces all members. `first` is left empty if no triangle waits, as it would be the patch itself.
   /// Requires: triangles within the last radius of the ladder.
-  void part(const meshops::Patch& patch, const SiteLevels& levels);
+  void split(const meshops::Patch& patch, const SiteLevels& levels);
 };
 
 }  // namespace rbpa

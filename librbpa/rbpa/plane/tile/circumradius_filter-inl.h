@@ -1,7 +1,7 @@
 // What: tests which triangles have a circumradius ≤ alpha: ab² bc² ca² against 4 α² (ab × ac)², a triangle in each
-//       lane. Compiled once for each kind of vector unit; the only include guard is the compiler's own per kind.
-// Law:  `inside` and `outside` are true for the points in double precision; docs/explanation/plane.md, section 10,
-//       derives the bounds.
+//       lane. Compiled once for each kind of vector unit: HWY_TARGET_TOGGLE makes an include guard for each kind.
+// Law:  a lane set in `inside` has a circumradius ≤ alpha for the points in double precision, one set in `outside` has
+//       one > alpha; a lane in neither is undecided. docs/explanation/plane.md, section 10, derives the bounds.
 #if defined(RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
 #undef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
@@ -19,7 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Returns the error bound of a component of a difference of two points, neither of which is larger than `extent`.
+/// Returns the error bound of a component of a difference of two points; no computed component is larger than `extent`.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V error_of_difference(D d, V extent) {
   return hn::Set(d, 2 * TileCoordinates::rounding) + hn::Set(d, 1.1f * TileCoordinates::unit_roundoff) * extent;
@@ -28,7 +28,7 @@ HWY_INLINE V error_of_difference(D d, V extent) {
 template <typename D>
 struct Filtered {
   hn::Mask<D> inside, outside;
-  hn::Vec<D> cross;  ///< ab × ac
+  hn::Vec<D> cross;  ///< ab × ac; its sign is right where `inside` is set
 };
 
 /// Tests triangles, one in each lane. Requires: factor = 4 α², in the tile's scale, at most 2³⁰.

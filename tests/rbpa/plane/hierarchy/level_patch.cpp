@@ -56,7 +56,7 @@ void check_parts(const Points& input, double least) {
   const Patch patch = delaunay_patch(points);
   const Ladder ladder(least, Radius(), 1e6);
   LevelPatch parts;
-  parts.part(patch, SiteLevels(sites, ladder));
+  parts.split(patch, SiteLevels(sites, ladder));
   if (parts.later.empty()) parts.first = patch;
 
   // Both have the same triangles, each on its level.
@@ -117,7 +117,7 @@ TEST_CASE("no other patch has a triangle at a side beyond which one waits; other
   patch.across = {{Patch::open, 3, Patch::nothing}, {1, Patch::open, Patch::open}};
   LevelPatch parts;
   const Ladder ladder(1, Radius(), 100);
-  parts.part(patch, SiteLevels(sites, ladder));
+  parts.split(patch, SiteLevels(sites, ladder));
   REQUIRE(parts.first.triangles == std::vector<Corners>{small});
   CHECK(parts.first.across == std::vector<std::array<int, 3>>{{Patch::open, Patch::nothing, Patch::nothing}});
   REQUIRE(parts.later.size() == 1);
