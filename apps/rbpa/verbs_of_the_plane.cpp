@@ -1,4 +1,4 @@
-// What: declares the verbs about points in the plane.
+// What: declares the verbs about points and polygons in the plane.
 #include <CLI/App.hpp>
 #include <string>
 
@@ -187,6 +187,48 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
       "Examples:\n"
       "  rbpa report points.xy -o report.html\n"
       "  rbpa report atoms.pdb --dimension 3 -o report.html\n\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
+CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("fill", "Fill polygons with holes by triangles of a wanted size");
+  verb.add_option("POLYGON", arguments.polygons, "File of polygons, .gz or not, or - for standard input")->required();
+  verb.add_option("--format", arguments.format,
+                  "Set the format of POLYGON, if its ending does not tell: " + endings(Use::polygons))
+      ->type_name("NAME");
+  verb.add_option("--size", arguments.size,
+                  "Make edges of about this length (required), in units of the polygons, and shorter ones where "
+                  "--size-at or --grade ask for them; inf: add no point, which gives the constrained Delaunay "
+                  "triangulation")
+      ->type_name("H")
+      ->required();
+  verb.add_option("--size-at", arguments.size_at,
+                  "Read x, y and a size from each line of this text: make edges of about that length there, and "
+                  "longer ones farther away")
+      ->type_name("FILE");
+  verb.add_option("--grade", arguments.grade,
+                  "Let sizes grow by G for each unit of distance from the places of --size-at (default 0.25), and "
+                  "from the polygons' own edges, whose lengths count only if this is given")
+      ->type_name("G");
+  add_switch(verb, "--keep-boundary", arguments.keep_boundary,
+             "Keep the edges of the polygons whole (by default those longer than the size are cut)");
+  add_switch(verb, "--skip-invalid", arguments.skip_invalid, "Skip features that are not valid, and print how many");
+  add_output_options(verb, arguments, endings(Use::triangles));
+  add_stats_option(verb, arguments.stats);
+  add_width_option(verb, arguments.width);
+  add_switch(verb, "-q,--quiet", arguments.quiet, "Print no progress, no warnings about the input, and no summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa fill lake.geojson --size 0.01 -o lake.ply -o lake.png\n"
+      "  rbpa fill coast.wkt --size 0.5 --grade 0.3 -o coast.vtu\n"
+      "  rbpa fill plate.poly --size 2 --size-at cracks.txt -o plate.off\n"
+      "  zcat lake.wkt.gz | rbpa fill - --format wkt --size 0.01 --keep-boundary -o lake.npy\n\n"
+      "Rings may touch in single points (OGC Simple Features). Rings that cross or overlap are refused; the message "
+      "names feature and place. Features may overlap, or share edges, along which triangles meet in whole edges. "
+      "Each triangle of .ply and .vtu has the number of its feature, from 0, as 'feature'; .vtu also has the numeric "
+      "GeoJSON properties. Vertices of a mesh file are those of POLYGON in its order, then those on edges that were "
+      "cut, then those inside.\n" +
       std::string(exit_codes));
   return &verb;
 }

@@ -41,8 +41,8 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
 
 namespace {
 
-/// The mesh as a `Mesh` of polygon_files.h.
-struct InSpace {
+/// The mesh as a `Mesh` of polygon_files.h, with z = 0 where it has no heights.
+struct WithHeights {
   const TriangleMesh& mesh;
 
   std::size_t points() const { return mesh.vertices.size(); }
@@ -59,7 +59,7 @@ struct InSpace {
 };
 
 void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
-  write_obj(file, InSpace{mesh});
+  write_obj(file, WithHeights{mesh});
   for (const Edge& edge : mesh.edges) {
     file.write("l");
     write_corners(file, edge, 1);
@@ -125,7 +125,7 @@ void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) 
     case Format::vtu:
       return write_vtu(file, mesh);
     default:
-      return write_polygons(file, format, InSpace{mesh});
+      return write_polygons(file, format, WithHeights{mesh});
   }
 }
 

@@ -37,9 +37,9 @@ struct ComplexRequest {
 /// names the value.
 ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
-/// A run of such a verb, with its points and its radius.
+/// A run of such a verb, with its points and its radius; the constructor reads the whole file.
 struct ComplexRun : Run {
-  /// Reads the points and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
+  /// Reads all points of the file, and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);
 
   /// Writes the report if one is requested, and gives all files their names. Throws Failure, Cancelled.
