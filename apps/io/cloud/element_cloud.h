@@ -1,4 +1,4 @@
-// What: points that are rows of numbers: the vertices of PLY and OFF, the points of PCD.
+// What: points that are rows of numbers: the vertices of PLY and OFF, the points of PCD and KITTI.
 // Law:  only properties that the layout names are read; a binary file must nevertheless hold all elements.
 #pragma once
 
