@@ -97,7 +97,7 @@ TEST_SUITE("images") {
     }
   }
 
-  TEST_CASE("the figure is what the border is not") {
+  TEST_CASE("the figure has the shade that fewer pixels of the border have") {
     const Picture picture = dotted(12, 9);
     CHECK(points_of_pgm(pgm(inverse(picture), false)) == centers(picture, 0));
     // One pixel of the figure at the border does not invert it.

@@ -15,7 +15,7 @@ struct File {
   std::size_t behind = 0;  ///< number of bytes that the header does not describe
 };
 
-/// Return files of points, of points in space, and of meshes.
+/// Return files to be read as points of the plane, as points in space, and as meshes.
 std::vector<File> claiming_points();
 std::vector<File> claiming_space();
 std::vector<File> claiming_meshes();

@@ -46,7 +46,7 @@ TEST_SUITE("front walk") {
   TEST_CASE("a front does what its model does, refuses what the model refuses, and changes nothing when it refuses") {
     walk(1, 100'000);
   }
-  TEST_CASE("an advancing front is sound whatever a policy answers, in any order, and when it throws") {
+  TEST_CASE("an advancing front stays sound for any answers of a policy, in any order, and when the policy throws") {
     advance(2, 100'000);
   }
 }

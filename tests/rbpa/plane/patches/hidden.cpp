@@ -63,7 +63,7 @@ Counts check_hidden(const Points& points, const Points& hidden, const Radius& ra
 
 }  // namespace
 
-TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site beside one") {
+TEST_CASE("a tile finds no triangle whose circle holds a hidden point, and settles no site near one") {
   Random random(1);
   for (int round = 0; round < 40; ++round) {
     CAPTURE(round);
