@@ -30,8 +30,8 @@ std::vector<std::uint32_t> at_equal_places(const Positions& positions) {
 
 /// A grid of cells with a side a little over half the distance: vertices in one cell are near each other, and near
 /// vertices are in cells at most two apart along each axis. Positions are scaled by a power of two, so that nothing
-/// overflows, and only choose the pairs to compare: are_within() decides. If the distance is tiny beside the box, the
-/// cells are larger, 2⁴⁰ along the box; then vertices of one cell are compared, too.
+/// overflows, and only choose the pairs to compare: are_within() decides. If the distance is below about
+/// 2⁻³⁹ of the box, the cells are larger, 2⁴⁰ along the box; then vertices of one cell are compared, too.
 class NearVertices {
  public:
   NearVertices(const Positions& positions, double distance)
@@ -72,7 +72,7 @@ class NearVertices {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], std::scalbn(p[k], -exponent));
     for (const Position& p : positions_)
       for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::scalbn(p[k], -exponent) - low[k]);
-    // The error of a quotient is below 2⁻¹², which the extra 1/256 of the side covers.
+    // Rounding changes (position - low) / side, in cells, by less than 2⁻¹²; the extra 1/256 of the side covers it.
     double side = std::scalbn(distance_, -exponent) / 2 * (1 + 1.0 / 256);
     is_near_within_ = side >= size / most_cells && side > 0x1p-1000;
     if (!is_near_within_) side = std::max({side, size / most_cells, 0x1p-1000});

@@ -28,24 +28,32 @@ inline py::arg as_is(const char* name) { return py::arg(name).noconvert(); }
 
 using Triple = std::array<std::uint32_t, 3>;
 
+/// Throws ValueError that names the shape of `array` and the expected one, unless `is_so`.
+inline void require_shape(bool is_so, const py::array& array, const std::string& name, const std::string& expected) {
+  if (is_so) return;
+  const std::string found = py::str(array.attr("shape"));
+  throw py::value_error(name + ": found an array of shape " + found + ", expected " + expected);
+}
+inline void require_rows(const py::array& array, const std::string& name, int columns) {
+  require_shape(array.ndim() == 2 && array.shape(1) == columns, array, name, "(n, " + std::to_string(columns) + ")");
+}
+
 /// Views a contiguous float64 array of shape (n, 2) as points. The array must outlive the span.
 inline std::span<const Point> points_of(const Doubles& array) {
-  if (array.ndim() != 2 || array.shape(1) != 2) throw py::value_error("points: expected an array of shape (n, 2)");
+  require_rows(array, "points", 2);
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
 /// Views a contiguous float64 array of shape (n, 3) as points or vectors in space; `name` stands for it in messages.
 inline std::span<const Point3> points3_of(const Doubles& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 3)
-    throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
+  require_rows(array, name, 3);
   static_assert(sizeof(Point3) == 3 * sizeof(double));
   return {reinterpret_cast<const Point3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
 inline std::span<const Triple> triples_of(const Indices& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 3)
-    throw py::value_error(std::string(name) + ": expected an array of shape (n, 3)");
+  require_rows(array, name, 3);
   return {reinterpret_cast<const Triple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
@@ -56,8 +64,7 @@ inline std::span<const double> line_of(const Doubles& array) {
 
 using Quadruple = std::array<std::uint32_t, 4>;
 inline std::span<const Quadruple> quadruples_of(const Indices& array, const char* name) {
-  if (array.ndim() != 2 || array.shape(1) != 4)
-    throw py::value_error(std::string(name) + ": expected an array of shape (n, 4)");
+  require_rows(array, name, 4);
   return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 

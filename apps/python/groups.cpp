@@ -14,7 +14,7 @@ namespace {
 /// Views labels of shape (n,). −1, the label of points in no group, has the bits of no_group.
 std::span<const std::uint32_t> labels_of(const Indices& array) {
   static_assert(static_cast<std::uint32_t>(-1) == no_group);
-  if (array.ndim() != 1) throw py::value_error("groups: expected an array of shape (n,)");
+  require_shape(array.ndim() == 1, array, "groups", "(n,)");
   return {reinterpret_cast<const std::uint32_t*>(array.data()), static_cast<std::size_t>(array.size())};
 }
 

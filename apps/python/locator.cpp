@@ -29,7 +29,7 @@ class ArrayLocator {
 
   /// `values`: an array of shape (n, k), with a row for each point.
   Doubles interpolate(const Doubles& values, const Doubles& queries, bool by_natural_neighbors) const {
-    if (values.ndim() != 2) throw py::value_error("values: expected an array of shape (n, k)");
+    require_shape(values.ndim() == 2, values, "values", "(n, k)");
     const auto input = points_of(queries);
     const auto columns = static_cast<std::size_t>(values.shape(1));
     const std::span<const double> rows_of_points(values.data(), static_cast<std::size_t>(values.size()));

@@ -44,7 +44,8 @@ std::unique_ptr<Mesh> make_mesh(const Indices& corners, const Begins& begin, std
 template <typename Handle>
 Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) {
   if (!meshops::is_live(mesh, handle))
-    throw meshops::ContractViolation("there is no " + std::string(kind) + ' ' + std::to_string(handle.idx()));
+    throw meshops::ContractViolation(std::string(kind) + ' ' + std::to_string(handle.idx()) +
+                                     " does not exist or is deleted");
   return handle;
 }
 
@@ -187,7 +188,7 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
   const auto v_at = vertices.unchecked<2>();
   const auto h_at = halfedges.unchecked<2>();
   const auto f_at = faces.unchecked<2>();
-  meshops::require(h_at.shape(0) % 2 == 0, "mesh: expected two halfedges for each edge");
+  meshops::require(h_at.shape(0) % 2 == 0, "mesh: found an odd number of halfedges, expected two for each edge");
   m.resize(static_cast<std::size_t>(v_at.shape(0)), static_cast<std::size_t>(h_at.shape(0) / 2),
            static_cast<std::size_t>(f_at.shape(0)));
   const auto in = [](int i, py::ssize_t count) {

@@ -41,7 +41,9 @@ class Mesh {
   /// Returns the connectivity for a change. Throws ContractViolation while another thread of Python, or a caller of the
   /// current function, works on the mesh.
   meshops::Connectivity& changed() {
-    meshops::require(looking_ == 0, "mesh: it cannot be changed while something else works on it");
+    meshops::require(
+        looking_ == 0,
+        "mesh: cannot be changed while another call uses the mesh (change it when that call has returned)");
     return kernel_;
   }
   MeshKernel& kernel() { return kernel_; }

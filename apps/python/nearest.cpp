@@ -41,7 +41,9 @@ class NearestPlaces {
         order_(facets_.size()) {
     for (const Triple& facet : facets_)
       for (const std::uint32_t corner : facet)
-        if (corner >= points_.size()) throw py::value_error("facets: expected corners that are points");
+        if (corner >= points_.size())
+          throw py::value_error("facets: found the corner " + std::to_string(static_cast<std::int32_t>(corner)) +
+                                ", expected indices below " + std::to_string(points_.size()));
     std::iota(order_.begin(), order_.end(), 0U);
     if (!order_.empty()) build(0, order_.size());
   }
@@ -49,7 +51,7 @@ class NearestPlaces {
   /// Returns for each query the nearest facet, the first of equally near ones, and the weights of its corners.
   std::pair<Indices, Doubles> find(const Doubles& queries) const {
     const auto input = points3_of(queries, "queries");
-    if (facets_.empty()) throw py::value_error("facets: expected at least one");
+    if (facets_.empty()) throw py::value_error("facets: found none, expected at least one");
     std::vector<std::uint32_t> facet(input.size());
     std::vector<Weights> weights(input.size());
     watched(input.size(), py::none(), [&](Watch& watch) {

@@ -184,7 +184,7 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
   const Links links(triangles, neighbors);
-  if (is_new.ndim() != 1) throw py::value_error("is_new: expected an array of shape (m,)");
+  require_shape(is_new.ndim() == 1, is_new, "is_new", "(m,)");
   FilledSurface made;
   made.is_new.assign(is_new.data(), is_new.data() + is_new.shape(0));
   std::vector<Point3> further;

@@ -6,7 +6,7 @@ namespace rbpa::python {
 namespace {
 
 std::span<const double> numbers_of(const Doubles& array) {
-  if (array.ndim() != 1) throw py::value_error("radii: expected an array of shape (k,)");
+  require_shape(array.ndim() == 1, array, "radii", "(k,)");
   return {array.data(), static_cast<std::size_t>(array.shape(0))};
 }
 
@@ -17,7 +17,8 @@ SurfaceInput::SurfaceInput(const Doubles& given_points, const MaybeDoubles& give
       normals(given_normals ? points3_of(*given_normals, "normals") : std::span<const Point3>()),
       radii(numbers_of(given_radii)),
       has_normals(given_normals.has_value()) {
-  if (!has_normals && radii.size() > 1) throw py::value_error("radii: expected one, without normals");
+  if (!has_normals && radii.size() > 1)
+    throw py::value_error("radii: found " + std::to_string(radii.size()) + ", expected one for points without normals");
 }
 
 Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,
@@ -26,9 +27,10 @@ Surface surface_again(const SurfaceInput& input, const Indices& triangles, const
   const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
   if (others.size() != corners.size() || levels.ndim() != 1 ||
       static_cast<std::size_t>(levels.shape(0)) != corners.size())
-    throw py::value_error("triangles, neighbors and levels: expected arrays of one length");
-  if (duplicates.ndim() != 2 || duplicates.shape(1) != 2)
-    throw py::value_error("duplicates: expected an array of shape (n, 2)");
+    throw py::value_error("triangles, neighbors, levels: found arrays of lengths " + std::to_string(corners.size()) +
+                          ", " + std::to_string(others.size()) + ", " + std::to_string(levels.size()) +
+                          ", expected equal ones");
+  require_rows(duplicates, "duplicates", 2);
   made.triangles.assign(corners.begin(), corners.end());
   made.neighbors.assign(others.begin(), others.end());
   if (input.radii.size() > 1) {

@@ -46,7 +46,7 @@ NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t poin
   for (const Triple& t : triangles) {
     ask();
     for (const std::uint32_t corner : t) {
-      meshops::require(corner < points, "simplices: found the number of a point that is not there");
+      meshops::require(corner < points, "simplices: found a corner that is not the index of a point");
       next[corner + std::size_t{1}] += 2;
     }
   }

@@ -43,10 +43,10 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     std::uint64_t size = 0;
-    if (bytes.size() - at < sizeof size) throw std::runtime_error("a file that was cut off");
+    if (bytes.size() - at < sizeof size) throw std::runtime_error("a truncated file");
     std::memcpy(&size, bytes.data() + at, sizeof size);
     at += sizeof size;
-    if (bytes.size() - at < size) throw std::runtime_error("a file that was cut off");
+    if (bytes.size() - at < size) throw std::runtime_error("a truncated file");
     partials.push_back(partial_from_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()) + at, size}));
     at += size;
   }
@@ -159,7 +159,7 @@ class Computation {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
     if (state_.tiles_done > 0 && state_.tiles_done <= ends_.size() && state_.open.size() == open) return;
-    begin_anew(scratch_.progress(), "the progress of another run, expected that of this run", scratch_.folder());
+    begin_anew(scratch_.progress(), "the progress of another run", scratch_.folder());
   }
 
   /// Returns the points of a tile. Makes its file again if it is damaged.
@@ -175,7 +175,8 @@ class Computation {
   }
   IndexedPoints read(std::uint32_t tile) const {
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
-    if (reader.summary() != manifest_.tiles[tile]) throw Damaged(scratch_.tile(tile) + ": found another tile");
+    if (reader.summary() != manifest_.tiles[tile])
+      throw Damaged(scratch_.tile(tile) + ": found another tile than manifest.json lists");
     return read_tile(reader);
   }
 

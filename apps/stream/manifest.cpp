@@ -48,7 +48,7 @@ void require_tree(const std::vector<TileTree::Part>& parts) {
       continue;
     }
     require(part.kind == Kind::cut_x || part.kind == Kind::cut_y, "a cut of an unknown kind");
-    require(std::isfinite(part.line), "a cut that is not at a finite number");
+    require(std::isfinite(part.line), "a cut at a coordinate that is not finite");
     for (const std::uint32_t of : {part.first, part.second}) {
       require(of > at && of < parts.size() && !has_parent[of], "a number of a part that is out of range or repeated");
       has_parent[of] = true;
@@ -114,8 +114,8 @@ void require_same(const Json& before, const RunKey& run_key, const std::string& 
       throw WrongUsage("--resume: found the input " + name + ", expected " +
                        in_quotes(bytes_of_json_text(old_inputs[i].at(0).get<std::string>())) + run);
     if (inputs[i] != old_inputs[i])
-      throw WrongUsage("--resume: found " + name + " changed, expected it as it was when the run in " + folder +
-                       " began");
+      throw WrongUsage("--resume: found " + name + " changed since the run in " + folder + " began (remove " + folder +
+                       " and start again)");
   }
   for (const auto& [key, value] : now.items()) {
     if (before.at(key) == value) continue;

@@ -14,7 +14,9 @@ constexpr std::size_t buffer_bytes = std::size_t{1} << 20U;
 void RecordLog::resume(const RecordState& state) {
   state_ = state;
   ScratchFile file(path_, ScratchFile::Mode::append);
-  if (file.size() < state.bytes) begin_anew(path_, "fewer bytes than were written", path_.substr(0, path_.rfind('/')));
+  if (file.size() < state.bytes)
+    begin_anew(path_, std::to_string(file.size()) + " bytes, expected at least " + std::to_string(state.bytes),
+               path_.substr(0, path_.rfind('/')));
   file.cut(state.bytes);
 }
 
@@ -37,7 +39,7 @@ std::string_view RecordReader::take(std::uint64_t size) {
     used_ = 0;
     const std::size_t before = buffer_.size();
     const auto require = [&](bool is_so) {
-      if (!is_so) throw BadInput(path_ + ": found a file that was cut off, expected it as it was written");
+      if (!is_so) begin_anew(path_, "a file that ends too early", path_.substr(0, path_.rfind('/')));
     };
     require(size - before <= end_ - at_);
     buffer_.resize(before + std::min<std::uint64_t>(end_ - at_, std::max<std::uint64_t>(size - before, ahead_)));

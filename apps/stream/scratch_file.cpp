@@ -130,7 +130,7 @@ std::string checked_content(const std::string& path) {
   if (bytes.empty() && access(path.c_str(), F_OK) != 0) return bytes;
   const std::size_t size = bytes.size() - std::min(bytes.size(), checksum_digits + 1);
   if (std::string_view(bytes).substr(size) != last_line(std::string_view(bytes).substr(0, size)))
-    begin_anew(path, "a file that was cut off or changed, expected it as it was written",
+    begin_anew(path, "a file that was truncated or changed, expected an unchanged one",
                path.substr(0, path.rfind('/')));
   bytes.resize(size);
   return bytes;

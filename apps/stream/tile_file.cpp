@@ -60,9 +60,11 @@ void TileWriter::resume(const TileSummary& summary) {
   begun_ = summary.blocks > 0;
   if (!begun_) return;
   const std::uint64_t size = sizeof(Header) + summary.bytes;
-  if (access(path_.c_str(), F_OK) != 0) throw Damaged(path_ + ": found no file, expected that of a tile");
+  if (access(path_.c_str(), F_OK) != 0) throw Damaged(path_ + ": found no file, expected the file of a tile");
   ScratchFile file(path_, ScratchFile::Mode::update);
-  if (file.size() < size) throw Damaged(path_ + ": found less than was written");
+  if (file.size() < size)
+    throw Damaged(path_ + ": found " + std::to_string(file.size()) + " bytes, expected at least " +
+                  std::to_string(size));
   file.cut(size);
 }
 
@@ -96,7 +98,7 @@ TileSummary TileWriter::finish() {
 }
 
 TileReader::TileReader(const std::string& path, const Region& box, double alpha) : path_(path) {
-  if (access(path.c_str(), F_OK) != 0) throw Damaged(path + ": found no file, expected that of a tile");
+  if (access(path.c_str(), F_OK) != 0) throw Damaged(path + ": found no file, expected the file of a tile");
   file_ = std::make_unique<ScratchFile>(path, ScratchFile::Mode::read);
   Header header{};
   char* bytes = reinterpret_cast<char*>(&header);
@@ -132,7 +134,7 @@ void TileReader::read(char* to, std::size_t size) {
 }
 
 void TileReader::damaged() const {
-  throw Damaged(path_ + ": found a file that was truncated or changed, expected the tile as it was written");
+  throw Damaged(path_ + ": found a file that was truncated or changed, expected an unchanged one");
 }
 
 IndexedPoints read_tile(TileReader& reader) {

@@ -68,7 +68,7 @@ class TileWriter {
 /// Reads a file block by block.
 class TileReader {
  public:
-  /// Opens a file. Throws Damaged if it is missing, no file of a tile, or has another box or alpha; Failure.
+  /// Opens a file. Throws Damaged if it is missing, is not the file of a tile, or has another box or alpha; Failure.
   TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;

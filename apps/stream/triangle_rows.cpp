@@ -148,8 +148,11 @@ void TriangleRows::resume(const RowsState& state) {
     buckets_[i].sum = state.sums[i];
     const std::string path = scratch_.rows(i);
     ScratchFile file(path, ScratchFile::Mode::append);
-    if (file.size() < state.rows[i] * row_bytes()) begin_anew(path, "fewer bytes than were written", scratch_.folder());
-    file.cut(state.rows[i] * row_bytes());
+    const std::uint64_t size = state.rows[i] * row_bytes();
+    if (file.size() < size)
+      begin_anew(path, std::to_string(file.size()) + " bytes, expected at least " + std::to_string(size),
+                 scratch_.folder());
+    file.cut(size);
   }
 }
 

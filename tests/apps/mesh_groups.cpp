@@ -99,7 +99,7 @@ TEST_SUITE("mesh groups") {
   }
 
   TEST_CASE("options of a single complex are refused") {
-    const std::string both = " cannot be combined with groups";
+    const std::string both = " cannot be combined with --group-by or --group-by-file";
     refuses("-o m.off --complex full", "--complex full" + both);
     refuses("-o m.off --method hrbpa", "--method hrbpa" + both);
     refuses("-o m.off --search paper", "--search paper" + both);

@@ -153,7 +153,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
             "--group-by: found s.wkt, whose format has no groups, expected one of geojson, json, csv, svg, png", 2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
-            "--isolated cannot be combined with groups", 2);
+            "--isolated cannot be combined with --group-by or --group-by-file", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
             "--group-by: found a format without fields beside the points, expected " +
                 rbpa::app::with_fields(rbpa::app::Use::points, {"geojson"}),

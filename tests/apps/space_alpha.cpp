@@ -132,7 +132,8 @@ TEST_SUITE("space alpha") {
     CHECK(pairs_of("one.xyz --dimension 3") == Pairs{{0, 0, -1}});
     CHECK(pairs_of("level.xyz --dimension 3") == pairs_of("plane.xy --complex full"));
     const Outcome text = folder.rbpa("alpha coplanar.xyz --dimension 3 -q");
-    CHECK(text.out.find("min inf, auto inf: there is no tetrahedron\n1 tunnel;") != std::string::npos);
+    CHECK(text.out.find("min inf, auto inf: there is no tetrahedron, as all points are in a plane\n1 tunnel;") !=
+          std::string::npos);
     REQUIRE(folder.rbpa("alpha coplanar.xyz --dimension 3 --representatives r.json -o p.svg -q").code == 0);
     const json all = json::parse(folder.content("r.json"));
     REQUIRE(all.size() == 5);

@@ -86,7 +86,8 @@ TEST_SUITE("bad points of space") {
     CHECK(obj(text) == "p: found no line 'v x y z', expected points");
     CHECK(refusal(text, Format::pcd) ==
           "p:1: found 'hello, world', expected a .pcd file, which begins with VERSION or FIELDS");
-    CHECK(refusal("#\n", Format::pcd) == "p: found no PCD header, expected a .pcd file");
+    CHECK(refusal("#\n", Format::pcd) ==
+          "p: found no line that begins with FIELDS, expected the header of a .pcd file");
     CHECK(refusal(text, Format::npy) == "p: found no NumPy signature, expected an .npy file");
     CHECK(refusal(text, Format::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
   }

@@ -332,7 +332,8 @@ TEST_SUITE("tables of people") {
     const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
     CHECK(no_degrees.code == 3);
     CHECK(no_degrees.err ==
-          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360, as --shift-longitude requires\n");
+          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360 (leave out --shift-longitude if x "
+          "is not in degrees)\n");
   }
 
   TEST_CASE("a coordinate system is reported, or refused") {

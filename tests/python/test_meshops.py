@@ -329,7 +329,7 @@ def test_a_mesh_that_another_thread_works_on_cannot_be_changed():
     generators, cut = mesh.homology()
     done.set()
     thread.join()
-    assert len(generators) == 0 and any("something else works on it" in sentence for sentence in refused)
+    assert len(generators) == 0 and any("while another call uses the mesh" in sentence for sentence in refused)
 
 
 def test_stubs_say_what_there_is():

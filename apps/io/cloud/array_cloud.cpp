@@ -9,7 +9,7 @@
 namespace rbpa::app {
 namespace {
 
-/// An array of numbers, by rows or by columns.
+/// Reads points from the numbers of an array, stored by rows or by columns: a .npy file, or raw pairs of float64.
 class ArrayCloud final : public Cloud {
  public:
   /// `content` is at the array's first number. `is_whole`: the number of rows in `array` is known.

@@ -52,7 +52,7 @@ class PcdHeaderReader {
     bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), expected);
   }
   [[noreturn]] void refuse_end() const {
-    if (fields_.empty()) bad_input(name_, "no PCD header", "a .pcd file");
+    if (fields_.empty()) bad_input(name_, "no line that begins with FIELDS", "the header of a .pcd file");
     bad_input(name_, "the end of the file in the header", "DATA");
   }
   std::size_t number(std::string_view rest) const {

@@ -146,6 +146,15 @@ bool may_be_degrees(const Box& box) {
   return box.least.y >= -90 && box.greatest.y <= 90 && box.least.x >= -360 && box.greatest.x <= 360;
 }
 
+/// Returns the warning that the box is not one of degrees.
+std::string no_degrees(const Box& box) {
+  const bool exchanged = may_be_degrees({{box.least.y, box.least.x}, {box.greatest.y, box.greatest.x}});
+  return "expected longitudes and latitudes, found numbers up to " +
+         text_of(std::max(std::abs(box.least.x), std::abs(box.greatest.x))) + " and " +
+         text_of(std::max(std::abs(box.least.y), std::abs(box.greatest.y))) +
+         (exchanged ? ": are they exchanged?" : ": are they degrees?");
+}
+
 /// Whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180 degrees
 /// of longitude, between two of them, has no points.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
@@ -179,7 +188,8 @@ std::string share_of_latitude(const Box& box) {
 void shift_longitude(std::vector<Point>& points, const std::string& name) {
   for (Point& p : points) {
     if (p.x < -180 || p.x > 360)
-      bad_input(name, "x = " + in_quotes(text_of(p.x)), "a longitude of -180 to 360, as --shift-longitude requires");
+      bad_input(name, "x = " + in_quotes(text_of(p.x)),
+                "a longitude of -180 to 360 (leave out --shift-longitude if x is not in degrees)");
     if (p.x < 0) p.x += 360;
   }
 }
@@ -187,7 +197,7 @@ void shift_longitude(std::vector<Point>& points, const std::string& name) {
 std::string warning_on_degrees(const std::vector<Point3>& points) {
   if (points.empty()) return "";
   const Box box = box_of(points);
-  if (!may_be_degrees(box)) return "expected longitudes and latitudes: are x and y degrees?";
+  if (!may_be_degrees(box)) return no_degrees(box);
   return "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as " +
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
@@ -196,11 +206,7 @@ void warning_on_degrees(PointFile& file) {
   if (file.points.empty()) return;
   const Box box = box_of(file.points);
   if (!may_be_degrees(box)) {
-    const bool exchanged = may_be_degrees({{box.least.y, box.least.x}, {box.greatest.y, box.greatest.x}});
-    file.warnings.push_back(std::string("expected longitudes and latitudes, found numbers up to ") +
-                            text_of(std::max(std::abs(box.least.x), std::abs(box.greatest.x))) + " and " +
-                            text_of(std::max(std::abs(box.least.y), std::abs(box.greatest.y))) +
-                            (exchanged ? ": are they exchanged?" : ": are they degrees?"));
+    file.warnings.push_back(no_degrees(box));
     return;
   }
   file.warnings.push_back(

@@ -96,7 +96,7 @@ void write_json(OutputFile& out, const NamedGroups& named, const std::vector<Gro
 
 void require_no_others(const AlphaArguments& arguments) {
   const auto refuse = [](bool found, const char* option) {
-    if (found) throw WrongUsage(option + std::string(" cannot be combined with groups"));
+    if (found) throw WrongUsage(std::string(option) + not_with_groups);
   };
   refuse(arguments.persistence, "--persistence");
   refuse(arguments.complex.has_value(), "--complex");

@@ -17,7 +17,7 @@ namespace {
 /// Throws WrongUsage for options that apply only to one complex of all points.
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
-  const auto refuse = [](const std::string& what) { throw WrongUsage(what + " cannot be combined with groups"); };
+  const auto refuse = [](const std::string& what) { throw WrongUsage(what + not_with_groups); };
   if (arguments.levels) refuse("--levels");
   if (arguments.complex != "solid") refuse("--complex " + arguments.complex);
   if (request.method.leaf_capacity) refuse("--method hrbpa");

@@ -18,7 +18,7 @@ namespace {
 
 /// Throws WrongUsage for options and formats that apply only to one shape of all points.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
-  if (arguments.isolated) throw WrongUsage("--isolated cannot be combined with groups");
+  if (arguments.isolated) throw WrongUsage(std::string("--isolated") + not_with_groups);
   constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };
   for (const Target& target : targets)
     if (!has_groups(target.format))

@@ -98,7 +98,8 @@ void write_for_people(OutputFile& file, const SpacePersistence& report, const st
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
              text_of(report.least) + ", auto " + text_of(report.automatic) +
-             (report.filtration.delaunay.simplices.empty() ? ": there is no tetrahedron\n" : "\n"));
+             (report.filtration.delaunay.simplices.empty() ? ": there is no tetrahedron, as all points are in a plane\n"
+                                                           : "\n"));
   constexpr std::size_t plateaus_shown = 4;
   for (std::size_t i = 0; i < std::min(plateaus.size(), plateaus_shown); ++i)
     file.write(line_of(plateaus[i], i + 1, report.filtration.delaunay.distinct));

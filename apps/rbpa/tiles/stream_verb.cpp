@@ -25,8 +25,7 @@ double parse_finite_alpha(const RadiusArguments& arguments) {
                      ", expected a radius: choosing one needs all points in memory" + advice);
   if (std::isinf(option.radius))
     throw WrongUsage(
-        "--alpha: found inf, expected a finite radius: an unbounded circle may pass through any points, so no "
-        "tile would be complete" +
+        "--alpha: found inf, expected a finite radius: with inf a triangle may depend on the points of all tiles" +
         advice);
   return option.radius;
 }

@@ -223,7 +223,7 @@ TEST_CASE("a run with another request is not resumed") {
   folder.file("b.f64xy", content.substr(0, content.size() / 2));
   check("a.f64xy b.f64xy --alpha 3 -o t.npy", "changed");
   folder.file("s/manifest.json", "{}");
-  CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was cut off or changed") !=
+  CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was truncated or changed") !=
         std::string::npos);
 }
 

@@ -218,7 +218,7 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
   const std::string manifest = place.scratch() + "/manifest.json";
   write(manifest, read_file(manifest).insert(40, " "));
   CHECK(place.resumed() == Ending{3, 0});
-  CHECK(place.said().find("manifest.json: found a file that was cut off or changed, expected ") != std::string::npos);
+  CHECK(place.said().find("manifest.json: found a file that was truncated or changed, expected ") != std::string::npos);
   place.forget();
 
   // A run whose progress has triangles and polygons: later bytes in the files are not used when it is resumed.
