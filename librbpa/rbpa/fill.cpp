@@ -207,9 +207,9 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   mesh.request_face_status();
   const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
   place(mesh, pieces.places, site);
-  const Ask ask = asking(options.progress, outline, pieces.triangles.size());
+  const Checkpoint checkpoint = checkpoint_of(options.progress, outline, pieces.triangles.size());
   improve(mesh, outline, field, [&] {
-    if (ask) ask();
+    if (checkpoint) checkpoint();
   });
   pieces.triangles.clear();
   for (std::size_t i = outline; i < pieces.places.size(); ++i) {
@@ -271,9 +271,9 @@ std::vector<Polygon> polygons_of(const Outline& outline, const PolygonRings& rin
 
 Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& said) {
   check_sizes(said);
-  const Ask ask = asking(said.progress, points.size());
+  const Checkpoint checkpoint = checkpoint_of(said.progress, points.size());
   const GoOn go_on = [&] {
-    if (ask) ask();
+    if (checkpoint) checkpoint();
     return true;
   };
   const PolygonRings rings = valid_polygons(points, polygons, said.groups, go_on);

@@ -53,7 +53,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   Monitor monitor(options.progress, sites.size());
   const Clock::time_point start = Clock::now();
   LevelRecord record(alpha, options.level_ended, sites.input_index(), result);
-  result.least_radius = least_radius(sites, leaf_capacity, asking(options.progress, sites.size()));
+  result.least_radius = least_radius(sites, leaf_capacity, checkpoint_of(options.progress, sites.size()));
   const Ladder ladder(result.least_radius, sites.reachable(alpha), sites.diameter_bound());
   if (options.level_ended) {
     GrowthByTiles growth(sites, ladder, threads, monitor);

@@ -28,12 +28,12 @@ class Steps {
 
   /// Counts `steps` more steps. Throws Cancelled.
   void operator()(std::size_t steps = 1) {
-    if (left_ <= steps) return ask();
+    if (left_ <= steps) return check();
     left_ -= steps;
   }
 
  private:
-  void ask() {
+  void check() {
     left_ = interval;
     if (go_on_ && !go_on_()) throw Cancelled();
   }

@@ -9,42 +9,42 @@
 
 namespace rbpa {
 
-/// Maximum number of threads of a run, the calling one included. 0 = all processors; larger values are capped. Results
-/// do not depend on it.
+/// Maximum number of threads of a run, the calling one included. 0 = all processors; a larger number than that of the
+/// processors counts as that number. Results do not depend on it.
 using MaxThreads = unsigned;
 
-/// The number of triangles attached so far, and the number of distinct points (of all points until duplicates are
-/// found).
+/// Counts that show how far a run is.
 struct Progress {
-  std::size_t triangles;
-  std::size_t points;
+  std::size_t triangles;  ///< number of triangles so far, unless the option says otherwise
+  std::size_t points;     ///< number of all points; of the distinct ones where duplicates are known
 };
 
 /// Callback that is called every few milliseconds, one call at a time but from any thread of the run. Returning false
-/// ends the run with Cancelled. An empty one is never called.
+/// ends the run with Cancelled. An empty callback is never called.
 using OnProgress = std::function<bool(const Progress&)>;
-/// The same without the progress; libmeshops shares it.
+/// OnProgress without its argument, as in libmeshops.
 using meshops::GoOn;
-/// Function that throws Cancelled to end the run; it is called as often.
-using Ask = std::function<void()>;
+/// Function that a run calls every few milliseconds. It throws Cancelled to end the run.
+using Checkpoint = std::function<void()>;
 
-/// Returns `progress` as a function without arguments that returns whether to continue, for the work before the first
-/// triangle or after the last. The result is empty if `progress` is. Keeps a reference.
-inline GoOn going_on(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
+/// Returns a function that calls `progress` with these counts, and returns whether to continue. The result is empty if
+/// `progress` is; else it keeps a reference to `progress`.
+inline GoOn go_on_of(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
   if (!progress) return {};
   return [&progress, points, triangles] { return progress({triangles, points}); };
 }
 
-/// Returns a function that throws Cancelled when `go_on` returns false; the result is empty if `go_on` is.
-inline Ask asking(GoOn go_on) {
+/// Returns a function that throws Cancelled when `go_on` returns false. The result is empty if `go_on` is.
+inline Checkpoint checkpoint_of(GoOn go_on) {
   if (!go_on) return {};
   return [go_on = std::move(go_on)] {
     if (!go_on()) throw Cancelled();
   };
 }
-/// Returns a function that throws Cancelled when `progress` returns false. Keeps a reference.
-inline Ask asking(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
-  return asking(going_on(progress, points, triangles));
+/// Returns a function that calls `progress` with these counts, and throws Cancelled when it returns false. The result
+/// is empty if `progress` is; else it keeps a reference to `progress`.
+inline Checkpoint checkpoint_of(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
+  return checkpoint_of(go_on_of(progress, points, triangles));
 }
 
 }  // namespace rbpa

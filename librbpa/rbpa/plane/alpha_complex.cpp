@@ -20,16 +20,16 @@
 namespace rbpa {
 namespace {
 
-std::vector<std::array<std::uint32_t, 2>> boundary_of(const AlphaComplex& of, const Ask& ask) {
-  return boundary_sides(of, [&ask, t = 0u]() mutable {
-    if (t++ % (1u << 18) == 0 && ask) ask();
+std::vector<std::array<std::uint32_t, 2>> boundary_of(const AlphaComplex& of, const Checkpoint& checkpoint) {
+  return boundary_sides(of, [&checkpoint, t = 0u]() mutable {
+    if (t++ % (1u << 18) == 0 && checkpoint) checkpoint();
   });
 }
 
 void triangulate_on_tiles(std::span<const Point> points, double alpha, const AlphaComplexOptions& options,
                           AlphaComplex& result) {
   Threads threads = threads_for(points.size(), options.threads);
-  std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
+  std::optional<Sites> sites(std::in_place, points, threads, checkpoint_of(options.progress, points.size()));
   result.distinct = sites->size();
   result.duplicates = sites->duplicates();
   const bool are_on_a_line = are_collinear(points);
@@ -37,9 +37,9 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
     if (!are_on_a_line) find_triangles(*sites, Radius::of(alpha), options.progress, threads, list);
   };
   const auto sort = [&](auto& list) {
-    const Ask ask = asking(options.progress, result.distinct, list.size());
+    const Checkpoint checkpoint = checkpoint_of(options.progress, result.distinct, list.size());
     sites.reset();  // its memory is not needed when the list becomes the result
-    return list.sorted(threads, ask);
+    return list.sorted(threads, checkpoint);
   };
   if (options.neighbors) {
     LinkedTriangles list(sites->size(), sites->input_index(), points.size(), threads);
@@ -67,8 +67,8 @@ AlphaComplex solid(std::span<const Point> points, double alpha, const AlphaCompl
   AlphaComplex result;
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
     triangulate_on_tiles(points, alpha, options, result);
-  const Ask ask = asking(options.progress, result.distinct, result.triangles.size());
-  if (options.boundary && result.boundary.empty()) result.boundary = boundary_of(result, ask);
+  const Checkpoint checkpoint = checkpoint_of(options.progress, result.distinct, result.triangles.size());
+  if (options.boundary && result.boundary.empty()) result.boundary = boundary_of(result, checkpoint);
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;
 }
@@ -90,7 +90,7 @@ AlphaComplex alpha_complex(std::span<const Point> points, double alpha, const Al
   for (const auto& [a, b] : result.edges) covered[a] = covered[b] = 1;
   result.points = unmarked(covered, result.duplicates);
   if (options.boundary)
-    result.boundary = boundary_of(result, asking(options.progress, result.distinct, result.triangles.size()));
+    result.boundary = boundary_of(result, checkpoint_of(options.progress, result.distinct, result.triangles.size()));
   if (!options.neighbors) result.neighbors = std::vector<Triangle>();
   return result;
 }

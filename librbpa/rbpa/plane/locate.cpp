@@ -111,8 +111,8 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
 
 class Locator::Impl {
  public:
-  Impl(std::span<const Point> points, const TriangleArrays& delaunay, Threads& threads, const Ask& ask)
-      : points_(points), of_(delaunay), sites_(points, threads, ask), at_site_(sites_.size(), 0) {
+  Impl(std::span<const Point> points, const TriangleArrays& delaunay, Threads& threads, const Checkpoint& checkpoint)
+      : points_(points), of_(delaunay), sites_(points, threads, checkpoint), at_site_(sites_.size(), 0) {
     if (of_.triangles.empty()) return;
     meshops::require(is_triangulation_of_all(sites_.size(), of_),
                      "locator: the triangles are not the whole Delaunay triangulation of the points");
@@ -248,7 +248,7 @@ Locator::Locator(std::span<const Point> points, const TriangleArrays& delaunay, 
   check(points, 1);
   require_linked(delaunay, points.size(), options.go_on);
   Threads threads = threads_for(points.size(), options.threads);
-  impl_ = std::make_unique<const Impl>(points, delaunay, threads, asking(options.go_on));
+  impl_ = std::make_unique<const Impl>(points, delaunay, threads, checkpoint_of(options.go_on));
 }
 Locator::Locator(Locator&&) noexcept = default;
 Locator& Locator::operator=(Locator&&) noexcept = default;

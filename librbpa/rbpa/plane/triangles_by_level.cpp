@@ -47,14 +47,14 @@ TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
   TrianglesByLevel result;
   AlphaComplex& complex = result.complex;
   Threads threads = threads_for(points.size(), options.threads);
-  std::optional<Sites> sites(std::in_place, points, threads, asking(options.progress, points.size()));
+  std::optional<Sites> sites(std::in_place, points, threads, checkpoint_of(options.progress, points.size()));
   complex.distinct = sites->size();
   complex.duplicates = sites->duplicates();
   if (are_collinear(points)) {
     complex.isolated = isolated_in(complex, points.size());
     return result;
   }
-  result.least_radius = least_radius(*sites, options.leaf_capacity, asking(options.progress, sites->size()));
+  result.least_radius = least_radius(*sites, options.leaf_capacity, checkpoint_of(options.progress, sites->size()));
   const Ladder ladder(result.least_radius, sites->reachable(alpha), sites->diameter_bound());
   LevelledTriangles list(*sites, ladder, points.size(), threads);
   if (options.boundary) {
@@ -65,14 +65,14 @@ TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
     find_triangles(*sites, ladder.radius(ladder.end()), options.progress, threads, list);
   }
   sites.reset();  // its memory is not needed when the list becomes the result
-  const Ask ask = asking(options.progress, complex.distinct, list.size());
+  const Checkpoint checkpoint = checkpoint_of(options.progress, complex.distinct, list.size());
   meshops::FreshVector<std::uint32_t> numbers;
-  complex.triangles = list.sorted(threads, numbers, ask);
+  complex.triangles = list.sorted(threads, numbers, checkpoint);
   part_by_level(numbers, ladder, alpha, result);
   if (std::isfinite(alpha)) complex.isolated = isolated_in(complex, points.size());
   if (options.neighbors)
-    complex.neighbors = link_triangles(complex.triangles, points.size(), [&ask] {
-      if (ask) ask();
+    complex.neighbors = link_triangles(complex.triangles, points.size(), [&checkpoint] {
+      if (checkpoint) checkpoint();
       return true;
     });
   return result;

@@ -212,7 +212,8 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 /// Calls put_numbers(place, numbers) for the triangles of each bucket, in any thread: `place` is that of the first.
 template <typename Item>
 template <typename PutNumbers>
-std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers, const Ask& ask) const {
+std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,
+                                                     const Checkpoint& checkpoint) const {
   const std::vector<std::vector<Run>> of_bucket = runs();
   std::vector<std::size_t> start = {0};
   for (const auto& bucket : of_bucket) {
@@ -234,31 +235,32 @@ std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumber
       [&](std::size_t, Workspace& workspace) {
         const auto first = workspace.triples.begin();
         all.insert(all.end(), first, first + static_cast<std::ptrdiff_t>(workspace.count));
-        if (ask) ask();
+        if (checkpoint) checkpoint();
       },
       [](std::size_t, Workspace&) {});
   return all;
 }
 
 template <typename Item>
-std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank, const Ask& ask) {
+std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
+                                                   const Checkpoint& checkpoint) {
   return sort_all(
       threads,
       [rank](std::size_t place, std::span<const std::uint32_t> numbers) {
         for (std::size_t i = 0; i < numbers.size(); ++i) rank[numbers[i]] = static_cast<std::uint32_t>(place + i);
       },
-      ask);
+      checkpoint);
 }
 
 template <typename Item>
 std::vector<Triangle> CanonicalOrder<Item>::sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
-                                                                const Ask& ask) {
+                                                                const Checkpoint& checkpoint) {
   return sort_all(
       threads,
       [numbers](std::size_t place, std::span<const std::uint32_t> some) {
         std::copy(some.begin(), some.end(), numbers + place);
       },
-      ask);
+      checkpoint);
 }
 
 template class CanonicalOrder<Triangle>;

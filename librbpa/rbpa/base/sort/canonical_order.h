@@ -71,10 +71,11 @@ class CanonicalOrder {
   }
 
   /// Returns all triangles in order. Nothing may be added afterwards. `rank`, if any, gets the new place of each
-  /// number. Calls `ask`, if any, after each bucket, one call at a time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Ask& ask = {});
+  /// number. Calls `checkpoint`, if any, after each bucket, one call at a time; it may throw.
+  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Checkpoint& checkpoint = {});
   /// Returns the same for numbers that are not places: `numbers` gets the number of each triangle, in their order.
-  std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers, const Ask& ask = {});
+  std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
+                                            const Checkpoint& checkpoint = {});
   /// Frees the memory.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
@@ -94,7 +95,7 @@ class CanonicalOrder {
   Item* new_block();
   std::vector<std::vector<Run>> runs() const;
   template <typename PutNumbers>
-  std::vector<Triangle> sort_all(Threads& threads, PutNumbers put_numbers, const Ask& ask) const;
+  std::vector<Triangle> sort_all(Threads& threads, PutNumbers put_numbers, const Checkpoint& checkpoint) const;
   void sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners, Workspace& workspace) const;
 
   std::size_t bound_;

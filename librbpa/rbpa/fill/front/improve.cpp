@@ -53,11 +53,11 @@ bool is_illegal(const Mesh& mesh, meshops::Edge e) {
 
 /// Flips until no edge is illegal. Each flip lowers the surface of the points lifted to the paraboloid over the plane,
 /// so no triangulation recurs.
-void flip_all(Mesh& mesh, const Ask& ask) {
+void flip_all(Mesh& mesh, const Checkpoint& checkpoint) {
   EdgeQueue queue(mesh);
   for (std::size_t e = mesh.n_edges(); e-- > 0;) queue.push(meshops::Edge(static_cast<int>(e)));
   for (std::size_t steps = 0; !queue.empty(); ++steps) {
-    if (steps % 4096 == 0) ask();
+    if (steps % 4096 == 0) checkpoint();
     const meshops::Edge e = queue.pop();
     if (!is_illegal(mesh, e)) continue;
     meshops::flip(mesh, e);
@@ -107,10 +107,10 @@ Point wanted(const Point& p, const std::vector<Point>& ring, const SizeField& fi
   return weights > 0 ? Point{p.x + x / weights, p.y + y / weights} : p;
 }
 
-void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& ask) {
+void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const Checkpoint& checkpoint) {
   std::vector<Point> ring;
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
-    if (i % 1024 == 0) ask();
+    if (i % 1024 == 0) checkpoint();
     const meshops::Vertex v(static_cast<int>(i));
     if (mesh.is_boundary(v)) continue;  // one more fan at a point where the boundary touches itself
     ring_of(mesh, v, ring);
@@ -127,11 +127,11 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& 
 
 }  // namespace
 
-void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Ask& ask) {
-  flip_all(mesh, ask);
+void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Checkpoint& checkpoint) {
+  flip_all(mesh, checkpoint);
   for (int round = 0; round < rounds; ++round) {
-    for (int move = 0; move < moves_in_a_round; ++move) move_all(mesh, fixed, field, ask);
-    flip_all(mesh, ask);
+    for (int move = 0; move < moves_in_a_round; ++move) move_all(mesh, fixed, field, checkpoint);
+    flip_all(mesh, checkpoint);
   }
 }
 

@@ -39,11 +39,11 @@ void SizeField::build(std::size_t node, std::size_t first, std::size_t last) {
 
 double SizeField::at(const Point& p) const {
   double best = most_;
-  if (!sources_.empty()) ask(0, 0, sources_.size(), p, best);
+  if (!sources_.empty()) search(0, 0, sources_.size(), p, best);
   return best;
 }
 
-void SizeField::ask(std::size_t node, std::size_t first, std::size_t last, const Point& p, double& best) const {
+void SizeField::search(std::size_t node, std::size_t first, std::size_t last, const Point& p, double& best) const {
   const Node& box = nodes_[node];
   const double dx = std::max({box.left - p.x, p.x - box.right, 0.0});
   const double dy = std::max({box.bottom - p.y, p.y - box.top, 0.0});
@@ -60,11 +60,11 @@ void SizeField::ask(std::size_t node, std::size_t first, std::size_t last, const
   const Node& low = nodes_[2 * node + 1];
   const bool by_x = box.right - box.left > box.top - box.bottom;
   if (by_x ? p.x <= low.right : p.y <= low.top) {
-    ask(2 * node + 1, first, middle, p, best);
-    ask(2 * node + 2, middle, last, p, best);
+    search(2 * node + 1, first, middle, p, best);
+    search(2 * node + 2, middle, last, p, best);
   } else {
-    ask(2 * node + 2, middle, last, p, best);
-    ask(2 * node + 1, first, middle, p, best);
+    search(2 * node + 2, middle, last, p, best);
+    search(2 * node + 1, first, middle, p, best);
   }
 }
 

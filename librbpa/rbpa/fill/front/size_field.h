@@ -30,7 +30,7 @@ class SizeField {
     double least;
   };
   void build(std::size_t node, std::size_t first, std::size_t last);
-  void ask(std::size_t node, std::size_t first, std::size_t last, const Point& p, double& best) const;
+  void search(std::size_t node, std::size_t first, std::size_t last, const Point& p, double& best) const;
 
   static constexpr std::size_t leaf = 8;
   double most_, grade_, least_;

@@ -63,12 +63,12 @@ void LinkedTriangles::fill(const Patch& patch, const Place& place) {
     }
 }
 
-OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Ask& ask) {
+OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Checkpoint& checkpoint) {
   constexpr std::size_t triangles_at_a_time = 1u << 16;
   seams_.end();
   OwnedTriangles result;
   meshops::FreshVector<std::uint32_t> rank(size_);
-  result.triangles = order_.sorted(threads, rank.data(), ask);
+  result.triangles = order_.sorted(threads, rank.data(), checkpoint);
   order_.end();
   result.neighbors.reserve(size_);
   meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triangle));
@@ -80,9 +80,9 @@ OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Ask& ask) {
         const std::uint32_t other = neighbors_[t][k];
         result.neighbors[rank[t]][k] = other == none ? none : rank[other];
       }
-    if (!ask) return;
+    if (!checkpoint) return;
     const std::lock_guard lock(calling);
-    ask();
+    checkpoint();
   });
   neighbors_ = meshops::FreshVector<Triangle>();
   return result;

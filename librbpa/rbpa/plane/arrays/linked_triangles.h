@@ -40,9 +40,9 @@ class LinkedTriangles {
 
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// Returns the triangles; called once, after all patches. Calls `ask`, if any, now and then, one call at a time; it
-  /// may throw.
-  OwnedTriangles sorted(Threads& threads, const Ask& ask = {});
+  /// Returns the triangles; called once, after all patches. Calls `checkpoint`, if any, now and then, one call at a
+  /// time; it may throw.
+  OwnedTriangles sorted(Threads& threads, const Checkpoint& checkpoint = {});
 
  private:
   /// An open side that waits for the side beyond: its end, and the place to which to write the triangle beyond.

@@ -35,9 +35,11 @@ class TriangleList {
 
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// Returns the triangles in order; called once, after all patches. Calls `ask`, if any, now and then, one call at a
-  /// time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, const Ask& ask = {}) { return order_.sorted(threads, nullptr, ask); }
+  /// Returns the triangles in order; called once, after all patches. Calls `checkpoint`, if any, now and then, one call
+  /// at a time; it may throw.
+  std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {}) {
+    return order_.sorted(threads, nullptr, checkpoint);
+  }
 
  private:
   std::span<const std::uint32_t> names_;

@@ -28,7 +28,7 @@ namespace rbpa {
 /// is not called again, and other threads throw the same.
 class DivisionSteps {
  public:
-  explicit DivisionSteps(const Ask& working) : working_(working) {}
+  explicit DivisionSteps(const Checkpoint& working) : working_(working) {}
 
   void step(std::size_t& taken) {
     if (++taken < at_once) return;
@@ -46,7 +46,7 @@ class DivisionSteps {
 
  private:
   static constexpr std::size_t at_once = 4096;
-  const Ask& working_;
+  const Checkpoint& working_;
   std::exception_ptr failure_;
   std::mutex mutex_;
 };
@@ -61,7 +61,7 @@ class DelaunayEdges {
   /// Puts the places into another order; corners of edges are positions in it. Without threads the calling one does all
   /// the work. Calls working(), if any, now and then, in any thread and one at a time; it may throw.
   /// Requires: at least two distinct points, as divide_and_conquer() does.
-  DelaunayEdges(std::span<SitePoint> places, Threads* threads, const Ask& working)
+  DelaunayEdges(std::span<SitePoint> places, Threads* threads, const Checkpoint& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {
     open_hull(triangulate(0, places_.size()).first_x);
   }

@@ -127,8 +127,8 @@ class Extraction {
 }  // namespace
 
 template <typename Real>
-meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads, const Ask& working,
-                                  meshops::Outline* outline) {
+meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate, Threads& threads,
+                                  const Checkpoint& working, meshops::Outline* outline) {
   meshops::Patch patch;
   if (outline) outline->clear();
   if (places.size() < 3) return patch;
@@ -138,9 +138,9 @@ meshops::Patch divide_and_conquer(std::span<SitePoint> places, const Fate& fate,
   return patch;
 }
 
-template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, const Ask&,
+template meshops::Patch divide_and_conquer<double>(std::span<SitePoint>, const Fate&, Threads&, const Checkpoint&,
                                                    meshops::Outline*);
-template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, const Ask&,
+template meshops::Patch divide_and_conquer<long double>(std::span<SitePoint>, const Fate&, Threads&, const Checkpoint&,
                                                         meshops::Outline*);
 
 }  // namespace rbpa

@@ -30,7 +30,7 @@ using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoi
 ///           they fit (fits_double()), long double for any.
 template <typename Real>
 meshops::Patch divide_and_conquer(
-    std::span<SitePoint> places, const Fate& fate, Threads& threads, const Ask& working = [] {},
+    std::span<SitePoint> places, const Fate& fate, Threads& threads, const Checkpoint& working = [] {},
     meshops::Outline* outline = nullptr);
 
 }  // namespace rbpa

@@ -12,14 +12,14 @@ constexpr std::size_t cells_at_a_time = 1u << 15;  // number of cells for one th
 
 }  // namespace
 
-PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const Ask& ask) {
+PointGrid::PointGrid(const NamedPoints& input, Threads& threads, const Checkpoint& checkpoint) {
   const std::size_t count = input.points.size();
   if (count == 0) return;
   points_.resize(count);
   index_.resize(count);
   levels_.push_back(make_level(input.points, threads));
   sort_by_cell(input, levels_[0], 0, points_.data(), index_.data(), threads);
-  refine(threads, ask);
+  refine(threads, checkpoint);
   remove_duplicates(threads);
 }
 
@@ -51,12 +51,12 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
 
 /// Makes a grid of every cell with too many points, unless all are equal, and of the cells of these grids: each grid
 /// divides its points.
-void PointGrid::refine(Threads& threads, const Ask& ask) {
+void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
   struct DenseCell {
     std::uint32_t level, cell, first, last;
   };
   for (std::size_t from = 0, to = 1; from < to; from = to, to = levels_.size()) {
-    if (ask) ask();
+    if (checkpoint) checkpoint();
     std::vector<DenseCell> dense;
     for (std::size_t i = from; i < to; ++i) {
       const std::vector<std::uint32_t>& start = levels_[i].start;

@@ -23,13 +23,13 @@ namespace rbpa {
 
 class PointGrid {
  public:
-  /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread does it. Calls `ask`, if any, after
-  /// each level, which may throw.
-  PointGrid(std::span<const Point> input, Threads& threads, const Ask& ask = {})
-      : PointGrid(NamedPoints{input}, threads, ask) {}
+  /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread does it. Calls `checkpoint`, if any,
+  /// after each level; it may throw.
+  PointGrid(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {})
+      : PointGrid(NamedPoints{input}, threads, checkpoint) {}
   explicit PointGrid(std::span<const Point> input);
   /// Lays out points that have names of their own, in ascending order.
-  PointGrid(const NamedPoints& input, Threads& threads, const Ask& ask = {});
+  PointGrid(const NamedPoints& input, Threads& threads, const Checkpoint& checkpoint = {});
 
   /// Returns the distinct points in the order of their cells. A position in it is called a site.
   std::span<const Point> points() const { return points_; }
@@ -95,7 +95,7 @@ class PointGrid {
   };
 
   static Level make_level(std::span<const Point> points, Threads& threads);
-  void refine(Threads& threads, const Ask& ask);
+  void refine(Threads& threads, const Checkpoint& checkpoint);
   std::optional<Level> level_of(std::uint32_t first, std::uint32_t last, Threads& threads);
   static void index_children(Level& level);
   void remove_duplicates(Threads& threads);

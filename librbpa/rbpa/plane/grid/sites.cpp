@@ -7,8 +7,8 @@ namespace rbpa {
 namespace {
 
 /// Returns the grid of the points in the window.
-PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads, const Ask& ask) {
-  if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads, ask);
+PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& threads, const Checkpoint& checkpoint) {
+  if (window.exponent == 0 && window.beyond.empty()) return PointGrid(input, threads, checkpoint);
   const double scale = std::ldexp(1.0, window.exponent);
   std::vector<Point> scaled;
   std::vector<std::uint32_t> names;
@@ -23,15 +23,15 @@ PointGrid grid_of(std::span<const Point> input, const Window& window, Threads& t
     scaled.push_back({input[i].x * scale, input[i].y * scale});
     names.push_back(i);
   }
-  return PointGrid(NamedPoints{scaled, names.data()}, threads, ask);
+  return PointGrid(NamedPoints{scaled, names.data()}, threads, checkpoint);
 }
 
 }  // namespace
 
-Sites::Sites(std::span<const Point> input, Threads& threads, const Ask& ask)
+Sites::Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint)
     : window_(window_of(input)),
       unscale_(std::ldexp(1.0, -window_.exponent)),
-      grid_(grid_of(input, window_, threads, ask)) {
+      grid_(grid_of(input, window_, threads, checkpoint)) {
   if (!window_.beyond.empty()) find_beyond(input);
 }
 

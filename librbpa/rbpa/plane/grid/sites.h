@@ -20,8 +20,8 @@ namespace rbpa {
 
 class Sites {
  public:
-  /// Sorts the points. Calls `ask`, if any, now and then; it may throw.
-  Sites(std::span<const Point> input, Threads& threads, const Ask& ask = {});
+  /// Sorts the points. Calls `checkpoint`, if any, now and then; it may throw.
+  Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
   /// Returns the points in the window, times 2^exponent.

@@ -12,14 +12,14 @@
 
 namespace rbpa {
 
-/// Returns α₀. Calls `ask`, if any, for every square with many points; it may throw.
-inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const Ask& ask) {
+/// Returns α₀. Calls `checkpoint`, if any, for every square with many points; it may throw.
+inline double least_radius(const Sites& sites, std::size_t leaf_capacity, const Checkpoint& checkpoint) {
   long double side = 0;
   if (sites.beyond().empty()) {
     const Quadtree<double> tree(sites.grid().points(), leaf_capacity);
-    side = std::ldexp(static_cast<long double>(tree.smallest_side(ask)), -sites.window().exponent);
+    side = std::ldexp(static_cast<long double>(tree.smallest_side(checkpoint)), -sites.window().exponent);
   } else {
-    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(ask);
+    side = Quadtree<long double>(sites.points(), leaf_capacity).smallest_side(checkpoint);
   }
   using Limits = std::numeric_limits<double>;
   return static_cast<double>(std::clamp<long double>(side / 2, Limits::denorm_min(), Limits::max()));

@@ -25,15 +25,15 @@ class Quadtree {
   Quadtree(std::span<const Point> points, std::size_t capacity)
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
-  /// Returns the side of the smallest leaf, or of the root if there is no other. Calls `ask`, if any, for every square
-  /// with many points; it may throw.
-  Real smallest_side(const Ask& ask = {}) const {
+  /// Returns the side of the smallest leaf, or of the root if there is no other. Calls `checkpoint`, if any, for every
+  /// square with many points; it may throw.
+  Real smallest_side(const Checkpoint& checkpoint = {}) const {
     if (points_.empty()) return 0;
     const auto [low, high] = box_of(points_);
     const Square<Real> root{Real(low.x), Real(low.y), std::max(Real(high.x) - Real(low.x), Real(high.y) - Real(low.y))};
-    if (points_.size() > many) return smallest_in(points_, root, ask);
+    if (points_.size() > many) return smallest_in(points_, root, checkpoint);
     std::vector<Point> points(points_.begin(), points_.end());
-    return smallest_one_by_one(points, root, ask);
+    return smallest_one_by_one(points, root, checkpoint);
   }
 
  private:
@@ -53,8 +53,8 @@ class Quadtree {
   }
 
   /// Returns the side of the smallest leaf in a square.
-  Real smallest_in(std::span<const Point> points, Square<Real> square, const Ask& ask) const {
-    if (ask) ask();
+  Real smallest_in(std::span<const Point> points, Square<Real> square, const Checkpoint& checkpoint) const {
+    if (checkpoint) checkpoint();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
     // Deep enough that evenly spaced points need no further cut, and that the counts stay in a cache.
@@ -63,13 +63,14 @@ class Quadtree {
     EqualSquares<Real> squares(square, depth);
     if (!squares.are_apart()) {
       std::vector<Point> copy(points.begin(), points.end());
-      return smallest_one_by_one(copy, square, ask);
+      return smallest_one_by_one(copy, square, checkpoint);
     }
     squares.count(points);
     Real least = square.side;
     if (squares.max_held() > capacity_) {
       squares.for_each_above(capacity_, points, [&](std::span<Point> held, const Square<Real>& s) {
-        least = std::min(least, held.size() > many ? smallest_in(held, s, ask) : smallest_one_by_one(held, s, ask));
+        least = std::min(
+            least, held.size() > many ? smallest_in(held, s, checkpoint) : smallest_one_by_one(held, s, checkpoint));
       });
       return least;
     }
@@ -79,9 +80,9 @@ class Quadtree {
   }
 
   /// Returns the side of the smallest leaf in a square, cutting one square after another.
-  Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const Ask& ask) const {
+  Real smallest_one_by_one(std::span<Point> points, Square<Real> square, const Checkpoint& checkpoint) const {
     if (points.size() <= capacity_) return square.side;
-    if (ask && points.size() > many) ask();
+    if (checkpoint && points.size() > many) checkpoint();
     square = around(points, square);
     if (!square.can_be_cut()) return square.side;
     const Real x = square.middle_x(), y = square.middle_y(), half = square.side / 2;
@@ -95,8 +96,8 @@ class Quadtree {
       const auto row = above ? points.subspan(middle) : points.first(middle);
       const std::size_t left = part(row, [&](const Point& p) { return Real(p.x) < x; });
       const Real low = above ? y : square.y;
-      least = std::min(least, smallest_one_by_one(row.first(left), {square.x, low, half}, ask));
-      least = std::min(least, smallest_one_by_one(row.subspan(left), {x, low, half}, ask));
+      least = std::min(least, smallest_one_by_one(row.first(left), {square.x, low, half}, checkpoint));
+      least = std::min(least, smallest_one_by_one(row.subspan(left), {x, low, half}, checkpoint));
     }
     return least;
   }

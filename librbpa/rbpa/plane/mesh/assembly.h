@@ -25,7 +25,7 @@ class Assembly {
   /// Keeps references; the complex is still empty. Calls `progress`, if any, while points are sorted.
   /// Throws: Cancelled.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads, const OnProgress& progress = {})
-      : sites_(input, threads, asking(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
+      : sites_(input, threads, checkpoint_of(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
   Assembly(const Assembly&) = delete;
   Assembly& operator=(const Assembly&) = delete;
 

@@ -31,7 +31,7 @@ class Monitor : public meshops::FrontVisitor {
 
   /// Reports that many triangles were added at once, and their number so far.
   void worked(std::size_t triangles) {
-    if (progress_) ask(triangles);
+    if (progress_) checkpoint(triangles);
   }
 
   /// Reports a mesh that was made at once.
@@ -60,13 +60,13 @@ class Monitor : public meshops::FrontVisitor {
     last_ = now;
     stride_ = passed < std::chrono::milliseconds(1) ? std::min(2 * stride_, longest_stride)
                                                     : std::max(stride_ / 4, std::size_t{1});
-    ask(front.faces());
+    checkpoint(front.faces());
   }
   static void validate(const meshops::Connectivity& mesh) {
     const auto defects = meshops::validate(mesh);
     if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
   }
-  void ask(std::size_t triangles) {
+  void checkpoint(std::size_t triangles) {
     if (!progress_({triangles, points_})) throw Cancelled();
   }
 

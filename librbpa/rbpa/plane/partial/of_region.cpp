@@ -20,9 +20,9 @@ namespace {
 
 constexpr unsigned all = 7;  // bits of corners that are owned
 
-/// Calls `ask` at every 65,536th step. Throws: Cancelled, from `ask`.
-void ask_at(std::size_t step, const Ask& ask) {
-  if (ask && step % 65536 == 0) ask();
+/// Calls `checkpoint` at every 65,536th step. Throws: Cancelled, from `checkpoint`.
+void check_at(std::size_t step, const Checkpoint& checkpoint) {
+  if (checkpoint && step % 65536 == 0) checkpoint();
 }
 
 /// The side of a triangle across from a corner, without a neighbor.
@@ -107,11 +107,11 @@ void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pas
   }
 }
 
-Pass look_at_triangles(const RegionComplex& of, const Ask& ask) {
+Pass look_at_triangles(const RegionComplex& of, const Checkpoint& checkpoint) {
   Pass pass(of);
   const auto& triangles = of.triangulation().triangles;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    ask_at(t, ask);
+    check_at(t, checkpoint);
     const unsigned owned = of.owned_corners(t);
     if (owned == 0) continue;
     pass.triangles += std::uint64_t{of.owns_triangle(t, owned)};
@@ -126,7 +126,8 @@ Pass look_at_triangles(const RegionComplex& of, const Ask& ask) {
 /// A builder of the state from the result of a pass.
 class Builder {
  public:
-  Builder(const RegionComplex& of, Pass&& pass, const Ask& ask) : of_(of), pass_(std::move(pass)), ask_(ask) {}
+  Builder(const RegionComplex& of, Pass&& pass, const Checkpoint& checkpoint)
+      : of_(of), pass_(std::move(pass)), checkpoint_(checkpoint) {}
 
   PartialState build() {
     number_components();
@@ -146,7 +147,7 @@ class Builder {
     number_.resize(triangles);
     std::uint32_t count = 0;
     for (std::uint32_t t = 0; t < triangles; ++t) {
-      ask_at(t, ask_);
+      check_at(t, checkpoint_);
       if (of_.owned_corners(t) == 0) continue;
       const std::uint32_t least = pass_.components.find(t);
       number_[t] = least == t ? count++ : number_[least];
@@ -228,7 +229,7 @@ class Builder {
     }
     // Sides that begin at an owned point and are in no chain are on closed curves.
     for (const OpenSide& side : pass_.boundary) {
-      ask_at(++steps, ask_);
+      check_at(++steps, checkpoint_);
       if (!walk.is_new(side)) continue;
       add_curve(state_.open[component(side.triangle)], walk.path_from(side));
       ++state_.counts.boundary_curves;
@@ -237,7 +238,7 @@ class Builder {
 
   const RegionComplex& of_;
   Pass pass_;
-  const Ask& ask_;
+  const Checkpoint& checkpoint_;
   meshops::FreshVector<std::uint32_t> number_;  // new numbers of components
   std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
   PartialState state_;
@@ -245,11 +246,11 @@ class Builder {
 
 Partial partial_of(const RegionComplex& complex, const Region& region, double alpha, const PartialOptions& options) {
   const AlphaComplex& triangulation = complex.triangulation();
-  const Ask ask = asking(options.progress, triangulation.distinct, triangulation.triangles.size());
-  PartialState state = Builder(complex, look_at_triangles(complex, ask), ask).build();
+  const Checkpoint checkpoint = checkpoint_of(options.progress, triangulation.distinct, triangulation.triangles.size());
+  PartialState state = Builder(complex, look_at_triangles(complex, checkpoint), checkpoint).build();
   state.alpha = alpha;
   state.cover = Cover(region);
-  settle(state, ask);
+  settle(state, checkpoint);
   return Partial(std::move(state));
 }
 

@@ -142,7 +142,7 @@ void release_held(PartialState& state) {
 
 }  // namespace
 
-void settle(PartialState& state, const Ask& ask) {
+void settle(PartialState& state, const Checkpoint& checkpoint) {
   const auto components = static_cast<std::uint32_t>(state.open.size());
   std::vector<OpenComponent> finished;
   Numbers old_of_finished;
@@ -153,7 +153,7 @@ void settle(PartialState& state, const Ask& ask) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   state.counts.solid_components += finished.size();
   for (std::size_t i = 0; i < finished.size(); ++i) {
-    if (ask && i % 1024 == 0) ask();
+    if (checkpoint && i % 1024 == 0) checkpoint();
     number[old_of_finished[i]] = open + static_cast<std::uint32_t>(state.held.size());
     state.held.push_back(polygon_of(std::move(finished[i])));
   }

@@ -46,7 +46,7 @@ std::vector<Remainder::Corners> Remainder::found_without_settled() const {
   return found;
 }
 
-void Remainder::complete(Threads& threads, const Ask& working, TilePatch& rest) const {
+void Remainder::complete(Threads& threads, const Checkpoint& working, TilePatch& rest) const {
   // If all sites fit double, the grid's coordinates are used, otherwise those of the input.
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();

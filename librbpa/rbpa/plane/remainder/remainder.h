@@ -36,7 +36,7 @@ class Remainder {
   /// Returns in `rest` the triangles of the complex that are in no patch, on the sites, and their outline if wanted;
   /// the other members of `rest` are undefined. Called after all tiles. Calls working() now and then, in any thread and
   /// one at a time; it may throw to end the run.
-  void complete(Threads& threads, const Ask& working, TilePatch& rest) const;
+  void complete(Threads& threads, const Checkpoint& working, TilePatch& rest) const;
 
  private:
   using Corners = std::array<meshops::Site, 3>;

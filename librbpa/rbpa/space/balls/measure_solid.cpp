@@ -12,7 +12,7 @@ namespace rbpa {
 MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options) {
   const bool needs_all = options.alpha.rule != AlphaRule::given || options.full || options.triangulation;
   const bool has_boundary = options.boundary || options.counts;
-  const GoOn go_on = going_on(options.progress, points.size());
+  const GoOn go_on = go_on_of(options.progress, points.size());
   const auto begin = [&](SolidStep step) {
     if (go_on && !go_on()) throw Cancelled();
     if (options.on_step) options.on_step(step);

@@ -23,10 +23,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t at_a_time = 1u << 12;
 
-std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const Ask& ask) {
+std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const Checkpoint& checkpoint) {
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
-  return space::order_on_curve(points, space::scaled(points, spread, copy), ask);
+  return space::order_on_curve(points, space::scaled(points, spread, copy), checkpoint);
 }
 
 /// Returns the corner of a triangle that is inside the least sphere of the other two, as at most one is; 3 where none
@@ -139,7 +139,7 @@ void rename_corners(std::span<const std::uint32_t> index, SolidFiltration& filtr
 ///   4. rename the corners.
 SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options) {
   space::check_points(points);
-  const std::vector<std::uint32_t> index = order_on_curve(points, asking(options.progress, points.size()));
+  const std::vector<std::uint32_t> index = order_on_curve(points, checkpoint_of(options.progress, points.size()));
   std::vector<Point3> sorted(points.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = points[index[i]];
 

@@ -57,7 +57,7 @@ ClosedSurface close_surface(std::span<const Point3> points, const Surface& surfa
   constexpr int rounds = 4;
   constexpr double most = 0.05;         // fraction of the triangles that are removed
   constexpr std::size_t longest = 256;  // edges of a curve around which triangles are removed
-  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   ClosedSurface best = fill_all(points, surface, options, go_on);
   // Triangles are removed around open curves and, once there are none, around points where sheets touch.
   std::vector<Hole> open = surface_curves(points, best.surface, go_on);

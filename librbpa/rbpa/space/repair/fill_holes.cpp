@@ -178,7 +178,7 @@ class Joining {
         loops_(loops),
         options_(options),
         result_(std::move(result)),
-        go_on_(going_on(options.progress, points.size(), result_.triangles.size())),
+        go_on_(go_on_of(options.progress, points.size(), result_.triangles.size())),
         work_(most_pairs(result_.triangles.size()) / 16, go_on_) {}
 
   HoleFilling run() {
@@ -368,7 +368,7 @@ HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle>
   for (const Triangle& t : triangles)
     for (const std::uint32_t vertex : t)
       meshops::require(vertex < points.size(), "fill_holes: a triangle has a corner that is no point");
-  const GoOn go_on = going_on(options.progress, points.size(), triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), triangles.size());
   meshops::Steps step(go_on);
   const space::BoundarySides sides(triangles, loops, step);
   return Joining(points, loops, options, Closing(points, triangles, loops, sides, options).run()).run();

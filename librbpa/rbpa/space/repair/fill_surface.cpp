@@ -25,7 +25,7 @@ std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint
 
 FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                          const SurfaceOptions& options) {
-  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   const SplitFans fans = split_fans(surface, go_on);
   std::vector<Point3> places;
   places.reserve(fans.point.size());
@@ -58,7 +58,7 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
 
 FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
                          const SurfaceOptions& options) {
-  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   const Surface open = indexable_surface(surface, go_on);
   const std::vector<Hole> curves = surface_curves(points, open, go_on);
   const std::vector<CurveKind> kinds = curve_kinds(points, surface_components(points, open, go_on), curves);

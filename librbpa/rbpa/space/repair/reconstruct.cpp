@@ -176,7 +176,7 @@ class Reconstructing {
   /// Begins a step of other work, and returns whether to go on.
   GoOn counting() const {
     if (options_.on_step) options_.on_step(Step::counting);
-    return going_on(run_.progress, cloud_.points.size(), made_.surface.triangles.size());
+    return go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size());
   }
 
   void check() const {

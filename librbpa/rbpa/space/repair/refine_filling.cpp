@@ -223,7 +223,7 @@ class Refining {
         surface_(surface),
         is_new_(is_new),
         options_(options),
-        go_on_(going_on(options.progress, points.size(), surface.triangles.size())),
+        go_on_(go_on_of(options.progress, points.size(), surface.triangles.size())),
         fans_(points, surface, go_on_) {}
 
   RefinedSurface run() {
@@ -261,14 +261,14 @@ class Refining {
 
   void refine() {
     Threads threads(options_.threads);
-    std::mutex asking;
+    std::mutex one_call;
     for_each_index(threads, patches_.size(), [&](std::size_t i) {
       {
-        const std::lock_guard<std::mutex> lock(asking);
+        const std::lock_guard<std::mutex> lock(one_call);
         if (go_on_ && !go_on_()) throw meshops::Cancelled();
       }
       const GoOn go_on = [&] {
-        const std::lock_guard<std::mutex> lock(asking);
+        const std::lock_guard<std::mutex> lock(one_call);
         return !go_on_ || go_on_();
       };
       meshops::Steps step(go_on);

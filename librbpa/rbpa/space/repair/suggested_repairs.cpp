@@ -15,7 +15,7 @@
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/base/run/ask_from_any_thread.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/box_tree.h"
 #include "rbpa/space/cells/check_input.h"
@@ -166,8 +166,8 @@ class Repairs {
         holes_(holes),
         options_(options),
         threads_(options.threads),
-        go_on_(going_on(options.progress, points.size(), surface.triangles.size())),
-        ask_(go_on_),
+        go_on_(go_on_of(options.progress, points.size(), surface.triangles.size())),
+        checkpoint_(go_on_),
         surfaces_(points, normals, surface),
         repairs_(holes.size()) {}
 
@@ -190,7 +190,7 @@ class Repairs {
     if (left.empty()) return;
     const space::NeighborhoodFinder near(points_, radius);
     for_each_index(threads_, left.size(), [&](std::size_t k) {
-      ask_();
+      checkpoint_();
       attempt(holes_[left[k]], repairs_[left[k]], near);
     });
   }
@@ -341,7 +341,7 @@ class Repairs {
   const SurfaceOptions& options_;
   Threads threads_;
   GoOn go_on_;
-  AskFromAnyThread ask_;
+  CheckpointOfThreads checkpoint_;
   space::LocalSurfaces surfaces_;
   std::vector<SuggestedRepair> repairs_;
 };

@@ -10,7 +10,7 @@ namespace rbpa {
 
 WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                   const WatertightOptions& options, const SurfaceOptions& run) {
-  const GoOn go_on = going_on(run.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(run.progress, points.size(), surface.triangles.size());
   SurfaceComponents own;
   if (options.components == nullptr) own = surface_components(points, surface, go_on);
   const SurfaceComponents& components = options.components == nullptr ? own : *options.components;

@@ -104,7 +104,7 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
   if (gave_up) return false;
   if (options.neighbors) rows.neighbors = space::link_faces(rows.corners, sites, threads);
   space::fill_in(std::move(rows), cells.input_index(), points.size(), options.neighbors, threads,
-                 asking(options.progress, sites, sites), solid);
+                 checkpoint_of(options.progress, sites, sites), solid);
   solid.distinct = sites;
   solid.duplicates = cells.duplicates();
   return true;
@@ -135,7 +135,7 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
   space::TiledSolid found;
   if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
   space::fill_in(std::move(found.rows), found.index, points.size(), options.neighbors, threads,
-                 asking(options.progress, found.distinct, found.distinct), solid);
+                 checkpoint_of(options.progress, found.distinct, found.distinct), solid);
   solid.distinct = found.distinct;
   solid.duplicates = std::move(found.duplicates);
   return true;
@@ -145,12 +145,12 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
 ///   1. scale the points by a power of two, and sort them;
 ///   2. insert them, one by one;
 ///   3. select the tetrahedra of circumradius at most alpha, and number them.
-void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options, const Ask& ask,
+void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options, const Checkpoint& checkpoint,
                 Solid& solid) {
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
   const auto scaled = space::scaled(points, spread, copy);
-  space::SpatialOrder sorted = space::spatial_order(points, scaled, ask);
+  space::SpatialOrder sorted = space::spatial_order(points, scaled, checkpoint);
 
   solid.distinct = sorted.order.size();
   solid.duplicates = std::move(sorted.duplicates);
@@ -163,8 +163,8 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
     Threads threads = threads_for(points.size(), options.threads);
     const double scaled_alpha = std::ldexp(alpha, spread.exponent);
     space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), triangulation.index(),
-                   points.size(), options.neighbors, threads, asking(options.progress, solid.distinct, solid.distinct),
-                   solid);
+                   points.size(), options.neighbors, threads,
+                   checkpoint_of(options.progress, solid.distinct, solid.distinct), solid);
   }
 }
 
@@ -173,8 +173,8 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
 Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options) {
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   space::check_points(points);
-  const auto ask = asking(options.progress, points.size());
-  if (ask) ask();
+  const auto checkpoint = checkpoint_of(options.progress, points.size());
+  if (checkpoint) checkpoint();
   Solid solid;
   // Costs for each point in units of triples_cost(), fitted to uniform points, as triples_cost() is.
   constexpr double by_insertion = 1500, by_tiles = 800;
@@ -184,7 +184,7 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& op
       points.size() < fewest_for_tiles
           ? by_triples(by_insertion)
           : by_triples(by_tiles) || find_in_tiles(points, alpha, options, solid) || by_triples(by_insertion);
-  if (!is_found) insert_all(points, alpha, options, ask, solid);
+  if (!is_found) insert_all(points, alpha, options, checkpoint, solid);
   list_isolated(points.size(), solid);
   return solid;
 }

@@ -13,7 +13,7 @@
 #include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
-#include "rbpa/base/run/ask_from_any_thread.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/cells/check_input.h"
@@ -108,9 +108,9 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
   std::vector<double> radii(simplices.size());
   Threads some = threads_for(simplices.size(), threads);
   constexpr std::size_t at_a_time = 1u << 12;
-  AskFromAnyThread ask(go_on);
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    ask();
+    checkpoint();
     space::circumradii_rounded_up(points, simplices.subspan(begin, end - begin),
                                   std::span(radii).subspan(begin, end - begin));
   });

@@ -87,7 +87,7 @@ void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
 
 Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
-  const Ask go_on = asking(options.progress, points.size());
+  const Checkpoint go_on = checkpoint_of(options.progress, points.size());
   Threads threads(points.size() < 1000 ? 1 : options.threads);  // for few points another thread starts too late
   space::PlanesOfPoints planes = space::fit_planes<double>(std::move(points), neighbors, threads, go_on);
   const std::vector<Point3> normals = std::move(planes.normals);

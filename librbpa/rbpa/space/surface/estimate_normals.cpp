@@ -54,7 +54,7 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
 template <typename Real>
 EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_confidence) {
   const std::size_t count = points.size();
-  const Ask go_on = asking(options.progress, count);
+  const Checkpoint go_on = checkpoint_of(options.progress, count);
   Threads threads(count < 1000 ? 1 : options.threads);  // for few points another thread starts too late
   auto [near, normals, confidence] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {

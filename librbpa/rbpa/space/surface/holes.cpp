@@ -138,7 +138,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
                    "holes: expected a level for each triangle");
-  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   std::vector<Hole> curves = surface_curves(points, surface, go_on);
   Steps step(go_on);
   std::vector<RimEdge*> open;

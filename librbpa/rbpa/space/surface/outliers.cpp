@@ -20,7 +20,7 @@ Outliers outliers_of(const std::vector<Point3>& points, int exponent, const Outl
   space::DistinctPoints sites = space::distinct_points(points);
   Outliers result;
   if (sites.points.size() < 2) return result;
-  const Ask go_on = asking(options.progress, sites.points.size());
+  const Checkpoint go_on = checkpoint_of(options.progress, sites.points.size());
   Threads threads(sites.points.size() < 1000 ? 1 : options.threads);
   const space::Neighborhoods near =
       space::find_nearest<Real>(std::move(sites.points), options.neighbors, threads, go_on);

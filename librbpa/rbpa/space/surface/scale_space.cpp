@@ -19,7 +19,7 @@ namespace {
 /// Moves the points. Returns the noise: by how many spacings the median point moves differently from its neighbors, as
 /// curvature moves neighbors together. Returns 0 for a single point.
 template <typename Real>
-double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const Ask& go_on) {
+double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const Checkpoint& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);
   Threads threads(sites.points.size() < 1000 ? 1 : options.threads);
   const auto [near, normals, flatness] =
@@ -61,7 +61,7 @@ ScaleSpace scale_space(std::span<const Point3> points, const ScaleSpaceOptions& 
     throw InvalidInput("scale space from " + std::to_string(options.neighbors) + " neighbors, expected at least 2");
   ScaleSpace result{.points = {points.begin(), points.end()}, .steps = 0};
   if (points.empty()) return result;
-  const Ask go_on = asking(options.progress, points.size());
+  const Checkpoint go_on = checkpoint_of(options.progress, points.size());
   const std::optional<int> exponent = space::fit_double(result.points);
   constexpr std::size_t most = 8;
   constexpr double little = 0.1;  // spacings

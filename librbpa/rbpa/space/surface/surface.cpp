@@ -32,10 +32,10 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   };
   static_assert(space::SurfaceAssembly::none == Surface::none);
   space::SurfaceAssembly assembly(cells);
-  std::mutex asking;
+  std::mutex one_call;
   std::size_t triangles = 0;
   const GoOn go_on = [&] {
-    const std::lock_guard<std::mutex> lock(asking);
+    const std::lock_guard<std::mutex> lock(one_call);
     return !options.progress || options.progress({triangles, cells.sites().size()});
   };
   in_order<Workspace>(
@@ -47,7 +47,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
       },
       [&](std::size_t, Workspace& w) {
         {
-          const std::lock_guard<std::mutex> lock(asking);
+          const std::lock_guard<std::mutex> lock(one_call);
           triangles += w.triangles;
         }
         if (!go_on()) throw Cancelled();

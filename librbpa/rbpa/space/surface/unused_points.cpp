@@ -103,7 +103,7 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
   if (!normals.empty()) space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
 
-  const GoOn go_on = going_on(options.progress, points.size(), surface.triangles.size());
+  const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   Steps step(go_on);
   std::vector<UnusedPoint> unused = without_triangle(points.size(), surface);
   const space::Agreement agreement(points, normals, surface.duplicates);

@@ -15,7 +15,7 @@
 #include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/parallel/threads.h"
-#include "rbpa/base/run/ask_from_any_thread.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/space/balls/full/triangulated.h"
 
 namespace rbpa::space {
@@ -117,11 +117,11 @@ void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Thread
     std::vector<EdgeEnd> ends;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   };
-  AskFromAnyThread ask(go_on);
+  CheckpointOfThreads checkpoint(go_on);
   in_order<Workspace>(
       threads, (stars.bound() + points_at_a_time - 1) / points_at_a_time,
       [&](std::size_t part, Workspace& w) {
-        ask();
+        checkpoint();
         w.edges.clear();
         const std::size_t end = std::min((part + 1) * points_at_a_time, stars.bound());
         for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)

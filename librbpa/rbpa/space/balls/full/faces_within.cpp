@@ -36,15 +36,15 @@ FacesWithin::FacesWithin(const Triangulated& delaunay, std::span<const double> r
     return is_empty_beside(t, k) && (is_on_hull(t, k) || is_empty_beside(neighbors[t][k], back(t, k)));
   };
   // Each triangle is decided at its first tetrahedron; the second copies the result.
-  AskFromAnyThread ask(go_on);
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    ask();
+    checkpoint();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k)
         if (is_first(t, k)) has_triangle_[4 * std::size_t{t} + k] = tetrahedra_at(t, k) > 0 || is_alone_within(t, k);
   });
   for_each_part(threads, radii_.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    ask();
+    checkpoint();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k)
         if (!is_first(t, k))

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rbpa/base/run/ask_from_any_thread.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/space/predicate/least_sphere.h"
 
 namespace rbpa::space {
@@ -31,9 +31,9 @@ std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& 
                                    const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on) {
   constexpr std::size_t at_a_time = 1u << 12;
   std::vector<double> result(triangles.corners.size());
-  AskFromAnyThread ask(go_on);
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(threads, triangles.of.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    ask();
+    checkpoint();
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
       for (std::size_t k = 0; k < 4; ++k)
         if (delaunay.neighbors[t][k] == Solid::none || t < delaunay.neighbors[t][k]) {

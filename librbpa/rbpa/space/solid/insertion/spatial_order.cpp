@@ -25,11 +25,11 @@ constexpr unsigned bits_of_round = 3;  // each round has eight times the points 
 /// Sorts points along the curve recursively: cells with several points get curves of their own.
 class Sorter {
  public:
-  Sorter(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask)
-      : points_(points), scaled_(scaled), ask_(ask) {}
+  Sorter(std::span<const Point3> points, std::span<const Point3> scaled, const Checkpoint& checkpoint)
+      : points_(points), scaled_(scaled), checkpoint_(checkpoint) {}
 
   void sort(std::span<Place> places) {
-    if (ask_) ask_();
+    if (checkpoint_) checkpoint_();
     if (places.size() < 2) return;
     Box box;
     for (const Place& place : places) box.include(scaled_[place.index]);
@@ -68,7 +68,7 @@ class Sorter {
   }
 
   std::span<const Point3> points_, scaled_;
-  const Ask& ask_;
+  const Checkpoint& checkpoint_;
 };
 
 /// Returns a pseudo-random number. Source: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
@@ -87,21 +87,22 @@ unsigned round_of(std::size_t place) {
 }  // namespace
 
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
-                                          const Ask& ask) {
+                                          const Checkpoint& checkpoint) {
   std::vector<Place> places(points.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i].index = static_cast<std::uint32_t>(i);
-  Sorter(points, scaled, ask).sort(places);
+  Sorter(points, scaled, checkpoint).sort(places);
   std::vector<std::uint32_t> order(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = places[i].index;
   return order;
 }
 
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask) {
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
+                           const Checkpoint& checkpoint) {
   SpatialOrder result;
   std::vector<std::uint32_t> on_curve;
   on_curve.reserve(points.size());
   std::array<std::size_t, 64 / bits_of_round + 1> in_round{};
-  for (const std::uint32_t index : order_on_curve(points, scaled, ask)) {
+  for (const std::uint32_t index : order_on_curve(points, scaled, checkpoint)) {
     if (!on_curve.empty() && points[on_curve.back()] == points[index]) {
       result.duplicates.push_back({index, on_curve.back()});
       continue;

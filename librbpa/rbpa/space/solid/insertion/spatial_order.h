@@ -18,18 +18,19 @@
 namespace rbpa::space {
 
 /// Returns all points in the order of the Hilbert curve; equal points follow each other, the lowest index first. Calls
-/// `ask`, if any, repeatedly; it may throw.
+/// `checkpoint`, if any, repeatedly; it may throw.
 /// Requires: finite points; `scaled`: the same points multiplied, whose differences do not overflow. Rounding in
 /// `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
-                                          const Ask& ask);
+                                          const Checkpoint& checkpoint);
 
 struct SpatialOrder {
   std::vector<std::uint32_t> order;   ///< indices of the distinct points
   std::vector<Duplicate> duplicates;  ///< the other points, ascending by index
 };
 
-/// Returns the insertion order. Requirements and calls of `ask` are those of order_on_curve().
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled, const Ask& ask);
+/// Returns the insertion order. Requirements and calls of `checkpoint` are those of order_on_curve().
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
+                           const Checkpoint& checkpoint);
 
 }  // namespace rbpa::space

@@ -56,8 +56,8 @@ void check_number_of(std::size_t tetrahedra) {
 }
 
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
-             const Ask& ask, Solid& solid) {
-  if (ask) ask();
+             const Checkpoint& checkpoint, Solid& solid) {
+  if (checkpoint) checkpoint();
   const std::size_t count = rows.corners.size();
   meshops::FreshVector<Permutation> permutation(count);
   constexpr std::size_t at_a_time = 1u << 14;
@@ -69,10 +69,10 @@ void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t b
       rows.corners[i] = permuted(corners, permutation[i]);
     }
   });
-  if (ask) ask();
+  if (checkpoint) checkpoint();
   const auto place = sort_rows(rows.corners, bound, threads, solid.simplices);
   if (!neighbors) return;
-  if (ask) ask();
+  if (checkpoint) checkpoint();
   // The first touch of fresh memory costs as much as this step, so the neighbors reuse the memory of the rows.
   rows.corners.swap(solid.neighbors);
   if (solid.neighbors.capacity() / 5 * 4 > count) solid.neighbors.shrink_to_fit();

@@ -26,8 +26,8 @@ struct SolidRows {
 void check_number_of(std::size_t tetrahedra);
 
 /// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the
-/// finder's numbers; all are below `bound`. Calls `ask`, if any, between its steps; it may throw.
+/// finder's numbers; all are below `bound`. Calls `checkpoint`, if any, between its steps; it may throw.
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
-             const Ask& ask, Solid& solid);
+             const Checkpoint& checkpoint, Solid& solid);
 
 }  // namespace rbpa::space

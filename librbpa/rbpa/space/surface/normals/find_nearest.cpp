@@ -148,7 +148,7 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
 }  // namespace
 
 template <typename Real>
-Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on,
+Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on,
                            const SpansPlane& spans_plane) {
   constexpr std::size_t points_at_a_time = 1024;
   Neighborhoods found;
@@ -159,7 +159,7 @@ Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Thread
   const std::size_t others = found.points.size() - 1;
   found.count = std::min(count, others);
   found.nearest.resize(found.count * found.points.size());
-  std::mutex asking;
+  std::mutex one_call;
   for_each_part(threads, found.points.size(), points_at_a_time, [&](std::size_t first, std::size_t last) {
     const auto find = [&](Nearest<Real>& nearest, std::size_t i) {
       const Point3& p = found.points[i];
@@ -187,7 +187,7 @@ Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Thread
       spans_plane(found, i);
     }
     if (!go_on) return;
-    const std::lock_guard lock(asking);
+    const std::lock_guard lock(one_call);
     go_on();
   });
   return found;
@@ -205,8 +205,9 @@ double spacing_of(const Neighborhoods& near) {
   return *median;
 }
 
-template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&, const SpansPlane&);
-template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&,
+                                            const SpansPlane&);
+template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&,
                                                  const SpansPlane&);
 
 }  // namespace rbpa::space

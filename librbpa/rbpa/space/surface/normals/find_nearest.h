@@ -37,7 +37,7 @@ using SpansPlane = std::function<bool(const Neighborhoods&, std::size_t i)>;
 /// Calls go_on(), if any, repeatedly, one call at a time.
 /// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
-Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on,
+Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on,
                            const SpansPlane& spans_plane = {});
 
 /// Returns the spacing: the median over the points of the distance between neighbors in a square grid with as many
@@ -45,9 +45,9 @@ Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Thread
 /// Requires: at least one point, with nearest others.
 double spacing_of(const Neighborhoods& near);
 
-extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+extern template Neighborhoods find_nearest<double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&,
                                                    const SpansPlane&);
-extern template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&,
+extern template Neighborhoods find_nearest<long double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&,
                                                         const SpansPlane&);
 
 }  // namespace rbpa::space

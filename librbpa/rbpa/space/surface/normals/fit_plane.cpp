@@ -66,7 +66,7 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i) {
 }
 
 template <typename Real>
-PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on) {
+PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on) {
   PlanesOfPoints fitted;
   fitted.normals.resize(points.size());
   fitted.flatness.resize(points.size());
@@ -83,7 +83,7 @@ PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads
 
 template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
 template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
-template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&);
-template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&);
+template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&);
+template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&);
 
 }  // namespace rbpa::space

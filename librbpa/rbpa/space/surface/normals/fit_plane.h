@@ -39,11 +39,11 @@ struct PlanesOfPoints {
 /// a line, wider neighborhoods are used (find_nearest()); fewer than 8 are often on a line, and are kept. Requirements
 /// and calls of go_on() are those of find_nearest().
 template <typename Real>
-PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Ask& go_on);
+PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on);
 
 extern template Plane fit_plane<double>(const Neighborhoods&, std::size_t);
 extern template Plane fit_plane<long double>(const Neighborhoods&, std::size_t);
-extern template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&, const Ask&);
-extern template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&, const Ask&);
+extern template PlanesOfPoints fit_planes<double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&);
+extern template PlanesOfPoints fit_planes<long double>(std::vector<Point3>, std::size_t, Threads&, const Checkpoint&);
 
 }  // namespace rbpa::space

@@ -129,7 +129,7 @@ template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
   Turn(const Neighborhoods& points, std::span<Point3> normals, const std::vector<Number>& from,
-       std::vector<Number>& order, const Ask& go_on)
+       std::vector<Number>& order, const Checkpoint& go_on)
       : points_(points), normals_(normals), from_(from), order_(order), go_on_(go_on) {}
 
   void examine_vertex(Number v, const Graph&) {
@@ -148,13 +148,13 @@ class Turn : public boost::default_dijkstra_visitor {
   std::span<Point3> normals_;
   const std::vector<Number>& from_;
   std::vector<Number>& order_;
-  const Ask& go_on_;
+  const Checkpoint& go_on_;
 };
 
 }  // namespace
 
 template <typename Real>
-OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Ask& go_on,
+OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Checkpoint& go_on,
                                std::span<const std::int8_t> sides) {
   const Graph graph = graph_of(points, Seeds(points, normals, sides).find());
   const auto root = static_cast<Number>(points.points.size());
@@ -183,9 +183,9 @@ OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> no
   return tree;
 }
 
-template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const Ask&,
+template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const Checkpoint&,
                                                 std::span<const std::int8_t>);
-template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const Ask&,
+template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const Checkpoint&,
                                                      std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

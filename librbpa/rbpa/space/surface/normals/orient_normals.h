@@ -28,12 +28,12 @@ struct OrientationTree {
 /// side is not 0, and in a component of the graph without such points at an extreme point. Calls go_on(), if any,
 /// repeatedly. Returns the tree.
 template <typename Real>
-OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Ask& go_on,
+OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Checkpoint& go_on,
                                std::span<const std::int8_t> sides = {});
 
-extern template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const Ask&,
+extern template OrientationTree orient_normals<double>(const Neighborhoods&, std::span<Point3>, const Checkpoint&,
                                                        std::span<const std::int8_t>);
-extern template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const Ask&,
+extern template OrientationTree orient_normals<long double>(const Neighborhoods&, std::span<Point3>, const Checkpoint&,
                                                             std::span<const std::int8_t>);
 
 }  // namespace rbpa::space

@@ -68,7 +68,7 @@ struct Votes {
 
 template <typename Real>
 std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
-                                    const OrientationTree& tree, const OuterSides& sides, const Ask& go_on) {
+                                    const OrientationTree& tree, const OuterSides& sides, const Checkpoint& go_on) {
   constexpr double one = 1 << 20;
   constexpr Number points_at_a_time = 4096;
   const auto size = static_cast<Number>(near.points.size());
@@ -115,8 +115,8 @@ std::vector<double> side_confidence(const Neighborhoods& near, std::span<const P
 }
 
 template std::vector<double> side_confidence<double>(const Neighborhoods&, std::span<const Point3>,
-                                                     const OrientationTree&, const OuterSides&, const Ask&);
+                                                     const OrientationTree&, const OuterSides&, const Checkpoint&);
 template std::vector<double> side_confidence<long double>(const Neighborhoods&, std::span<const Point3>,
-                                                          const OrientationTree&, const OuterSides&, const Ask&);
+                                                          const OrientationTree&, const OuterSides&, const Checkpoint&);
 
 }  // namespace rbpa::space

@@ -21,11 +21,13 @@ namespace rbpa::space {
 /// points where the tree begins it is their vote if their sides are known, else 1. Calls go_on(), if any, repeatedly.
 template <typename Real>
 std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
-                                    const OrientationTree& tree, const OuterSides& sides, const Ask& go_on);
+                                    const OrientationTree& tree, const OuterSides& sides, const Checkpoint& go_on);
 
 extern template std::vector<double> side_confidence<double>(const Neighborhoods&, std::span<const Point3>,
-                                                            const OrientationTree&, const OuterSides&, const Ask&);
+                                                            const OrientationTree&, const OuterSides&,
+                                                            const Checkpoint&);
 extern template std::vector<double> side_confidence<long double>(const Neighborhoods&, std::span<const Point3>,
-                                                                 const OrientationTree&, const OuterSides&, const Ask&);
+                                                                 const OrientationTree&, const OuterSides&,
+                                                                 const Checkpoint&);
 
 }  // namespace rbpa::space

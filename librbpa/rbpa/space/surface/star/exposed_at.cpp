@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rbpa/base/parallel/in_order.h"
-#include "rbpa/base/run/ask_from_any_thread.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/scaled_points.h"
@@ -38,10 +38,10 @@ std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
   const std::span<const std::uint32_t> index = cells.input_index();
   const std::vector<std::pair<Site, Site>> runs = wanted_runs(cells, wanted);
   std::vector<ExposedAt> found;
-  const GoOn go_on = going_on(options.progress, points.size());
-  AskFromAnyThread ask(go_on);
+  const GoOn go_on = go_on_of(options.progress, points.size());
+  CheckpointOfThreads checkpoint(go_on);
   const GoOn go_on_here = [&] {
-    ask();
+    checkpoint();
     return true;
   };
   in_order<Rings>(

@@ -1,0 +1,28 @@
+// What: a checkpoint that several threads may call.
+#pragma once
+
+#include <mutex>
+
+#include "rbpa/base/error.h"
+#include "rbpa/base/progress.h"
+
+namespace rbpa {
+
+/// A checkpoint that any thread may call. It calls its function one call at a time, and throws Cancelled when that
+/// returns false.
+class CheckpointOfThreads {
+ public:
+  /// Keeps a reference to `go_on`. An empty function is never called.
+  explicit CheckpointOfThreads(const GoOn& go_on) : go_on_(go_on) {}
+  void operator()() {
+    if (!go_on_) return;
+    const std::lock_guard<std::mutex> lock(one_call_);
+    if (!go_on_()) throw Cancelled();
+  }
+
+ private:
+  const GoOn& go_on_;
+  std::mutex one_call_;
+};
+
+}  // namespace rbpa
