@@ -64,6 +64,7 @@ std::span<const Item> largest(const std::vector<Item>& items, double above, std:
 /// Computes what the outputs need, with a progress line for each step.
 SolidFacts SolidRun::measured() {
   constexpr std::array doing{"tetrahedra", "alpha", "boundary", "voids"};  // by SolidStep; balls belong to the voids
+  const bool is_full = request_.walls == ComplexKind::full;
   const auto is_drawn = [](const Target& target) { return is_picture(target.format); };
   std::optional<TriangleProgress> line;
   std::optional<double> build_seconds, choose_seconds;
@@ -81,10 +82,10 @@ SolidFacts SolidRun::measured() {
         {.alpha = request_.alpha,
          .boundary = request_.boundary || std::any_of(request_.targets.begin(), request_.targets.end(), is_drawn),
          .counts = is_counted(),
-         .full = request_.walls == ComplexKind::full,
-         .balls = arguments_.balls,
+         .full = is_full && is_counted(),
+         .balls = arguments_.balls && is_counted(),
          .components = arguments_.json,
-         .triangulation = has_lives(),
+         .triangulation = has_lives() || is_full,
          .threads = options().threads,
          .progress = [&](const Progress& progress) { return line->watch()(progress); },
          .on_step =

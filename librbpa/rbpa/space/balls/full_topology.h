@@ -57,10 +57,10 @@ struct FullTopology {
 };
 
 /// Returns count_full(), and full_voids() of the void_space().
-/// Requires: as these.
-/// Throws:   as these.
+/// Requires: as dangling_faces().
+/// Throws:   as count_full().
 RBPA_API FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay,
-                                    std::span<const double> radii, double alpha, unsigned threads = 0,
+                                    std::span<const double> radii, double alpha, MaxThreads threads = 0,
                                     const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -11,10 +11,13 @@ namespace rbpa {
 
 MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options) {
   const bool needs_all = options.alpha.rule != AlphaRule::given || options.full || options.triangulation;
-  const bool has_boundary = options.boundary || options.counts;
+  const bool has_boundary = options.boundary || options.counts || options.components;
   const GoOn go_on = go_on_of(options.progress, points.size());
-  const auto begin = [&](SolidStep step) {
+  const auto check = [&] {
     if (go_on && !go_on()) throw Cancelled();
+  };
+  const auto begin = [&](SolidStep step) {
+    check();
     if (options.on_step) options.on_step(step);
   };
 
@@ -33,16 +36,18 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
     made.plateaus = std::move(chosen.plateaus);
     made.solid = within(made.triangulation, made.radii, made.alpha);
   }
-  if (!has_boundary) return made;
-  begin(SolidStep::boundary);
-  made.boundary = solid_boundary(made.solid);
-  if (!options.counts) return made;
-  begin(SolidStep::counting);
-  made.measures = measure(points, made.boundary.surface);
-  Voids found = voids(points, made.solid, made.boundary);
-  made.counts = found.counts;
-  made.voids = std::move(found.all);
-  if (go_on && !go_on()) throw Cancelled();
+  if (has_boundary) {
+    begin(SolidStep::boundary);
+    made.boundary = solid_boundary(made.solid);
+  }
+  if (options.counts || options.full || options.components) begin(SolidStep::counting);
+  if (options.counts) {
+    made.measures = measure(points, made.boundary.surface);
+    Voids found = voids(points, made.solid, made.boundary);
+    made.counts = found.counts;
+    made.voids = std::move(found.all);
+    check();
+  }
   if (options.full) {
     FullTopology full = full_topology(points, made.triangulation, made.radii, made.alpha, options.threads, go_on);
     made.full = full.counts;
@@ -52,7 +57,9 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
   if (options.components) made.components = solid_components(points, made.solid, made.boundary).all;
   if (options.balls && std::isfinite(made.alpha)) {
     begin(SolidStep::balls);
-    made.balls = union_of_balls(points, made.alpha, {.threads = options.threads});
+    OnProgress progress;
+    if (go_on) progress = [&go_on](const Progress&) { return go_on(); };
+    made.balls = union_of_balls(points, made.alpha, {.threads = options.threads, .progress = std::move(progress)});
   }
   return made;
 }

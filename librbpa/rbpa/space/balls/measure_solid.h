@@ -1,8 +1,8 @@
-// What: computes the solid of points in space at a given or chosen radius with what is to be known of it, in one call:
-//       boundary, volume and area, Betti numbers, voids, components, balls.
-// How:  calls solid(), choose_solid_alpha(), within(), solid_boundary(), measure(), voids(), full_topology(),
-//       union_of_balls() and solid_components(), as far as the options say.
-// Law:  as of these: a function of the points and options, not of the number of threads.
+// What: computes and measures the solid of points in space at a given or chosen radius, in one call: boundary, volume
+//       and area, Betti numbers, voids, components, union of balls.
+// How:  calls, as far as the options say, solid(), circumradii(), choose_solid_alpha(), within(), solid_boundary(),
+//       measure(), voids(), full_topology(), solid_components() and union_of_balls(), in this order.
+// Law:  a function of the points and options, not of the number of threads.
 // Cost: the sum of the steps. A rule, the full complex and `triangulation` need all tetrahedra of the points.
 #pragma once
 
@@ -27,22 +27,23 @@
 
 namespace rbpa {
 
-/// The steps whose begin is announced.
+/// The steps whose begin is announced. `counting` stands for measures, voids, the full complex and components.
 enum class SolidStep : std::uint8_t { tetrahedra, choosing, boundary, counting, balls };
 
 struct MeasureSolidOptions {
   AlphaChoice alpha = {};      ///< a radius, by default infinity, or a rule
   bool boundary = true;        ///< finds the boundary
   bool counts = true;          ///< measures, counts and finds voids; implies `boundary`
-  bool full = false;           ///< counts the full complex too, and finds its voids in place of those of the solid
-  bool balls = false;          ///< measures the union of balls of radius alpha, unless it is infinity
-  bool components = false;     ///< lists the solid components
+  bool full = false;           ///< counts the full complex, and finds its voids in place of those of the solid
+  bool balls = false;          ///< measures the union of balls of radius alpha, unless alpha is infinity
+  bool components = false;     ///< lists the solid components; implies `boundary`
   bool triangulation = false;  ///< keeps all tetrahedra and their radii even if neither a rule nor `full` needs them
-  /// Maximum number of threads, the calling one included. 0 = all processors; larger values are capped.
-  unsigned threads = 0;
-  /// Called repeatedly, as SolidOptions::progress. Returning false cancels the run.
+  MaxThreads threads = 0;
+  /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Then with 0 triangles: repeatedly
+  /// while the radius is chosen, the full complex is counted and the tetrahedra of the balls are computed; elsewhere
+  /// only between steps. Returning false cancels the run.
   OnProgress progress = {};
-  /// Called by the calling thread when a step begins, between two calls of `progress`.
+  /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(SolidStep)> on_step = {};
 };
 
@@ -53,11 +54,13 @@ struct MeasuredSolid {
   Solid triangulation = {};                 ///< all tetrahedra of the points, if they were needed
   std::vector<double> radii = {};           ///< circumradii of the tetrahedra of `triangulation`
   SolidBoundary boundary = {};
-  BoundaryMeasures measures = {};
-  SolidCounts counts = {};
-  std::optional<FullCounts> full = {};
-  std::vector<SolidVoid> voids = {};  ///< the largest volume first; their triangles are those of around_voids()
-  Surface full_void_boundary = {};    ///< the walls of the voids of the full complex
+  BoundaryMeasures measures = {};       ///< with `counts`
+  SolidCounts counts = {};              ///< with `counts`
+  std::optional<FullCounts> full = {};  ///< with `full`
+  /// The voids, the largest volume first: with `full` those of the full complex, else with `counts` those of the solid.
+  /// Their triangles are numbered in around_voids().
+  std::vector<SolidVoid> voids = {};
+  Surface full_void_boundary = {};  ///< the walls of the voids of the full complex
   std::optional<BallUnion> balls = {};
   std::vector<SolidComponent> components = {};
 
@@ -65,9 +68,11 @@ struct MeasuredSolid {
   const Surface& around_voids() const { return full ? full_void_boundary : boundary.surface; }
 };
 
-/// Computes the solid.
-/// Requires: as solid(); a rank of a plateau that exists; for `full` and `balls`, as full_topology(), union_of_balls().
-/// Throws:   InvalidInput that names the violated requirement; Cancelled.
+/// Computes the solid, and what the options request of it.
+/// Requires: as solid(); for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1 to the
+///           number of plateaus if there are any; for `balls`, as union_of_balls().
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation when the cover is out of its bounds;
+///           Cancelled.
 RBPA_API MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options = {});
 
 }  // namespace rbpa

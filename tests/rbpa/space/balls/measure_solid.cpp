@@ -55,6 +55,20 @@ TEST_CASE("only the steps that options call for are run, and a run can be cancel
   measure_solid(points, {.boundary = false, .counts = false, .on_step = on_step});
   CHECK(steps == std::vector{SolidStep::tetrahedra});
   steps.clear();
+  const MeasuredSolid some = measure_solid(points, {.alpha = {.rule = AlphaRule::least},
+                                                    .boundary = false,
+                                                    .counts = false,
+                                                    .full = true,
+                                                    .balls = true,
+                                                    .components = true,
+                                                    .on_step = on_step});
+  CHECK(steps == std::vector{SolidStep::tetrahedra, SolidStep::choosing, SolidStep::boundary, SolidStep::counting,
+                             SolidStep::balls});
+  CHECK(some.counts == rbpa::SolidCounts{});
+  CHECK(some.full.has_value());
+  CHECK(some.balls.has_value());
+  CHECK_FALSE(some.components.empty());
+  steps.clear();
   const MeasuredSolid made = measure_solid(points, {.balls = true, .triangulation = true, .on_step = on_step});
   CHECK(steps == std::vector{SolidStep::tetrahedra, SolidStep::choosing, SolidStep::boundary, SolidStep::counting});
   CHECK(made.solid.simplices == made.triangulation.simplices);
