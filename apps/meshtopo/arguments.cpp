@@ -63,7 +63,7 @@ Edits parse_edits(const TopologyArguments& arguments) {
       throw WrongUsage("--weld: found " + in_quotes(*arguments.weld) + ", expected a distance, at least 0");
     edits.weld = distance.value;
   }
-  if (arguments.keep_largest) edits.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.keep_largest) edits.components.max_components = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, edits.components);
   return edits;
 }

@@ -64,7 +64,7 @@ KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choi
   const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
   const FaceFans fans(repaired, mesh.positions);
   const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());
-  const std::vector<bool> kept = kept_components(components, {}, choice);
+  const std::vector<bool> kept = choose_components(components, {}, choice);
   KeptComponents result;
   result.faces.assign(mesh.soup.faces(), false);
   for (std::size_t t = 0; t < fans.face.size(); ++t)

@@ -68,7 +68,7 @@ py::dict as_dict(FilledSurface& made) {
 /// Returns the surface of points by the given normals, by estimated ones, or without any; with the radii, and with the
 /// normals if they are estimated.
 py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool estimates, const Doubles& radii,
-                       double most_radius, unsigned threads, const py::object& progress) {
+                       double max_radius, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
   const std::span<const double> wanted = line_of(radii);
@@ -78,7 +78,7 @@ py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool 
                                                                 : estimates ? NormalSource::estimate
                                                                             : NormalSource::none,
                                                       .radii = {wanted.begin(), wanted.end()},
-                                                      .most_radius = most_radius,
+                                                      .max_radius = max_radius,
                                                       .threads = threads,
                                                       .progress = watch.progress()});
   });
@@ -145,11 +145,11 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   return result;
 }
 
-/// Returns for each component whether it is one of the largest, is not too small, and, if there is a radius, is an outer
-/// shell.
+/// Returns for each component whether it is one of the largest, is not too small, and, if there is a radius, is an
+/// outer shell.
 std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const Indices& neighbors,
-                          std::optional<double> radius, std::optional<std::size_t> largest, std::size_t least_triangles,
-                          double least_area) {
+                          std::optional<double> radius, std::optional<std::size_t> largest, std::size_t min_triangles,
+                          double min_area) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
@@ -158,11 +158,11 @@ std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const
     const SurfaceComponents components = surface_components(input, surface, go_on);
     std::vector<bool> outer;
     if (radius) outer = outer_shells(input, *radius, surface, components, go_on);
-    return kept_components(components, outer,
-                           {.shell = radius ? ShellChoice::outer : ShellChoice::all,
-                            .largest = largest,
-                            .least_triangles = least_triangles,
-                            .least_area = least_area});
+    return choose_components(components, outer,
+                             {.shell = radius ? ShellChoice::outer : ShellChoice::all,
+                              .max_components = largest,
+                              .min_triangles = min_triangles,
+                              .min_area = min_area});
   });
 }
 
@@ -275,11 +275,11 @@ void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const 
 void bind_surface(py::module_& module) {
   using py::arg;
   module.def("reconstruct", &reconstructed, as_is("points"), as_is("normals"), arg("estimates"), as_is("radii"),
-             arg("most_radius"), arg("threads"), arg("progress"));
+             arg("max_radius"), arg("threads"), arg("progress"));
   module.def("surface_of", &surface_of_triangles, as_is("points"), as_is("triangles"));
   module.def("surface_components", &components_of, as_is("points"), as_is("triangles"), as_is("neighbors"));
-  module.def("kept_components", &kept_of, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("radius"),
-             arg("largest"), arg("least_triangles"), arg("least_area"));
+  module.def("choose_components", &kept_of, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("radius"),
+             arg("largest"), arg("min_triangles"), arg("min_area"));
   module.def("fill_holes", &filled, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("most_edges"),
              arg("most_length"), arg("rims"), arg("threads"));
   module.def("make_watertight", &watertight, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("threads"));

@@ -38,11 +38,11 @@ void parse_drop_small(const std::string& text, ComponentChoice& choice) {
   if (text.starts_with(area)) {
     const ParsedNumber number = parse_whole_number(std::string_view(text).substr(area.size()));
     if (number.fault == NumberFault::none && number.value > 0) {
-      choice.least_area = number.value;
+      choice.min_area = number.value;
       return;
     }
   } else if (const std::optional<std::size_t> count = whole_number(text); count && *count > 0) {
-    choice.least_triangles = *count;
+    choice.min_triangles = *count;
     return;
   }
   throw WrongUsage("--drop-small: found " + in_quotes(text) +

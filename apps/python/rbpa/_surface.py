@@ -348,7 +348,7 @@ class Surface(Result):
     ) -> Surface:
         self._require_unchanged()
         return self.keep(
-            _core.kept_components(self.points, self.triangles, self.neighbors, radius, largest, triangles, area)
+            _core.choose_components(self.points, self.triangles, self.neighbors, radius, largest, triangles, area)
         )
 
     def keep_largest(self, count: int = 1) -> Surface:

@@ -108,7 +108,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   SurfaceRequest request{.source = parse_space_source(arguments, viewpoint.columns, "--viewpoint")};
   ReconstructionOptions& how = request.how;
   if (arguments.radius != "auto") how.radii = parse_ascending("--radius", arguments.radius, "auto");
-  how.most_radius = parse_max_radius(arguments);
+  how.max_radius = parse_max_radius(arguments);
   how.neighbors = parse_neighbors(arguments.neighbors);
   how.viewpoints = viewpoint.place;
   how.source = parse_normals(arguments.normals);
@@ -143,7 +143,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   if (request.colors_normals && how.source && how.source != NormalSource::estimate)
     throw WrongUsage("--color normals requires --normals estimate");
   if (arguments.neighbors && !how.source) how.source = NormalSource::estimate;
-  if (arguments.keep_largest) how.components.largest = parse_keep_largest(*arguments.keep_largest);
+  if (arguments.keep_largest) how.components.max_components = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, how.components);
   if (arguments.fill_holes) {
     if (arguments.watertight)

@@ -151,7 +151,7 @@ class Reconstructing {
     } else {
       made_.kinds = curve_kinds(cloud_.points, made_.components, made_.holes);
     }
-    const std::vector<bool> kept = kept_components();
+    const std::vector<bool> kept = chosen_components();
     if (closes) {
       close(kept);
     } else {
@@ -231,7 +231,7 @@ class Reconstructing {
     radii = options_.radii;
     if (radii.empty()) {
       radii = auto_radii(cloud_.points, begin(Step::radii));
-      for (double& radius : radii) radius = std::min(radius, options_.most_radius);
+      for (double& radius : radii) radius = std::min(radius, options_.max_radius);
       radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
       // The largest spans the gaps everywhere.
       if (!has_normals && radii.size() > 1) radii = {radii.back()};
@@ -266,11 +266,11 @@ class Reconstructing {
     made_.kinds = curve_kinds(places, made_.components, made_.holes);
   }
 
-  std::vector<bool> kept_components() const {
+  std::vector<bool> chosen_components() const {
     std::vector<bool> outer;
     if (options_.components.shell != ShellChoice::all)
       outer = outer_shells(cloud_.points, radii_.back(), made_.surface, made_.components, counting());
-    return rbpa::kept_components(made_.components, outer, options_.components);
+    return choose_components(made_.components, outer, options_.components);
   }
 
   void drop(const std::vector<bool>& kept) {

@@ -1,8 +1,9 @@
 // What: reconstructs a surface from points in space in one call: leaves outliers out, estimates normals, chooses radii,
 //       rolls the ball, keeps components, fills holes or makes the surface watertight, and explains where it ends.
 // How:  calls, as far as the options say, outliers(), scale_space(), estimate_normals_and_confidence(), auto_radii(),
-//       surface(), unused_points(), holes(), suggested_repairs(), kept_components(), fill_holes() or make_watertight(),
-//       and refine_filling(), in this order.
+//       surface() or exposed_triangles(), unused_points(), radius_with_triangles(), holes(), suggested_repairs(),
+//       indexable_surface(), choose_components(), fill_holes() or make_watertight(), and refine_filling(), in this
+//       order.
 // Law:  a function of the points and options, not of the number of threads.
 // Cost: the sum of the steps; without options, that of the normals, radii and surface.
 #pragma once
@@ -36,7 +37,8 @@ enum class NormalSource : std::uint8_t {
   none,  ///< the ball rolls on all sides that it can reach: exposed_triangles(), of one radius
 };
 
-/// The steps whose begin is announced; `counting` is any work between two others.
+/// The steps whose begin is announced. `counting` stands for all other work, and is announced several times. With
+/// `watertight`, `filling` includes refining.
 enum class ReconstructionStep : std::uint8_t {
   outliers,
   scale_space,
@@ -53,27 +55,34 @@ enum class ReconstructionStep : std::uint8_t {
 };
 
 struct ReconstructionOptions {
-  std::optional<double> outlier_factor = {};    ///< leaves out the outliers() by this factor; absent: no point
-  std::optional<std::size_t> scale_space = {};  ///< moves points by so many steps of scale_space(); absent: no point
-  bool moved = false;                           ///< the result has the moved points; false: the given ones
-  std::vector<Point3> normals = {};             ///< one for each point, or none
-  std::optional<NormalSource> source = {};      ///< absent: given normals if there are any, else estimated ones
-  std::size_t neighbors = NormalOptions{}.neighbors;  ///< number of points from which a normal is estimated
+  std::optional<double> outlier_factor = {};  ///< leaves out the outliers() by this factor; absent: no point
+  /// Moves the points by so many steps of scale_space(); 0: scale_space() chooses the number. Absent: no step.
+  std::optional<std::size_t> scale_space = {};
+  bool moved = false;                       ///< whether the result has the moved points in place of the given ones
+  std::vector<Point3> normals = {};         ///< one for each point, or none
+  std::optional<NormalSource> source = {};  ///< absent: given normals if there are any, else estimated ones
+  /// Number of nearest other points from which a normal is estimated.
+  std::size_t neighbors = NormalOptions{}.neighbors;
   std::vector<Point3> viewpoints = {};  ///< toward which normals are turned: none, one, or one for each point
   bool flip = false;                    ///< turns all normals around
-  std::vector<double> radii = {};       ///< ascending; empty: auto_radii(), without normals the last of them
-  double most_radius = std::numeric_limits<double>::infinity();  ///< replaces chosen radii above it
-  bool explain = false;  ///< finds unused points and the causes of boundary curves, or a radius that has triangles
-  bool repairs = false;  ///< suggests repairs of holes; implies `explain`
+  /// The radii of the balls, ascending; without normals one. Empty: auto_radii(), without normals the last of them.
+  std::vector<double> radii = {};
+  /// Limit for the radii of auto_radii(): larger ones are replaced by it. Given radii are not limited.
+  double max_radius = std::numeric_limits<double>::infinity();
+  /// Finds the unused points and the causes of boundary curves; if there is no triangle, also a radius at which there
+  /// are some.
+  bool explain = false;
+  bool repairs = false;                   ///< suggests repairs of holes; implies `explain`
   ComponentChoice components = {};        ///< a choice of shells requires the source `none`
-  bool manifold = false;                  ///< takes the indexable_surface(), as filling and closing do
+  bool manifold = false;                  ///< takes the indexable_surface(), as `filled` and `watertight` do
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< makes the kept components watertight, in place of `filled`
   bool refine = false;                    ///< refines the fillings
   MaxThreads threads = 0;
-  /// Called repeatedly during each step, as SurfaceOptions::progress. Returning false cancels the run.
+  /// Called repeatedly, as the functions of the steps do; the number of triangles is that of the step. Returning false
+  /// cancels the run.
   OnProgress progress = {};
-  /// Called by the calling thread when a step begins, between two calls of `progress`.
+  /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(ReconstructionStep)> on_step = {};
 };
 
@@ -92,20 +101,24 @@ struct Reconstruction {
   /// A radius with triangles where the given radii have none; absent: auto_radii() have none either, or it was not
   /// looked for.
   std::optional<double> larger_ball = {};
-  /// The components, by `points`, and the boundary curves with their kinds. Only if options call for them: `explain`, a
-  /// choice of components, filling or closing.
+  /// The components, with measures by `points`. Computed, as are `holes` and `kinds`, only with `explain`, `repairs`,
+  /// `manifold`, `filled`, `watertight` or a choice of components.
   SurfaceComponents components = {};
+  /// The boundary curves. Causes are known only with `explain` or `repairs`, and otherwise have their default. Lengths
+  /// are those between the points over which the ball rolled, unless fillings were refined: then by `points`.
   std::vector<Hole> holes = {};
-  std::vector<CurveKind> kinds = {};
-  std::vector<std::optional<SuggestedRepair>> repairs = {};  ///< for each of `holes` of kind hole, if requested
-  DroppedComponents dropped = {};
+  std::vector<CurveKind> kinds = {};  ///< for each of `holes`
+  /// With `repairs`, one entry for each of `holes`; absent if its kind is not `hole`. The repair is of kind `none` also
+  /// if the curve has changed since it was sought.
+  std::vector<std::optional<SuggestedRepair>> repairs = {};
+  DroppedComponents dropped = {};       ///< all 0, the totals too, if nothing was dropped, except with `watertight`
   std::vector<HoleFill> fillings = {};  ///< of each hole that was to be filled
   std::vector<bool> filled = {};        ///< for each triangle whether it fills a hole; empty: none does
-  std::size_t given_up = 0;             ///< number of triangles removed by closing
-  AddedPoints added = {};               ///< by refining
-  /// With `watertight`: pairs of triangles that cross, at most most_crossing_pairs; and, if the surface is watertight,
-  /// for each component inside how many others it lies.
+  std::size_t given_up = 0;             ///< number of triangles that `watertight` removed
+  AddedPoints added = {};               ///< points that refining added
+  /// With `watertight`, the pairs of triangles that cross, sorted: the first most_crossing_pairs (watertight.h).
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
+  /// For each component, the number of others inside which it lies. Empty unless the surface is made watertight.
   std::vector<std::size_t> inside = {};
 
   /// Returns whether there are triangles, none at a boundary, and none that cross. Requires: the option `watertight`.

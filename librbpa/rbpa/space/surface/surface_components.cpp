@@ -143,17 +143,17 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
   return genus;
 }
 
-std::vector<bool> kept_components(const SurfaceComponents& components, const std::vector<bool>& outer,
-                                  const ComponentChoice& choice) {
+std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
+                                    const ComponentChoice& choice) {
   meshops::require(choice.shell == ShellChoice::all || outer.size() == components.all.size(),
-                   "kept_components: expected for each component whether it is outer");
-  std::size_t left = choice.largest.value_or(components.all.size());
+                   "choose_components: expected for each component whether it is outer");
+  std::size_t left = choice.max_components.value_or(components.all.size());
   if (choice.shell == ShellChoice::largest) left = 1;
   std::vector<bool> kept;
   for (std::size_t c = 0; c < components.all.size(); ++c) {  // components are sorted by descending area
     const SurfaceComponent& component = components.all[c];
     const bool is_wanted = (choice.shell == ShellChoice::all || outer[c]) &&
-                           component.triangles >= choice.least_triangles && component.area >= choice.least_area;
+                           component.triangles >= choice.min_triangles && component.area >= choice.min_area;
     kept.push_back(is_wanted && left > 0);
     left -= kept.back();
   }
@@ -166,7 +166,6 @@ DroppedComponents dropped_components(std::span<const Point3> points, const std::
       are_of(components, surface) && kept.size() == components.all.size(),
       "dropped_components: expected the components of this surface, and for each of them whether it is kept");
   DroppedComponents dropped;
-  if (std::find(kept.begin(), kept.end(), false) == kept.end()) return dropped;
   const std::vector<std::size_t> genus = genus_of(surface, components, go_on);
   for (std::size_t c = 0; c < kept.size(); ++c) {
     const SurfaceComponent& component = components.all[c];

@@ -1,7 +1,7 @@
 // What: the components of a surface with their sizes and genus, a choice of them, and the surface without the others.
 // Law:  a component is connected through glued sides; pieces that only touch are two components. All numbers are
-//       functions of the triangles as sets of points and of their gluing: the same to the last bit in any order of the
-//       points.
+//       functions of the oriented triangles and their gluing: the same to the last bit in any order of points and
+//       triangles.
 // Cost: linear, and a sort of the components.
 #pragma once
 
@@ -22,14 +22,16 @@ struct SurfaceComponent {
   std::size_t boundary_sides = 0;  ///< number of sides without a neighbor; 0 if the component is closed
   std::size_t boundary_curves = 0;
   double area = 0;    ///< in squared units of the points
-  double volume = 0;  ///< of a closed component, negative if the triangles face the enclosed space; otherwise 0
+  double volume = 0;  ///< in cubed units; negative if the component is turned inside out; 0 if it is not closed
   Point3 low, high;   ///< opposite corners of its box
 
   bool is_closed() const { return boundary_sides == 0; }
 };
 
 struct SurfaceComponents {
-  std::vector<SurfaceComponent> all;  ///< the largest area first; of equal ones the largest volume
+  /// The components, the largest area first; of equal ones the largest volume first, then the one with the
+  /// lexicographically least triangle.
+  std::vector<SurfaceComponent> all;
   std::vector<std::uint32_t> number;  ///< for each triangle, its component in `all`
 };
 
@@ -40,36 +42,47 @@ struct SurfaceComponents {
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
                                               const GoOn& go_on = {});
 
-/// Returns the genus of each component, the number of its handles, with a vertex for each fan of triangles.
+/// Returns the genus of each component, its number of handles. Each fan of triangles counts as one vertex.
 /// Requires: the components of this surface.
-/// Throws:   ContractViolation on other sizes, and as split_fans().
-/// Cost:     that of split_fans().
+/// Throws:   ContractViolation when components and surface differ in size, or a triangle is not a neighbor of its
+///           neighbor; Cancelled.
+/// Cost:     linear.
 RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
                                            const GoOn& go_on = {});
 
-enum class ShellChoice : std::uint8_t { all, outer, largest };
+/// A choice of the components of exposed_triangles(), which are closed shells.
+enum class ShellChoice : std::uint8_t {
+  all,
+  outer,    ///< those that outer_shells() names
+  largest,  ///< the outer one of largest area, of those that are not too small
+};
 
 /// A choice of components; by default all.
 struct ComponentChoice {
-  ShellChoice shell = ShellChoice::all;     ///< of triangles that form closed shells; largest: the largest outer one
-  std::optional<std::size_t> largest = {};  ///< maximum number of components: those of largest area are kept
-  std::size_t least_triangles = 0;
-  double least_area = 0;
+  ShellChoice shell = ShellChoice::all;
+  /// Maximum number of components: those of largest area are kept. Absent: no limit. Ignored if `shell` is `largest`.
+  std::optional<std::size_t> max_components = {};
+  std::size_t min_triangles = 0;  ///< minimum number of triangles of a component
+  double min_area = 0;            ///< minimum area of a component, in squared units of the points
 
-  bool keeps_all() const { return shell == ShellChoice::all && !largest && least_triangles == 0 && !(least_area > 0); }
+  bool keeps_all() const {
+    return shell == ShellChoice::all && !max_components && min_triangles == 0 && !(min_area > 0);
+  }
 };
 
 /// Returns for each component whether it is kept: it is one of the wanted shells, is not too small, and is among the
 /// largest of these.
-/// Requires: for each component whether it is outer, as outer_shells() returns it, unless the choice is all shells.
-RBPA_API std::vector<bool> kept_components(const SurfaceComponents& components, const std::vector<bool>& outer,
-                                           const ComponentChoice& choice);
+/// Requires: for each component whether it is outer, as outer_shells() returns it; any `outer` if the choice is all
+///           shells.
+/// Throws:   ContractViolation when `outer` is needed and of another size.
+RBPA_API std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
+                                             const ComponentChoice& choice);
 
-/// Counts of the components dropped from a surface, and of the whole surface before.
+/// Counts of the components dropped from a surface; `of_…` are the totals of the surface before.
 struct DroppedComponents {
   std::size_t components = 0, triangles = 0, genus = 0;
-  std::size_t points = 0;  ///< left without a triangle
-  double area = 0;
+  std::size_t points = 0;  ///< number of points that are left without a triangle
+  double area = 0;         ///< in squared units of the points
   std::size_t of_components = 0, of_triangles = 0, of_genus = 0;
   double of_area = 0;
 
@@ -78,22 +91,23 @@ struct DroppedComponents {
   static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 };
 
-/// Counts the components that are not kept, their triangles, and the points that no other triangle has.
+/// Counts the components that are not kept, their triangles, and the points that are in triangles of these components
+/// only.
 /// Requires: a surface of these points, its components, and for each whether it is kept.
-/// Throws:   ContractViolation on other sizes; Cancelled.
-/// Cost:     that of genus_of(); nothing if all are kept.
+/// Throws:   ContractViolation when sizes differ, or a triangle is not a neighbor of its neighbor; Cancelled.
+/// Cost:     linear.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                               const Surface& surface, const SurfaceComponents& components,
                                               const GoOn& go_on = {});
 
 /// Returns the triangles of the components that are kept, glued as they were, in the same order.
 /// Requires: the components of this surface, and for each whether it is kept.
-/// Throws:   ContractViolation on other sizes.
+/// Throws:   ContractViolation when sizes differ.
 RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
                                  const std::vector<bool>& kept);
 
 /// Returns the triangles that are kept, in the same order; their sides at other triangles become boundary.
-/// Throws: ContractViolation on another size.
+/// Throws: ContractViolation when `kept` has not one value for each triangle.
 RBPA_API Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept);
 
 }  // namespace rbpa

@@ -88,7 +88,7 @@ TEST_CASE("components are chosen, dropped ones are counted, and their holes go w
   Points3 points = cut_sphere(0, 1, 600), small = cut_sphere(5, 0.5, 300);
   points.insert(points.end(), small.begin(), small.end());
   const Reconstruction all = reconstruct(points, {.radii = {0.2}, .explain = true});
-  const Reconstruction largest = reconstruct(points, {.radii = {0.2}, .components = {.largest = 1}});
+  const Reconstruction largest = reconstruct(points, {.radii = {0.2}, .components = {.max_components = 1}});
   REQUIRE(all.components.all.size() == 2);
   CHECK(all.holes.size() == 2);
   CHECK(largest.components.all.size() == 1);
