@@ -119,8 +119,8 @@ std::string changes(const Findings& findings) {
               " inside others; " + std::to_string(report.orient->inward) + " of them inside an odd number of others, " +
               (report.orient->inward == 1 ? "the wall of a cavity, faces" : "walls of cavities, face") + " inward\n";
     for (const std::size_t face : report.orient->not_orientable)
-      text += "  orient: the component of face " + std::to_string(face) +
-              " is not orientable: its faces are left as they were\n";
+      text +=
+          "  orient: the component of face " + std::to_string(face) + " is not orientable: its faces stay unchanged\n";
   }
   if (findings.fill) {
     const auto& [rims, holes, islands] = findings.fill->not_chosen;

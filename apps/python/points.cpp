@@ -69,8 +69,7 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
                         "points in the plane in one of " + app::endings(app::Use::points, app::has_lines));
   if (where || !fields.empty()) {
     const std::optional<app::FieldNames> names = app::fields_of(source.format);
-    app::require_format(names.has_value(), where ? "where" : "fields", "without fields beside the points",
-                        app::with_fields(use));
+    app::require_format(names.has_value(), where ? "where" : "fields", "without fields", app::with_fields(use));
     source.where.emplace(where.value_or(""), *names, columns_of(fields, use, names->texts));
   }
   return source;

@@ -45,7 +45,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "Vertices of a mesh file are the input points in input order: an index means the same in both. They keep z if "
       "the input has it. In arrays.npy indices also count points that --where or --skip-invalid leaves out. The full "
       "complex is in lines f, l and p of an .obj; arrays.npy has its triangles, and arrays.edges.npy and "
-      "arrays.points.npy beside it the rest. For groups .vtu and .ply have the number of each triangle's group, from "
+      "arrays.points.npy next to it the rest. For groups .vtu and .ply have the number of each triangle's group, from "
       "0 in the order in which rbpa shape --group-by lists them.\n" +
       std::string(exit_codes));
   return &verb;

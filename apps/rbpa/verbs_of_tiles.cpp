@@ -30,7 +30,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       ->type_name("SIZE")
       ->capture_default_str();
   verb.add_option("--scratch", arguments.scratch,
-                  "Keep tiles in this folder, new or empty (by default in one beside the first OUT, removed at the "
+                  "Keep tiles in this folder, new or empty (by default in one next to the first OUT, removed at the "
                   "end)")
       ->type_name("DIR");
   add_switch(verb, "--resume", arguments.resume, "Continue the run in --scratch where it stopped, or begin one");

@@ -66,7 +66,7 @@ TEST_SUITE("bad input") {
 
   TEST_CASE("NaN and infinity are refused") {
     refuses_text("0 0\nnan 1\n",
-                 "p.xy:2: found 'nan', expected a finite number (--skip-invalid leaves out lines that are no points)");
+                 "p.xy:2: found 'nan', expected a finite number (--skip-invalid leaves out lines that are not points)");
     refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");
   }
 

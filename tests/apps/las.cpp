@@ -500,7 +500,6 @@ TEST_SUITE("las") {
     CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 2);
     CHECK(folder.rbpa("info p.las --where red==2").code == 3);
     CHECK(folder.rbpa("info p.npy --where x==2").err ==
-          "rbpa: --where: found a format without fields beside the points, expected " + with_fields(Use::points) +
-              "\n");
+          "rbpa: --where: found a format without fields, expected " + with_fields(Use::points) + "\n");
   }
 }

@@ -337,7 +337,7 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(folder.content("o.off") == folder.content("m.off"));
     CHECK(folder.meshtopo("m.off --orient -o o.off")
               .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
-                        "  orient: the component of face 3 is not orientable: its faces are left as they were\n") !=
+                        "  orient: the component of face 3 is not orientable: its faces stay unchanged\n") !=
           std::string::npos);
     // The number of the first face is that of the file, also if faces before it are dropped.
     CHECK(changed(folder, "m.off --weld 0 --orient -o o.off")["changes"]["orient"]["not_orientable"] ==

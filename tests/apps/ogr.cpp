@@ -249,7 +249,7 @@ TEST_SUITE("ogr") {
     CHECK_FALSE(folder.has("t.prj"));
     folder.file("s.prj", "of other coordinates");
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.shp -q").err ==
-          "rbpa: s.prj: found an old file, expected none beside s.shp (remove it)\n");
+          "rbpa: s.prj: found an old file, expected none next to s.shp (remove it)\n");
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.shp --stats s.dbf").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o - --output-format shp").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.shp").code == 2);

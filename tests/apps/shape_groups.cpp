@@ -155,7 +155,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
             "--isolated cannot be combined with --group-by or --group-by-file", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
-            "--group-by: found a format without fields beside the points, expected " +
+            "--group-by: found a format without fields, expected " +
                 rbpa::app::with_fields(rbpa::app::Use::points, {"geojson"}),
             2);
     CHECK(folder.names() == std::vector<std::string>{"p.csv", "p.xy"});
@@ -215,9 +215,7 @@ TEST_SUITE("shape groups") {
     refuses(folder, "n.geojson --group-by kind --alpha 1 -o s.csv",
             "n.geojson: found no Feature with a property 'kind', expected at least one, as --group-by requires", 3);
     refuses(folder, "n.geojson --group-by k --where k>1 --alpha 1 -o s.csv",
-            "--where: found a format without fields beside the points, expected " +
-                rbpa::app::with_fields(rbpa::app::Use::points),
-            2);
+            "--where: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::points), 2);
     folder.file("l.geojson", feature(R"({"k":[1]})", "[[0,0]]"));
     refuses(folder, "l.geojson --group-by k --alpha 1 -o s.csv",
             "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires", 3);
@@ -304,7 +302,7 @@ TEST_SUITE("shape groups") {
                 " (column:NAME applies only to groups, as in rbpa shape --group-by)",
             2);
     refuses(folder, "p.csv --group-by g --alpha column: -o x.csv",
-            "--alpha column: found '', expected the name of a column (in double quotes if it is no word)", 2);
+            "--alpha column: found '', expected the name of a column (in double quotes unless it is a word)", 2);
     refuses(folder, "p.csv --group-by g --alpha column:q -o x.csv",
             "p.csv:1: found 'x,y,g,r', expected a header with a column 'q'", 3);
   }

@@ -61,7 +61,7 @@ std::string numbers(std::initializer_list<T> values) {
   return bytes;
 }
 
-const std::string skip = " (--skip-invalid leaves out lines that are no points)";
+const std::string skip = " (--skip-invalid leaves out lines that are not points)";
 const double no_number = __builtin_nan(""), inf = __builtin_inf();
 
 }  // namespace

@@ -387,7 +387,7 @@ TEST_SUITE("points of space") {
     }
   }
 
-  TEST_CASE("lines that are no point are left out and counted with --skip-invalid") {
+  TEST_CASE("lines that are not points are left out and counted with --skip-invalid") {
     const auto skipping = [](const std::string& text) {
       return space_points_in(text, "p", Format::text, {.skip_invalid = true});
     };
@@ -433,7 +433,7 @@ TEST_SUITE("points of space") {
                          "p:2: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" "
                          "compares it with a "
                          "text) (--skip-invalid leaves out "
-                         "lines that are no points)",
+                         "lines that are not points)",
                          BadInput);
   }
 

@@ -104,7 +104,7 @@ TEST_SUITE("tables of space") {
     CHECK(refusal("0 0 0\n", Format::xyzn) == "p:1: found 3 columns ('0 0 0'), expected 6: x, y, z, nx, ny, nz");
     CHECK(
         refusal("0 0 0 0 0 1\n0 0 0 0 0 0\n", Format::xyzn) ==
-        "p:2: found a normal of length 0, expected one of another length (--skip-invalid leaves out lines that are no "
+        "p:2: found a normal of length 0, expected one of another length (--skip-invalid leaves out lines that are not "
         "points)");
     CHECK(refusal("0 0 0 0 0 1\n0 0 0 0 0\n", Format::xyzn) ==
           "p:2: found 5 columns ('0 0 0 0 0'), expected 6 as in line 1");

@@ -78,8 +78,7 @@ TEST_SUITE("standard input") {
       CHECK(outcome.err == "rbpa: " + message + "\n");
     };
     refuses("info - --columns 1,2 < p.las", 2, "--columns: found standard input in a format with fixed columns");
-    refuses("info - --where 'a == 1' < p.wkt", 2,
-            "--where: found standard input in a format without fields beside the points");
+    refuses("info - --where 'a == 1' < p.wkt", 2, "--where: found standard input in a format without fields");
     refuses("info - --where 'a == 1' < p.las", 2, "--where: found standard input in a format without a field 'a'");
     refuses("info - --vertices < p.las", 2, "--vertices: found standard input in a format without lines and polygons");
   }

@@ -174,8 +174,7 @@ TEST_SUITE("surface") {
     refuses(folder, "p.off --radius 1 --skip-invalid -o m.off", 2,
             "--skip-invalid: found a format without lines of points, expected las or text");
     refuses(folder, "p.off --radius 1 --where \"z > 1\" -o m.off", 2,
-            "--where: found a format without fields beside the points, expected " +
-                rbpa::app::with_fields(rbpa::app::Use::space));
+            "--where: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::space));
     // Messages are those of the other verbs.
     CHECK(folder.rbpa("surface p.las --radius 1 --where \"height > 1\" -o m.off").err ==
           folder.rbpa("info p.las --where \"height > 1\"").err);

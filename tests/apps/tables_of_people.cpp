@@ -148,8 +148,8 @@ TEST_SUITE("tables of people") {
     }
   }
 
-  TEST_CASE("lines that are no point are refused, or left out and counted") {
-    const std::string hint = " (--skip-invalid leaves out lines that are no points)";
+  TEST_CASE("lines that are not points are refused, or left out and counted") {
+    const std::string hint = " (--skip-invalid leaves out lines that are not points)";
     for (const std::string sign : {"NA", "N/A", "null", "", "-", "None", "\\N"}) {
       CAPTURE(sign);
       CHECK(refusal("x,y\n1,2\n3," + sign + "\n") == "t:3: found '" + sign + "', expected a number" + hint);
@@ -208,7 +208,7 @@ TEST_SUITE("tables of people") {
     CHECK(refusal(text, where("grp == 6")) ==
           "t:2: found 'A', expected a number, as --where compares the column with numbers (== \"...\" compares it with "
           "a text) "
-          "(--skip-invalid leaves out lines that are no points)");
+          "(--skip-invalid leaves out lines that are not points)");
     CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
     const auto refused = [](const std::string& condition) -> std::string {
       try {
@@ -256,7 +256,7 @@ TEST_SUITE("tables of people") {
     CHECK(read(lines, {.vertices = true}).points == points);
     CHECK(refusal("id,geom\n7,POINT EMPTY\n") ==
           "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)' (--skip-invalid leaves out lines that "
-          "are no points)");
+          "are not points)");
     CHECK(refusal("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number");
     CHECK(read("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
           std::vector<Point>{{1, 2}});
@@ -391,7 +391,7 @@ TEST_SUITE("tables of people") {
           "t:4: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" compares it "
           "with a text) "
           "(--skip-invalid leaves out lines "
-          "that are no points)");
+          "that are not points)");
     const PointFile skipped = read(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});
     CHECK(skipped.warnings.size() == 2);
@@ -410,7 +410,7 @@ TEST_SUITE("tables of people") {
       }
       return "none";
     };
-    const std::string name = ", expected a number or the name of a column (in double quotes if it is no word)";
+    const std::string name = ", expected a number or the name of a column (in double quotes unless it is a word)";
     CHECK(refused("class == ") == "--where: found the end" + name);
     CHECK(refused("class == and") == "--where: found 'and'" + name);
     CHECK(refused("\"point class == 3") == "--where: found '\"point class == 3'" + name);

@@ -160,7 +160,7 @@ def test_changed_files_are_detected(tmp_path):
 
     with pytest.raises(rbpa.InvalidInput, match="found 98 points, expected 99"):
         rbpa.dask.alpha_shape(["a"], 0.1, reader=reader)
-    with pytest.raises(rbpa.InvalidInput, match="it was cut off"):
+    with pytest.raises(rbpa.InvalidInput, match="the file is truncated"):
         rbpa.dask._piece(str(files_of(points, tmp_path, 1)[0]), 0, 1000)
 
 

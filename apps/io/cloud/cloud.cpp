@@ -151,7 +151,7 @@ void select_points(Selection& selection, CloudBlock& block, std::span<const std:
 
 FieldNames names_of_properties() {
   FieldNames names = names_of_columns();
-  return {names.are, "the name of a field (in double quotes if it is no word)", false};
+  return {names.are, "the name of a field (in double quotes unless it is a word)", false};
 }
 
 }  // namespace rbpa::app

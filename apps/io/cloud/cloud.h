@@ -42,7 +42,7 @@ struct CloudRequest {
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< selects points by their fields
   bool heights = false;                           ///< in the plane: also read z, if there is one
-  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are no points
+  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
   bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values

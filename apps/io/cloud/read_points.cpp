@@ -104,7 +104,7 @@ void require_readable(Format format, bool columns, bool skip_invalid, bool verti
   require(!vertices || has_lines(format), "--vertices", "without lines and polygons");
   if (!where) return;
   const std::optional<FieldNames> names = fields_of(format);
-  require(names.has_value(), "--where", "without fields beside the points");
+  require(names.has_value(), "--where", "without fields");
   for (const std::string& field : where->fields())
     require(names->are(field), std::string(where->option_of(field)), "without a field " + in_quotes(field));
   require(names->texts || where->texts().empty(), "--where", "whose fields are numbers");

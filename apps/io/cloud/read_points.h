@@ -20,13 +20,13 @@ struct PointSource {
   Format format = Format::text;
   /// Columns of a table; absent: those that the header names, or the first two.
   std::optional<std::vector<Column>> columns = std::nullopt;
-  PixelRule pixels = {};                            ///< for images
-  bool heights = false;                             ///< fill PointFile::z
-  bool skip_invalid = false;                        ///< leave out lines of text, and records of LAS, that are no points
-  bool vertices = false;                            ///< take the vertices of lines and polygons as points
-  std::optional<Condition> where = std::nullopt;    ///< selects points, in formats with fields
-  GroupColumns properties = {};                     ///< GeoJSON: properties of Features that group points
-  std::optional<Crs> crs = std::nullopt;            ///< of the points; overrides the file's
+  PixelRule pixels = {};                          ///< for images
+  bool heights = false;                           ///< fill PointFile::z
+  bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
+  bool vertices = false;                          ///< take the vertices of lines and polygons as points
+  std::optional<Condition> where = std::nullopt;  ///< selects points, in formats with fields
+  GroupColumns properties = {};                   ///< GeoJSON: properties of Features that group points
+  std::optional<Crs> crs = std::nullopt;          ///< of the points; overrides the file's
   std::optional<std::string> layer = std::nullopt;  ///< of a source of OGR that has several layers
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
 };

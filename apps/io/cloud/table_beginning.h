@@ -1,6 +1,6 @@
 // What: the beginning of a table, before its first point: "sep=;", the number of points, a comment with names, a
 //       header, or the count and the comment of atoms.
-// Law:  if lines that are no points may be left out, so are the first lines, up to one that the other lines match.
+// Law:  if lines that are not points may be left out, so are the first lines, up to one that the other lines match.
 #pragma once
 
 #include <cstddef>

@@ -245,7 +245,7 @@ FieldNames names_of_columns() {
     if (word.empty()) return false;
     return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
   };
-  return {are, "the name of a column (in double quotes if it is no word)", true};
+  return {are, "the name of a column (in double quotes unless it is a word)", true};
 }
 
 Condition::Condition(const std::string& text, const FieldNames& names) {

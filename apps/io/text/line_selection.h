@@ -90,7 +90,7 @@ class LineSelection {
   }
 
   /// Returns the end of a message about a line that --skip-invalid would leave out.
-  std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are no points)"; }
+  std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are not points)"; }
 
   /// Leaves out and counts the current line, if lines may be left out; returns whether they may.
   bool leaves_out(const BadInput& refusal) {

@@ -234,7 +234,7 @@ def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tupl
     for each."""
     points, _ = _read(chunk)
     if len(points) != count:
-        raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count} as when they were counted")
+        raise InvalidInput(f"{chunk}: found {len(points)} points, expected {count}, the number when they were counted")
     pieces: list[tuple[int, str, int, int]] = []
 
     def write(file: Any) -> None:
@@ -287,7 +287,7 @@ def _partial(
 def _piece(path: str, at: int, count: int) -> npt.NDArray[Any]:
     records = np.fromfile(path, _RECORD, count, offset=at)
     if len(records) != count:
-        raise InvalidInput(f"{path}: found {len(records)} points from byte {at} on, expected {count}: it was cut off")
+        raise InvalidInput(f"{path}: found {len(records)} points from byte {at} on, expected {count}: the file is truncated")
     return records
 
 

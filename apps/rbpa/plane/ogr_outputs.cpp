@@ -17,7 +17,7 @@ void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) 
       run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
     else if (std::filesystem::exists(paths[i]))
       // An old .prj would declare its coordinate system for the new file.
-      throw Failure(paths[i] + ": found an old file, expected none beside " + target.path + " (remove it)");
+      throw Failure(paths[i] + ": found an old file, expected none next to " + target.path + " (remove it)");
   }
 }
 

@@ -67,7 +67,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   const bool of_groups = columns.key || columns.radius;
   if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
   if (of_groups && format == Format::geojson) {
-    require_format(!arguments.where, "--where", "without fields beside the points", with_fields(Use::points));
+    require_format(!arguments.where, "--where", "without fields", with_fields(Use::points));
   } else if (arguments.where || of_groups) {
     const std::optional<FieldNames> names = fields_of(format);
     require_format(
@@ -75,7 +75,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
         columns.key ? "--group-by"
         : of_groups ? "--alpha column"
                     : "--where",
-        "without fields beside the points",
+        "without fields",
         with_fields(Use::points, of_groups ? std::vector<std::string>{"geojson"} : std::vector<std::string>()));
     source.where = of_groups ? Condition::of_groups(columns, arguments.where.value_or(""), *names)
                              : Condition(*arguments.where, *names);
@@ -106,8 +106,7 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
   const std::optional<FieldNames> names = fields_of(source.format);
   if (!names || !names->texts) std::erase_if(columns, [](const WantedColumn& column) { return column.if_there; });
   if (!arguments.where && columns.empty()) return source;
-  require_format(names.has_value(), arguments.where ? "--where" : option, "without fields beside the points",
-                 with_fields(Use::space));
+  require_format(names.has_value(), arguments.where ? "--where" : option, "without fields", with_fields(Use::space));
   if (arguments.where && arguments.where->empty())
     source.choice.where = Condition("", *names);  // refuses the empty condition
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);

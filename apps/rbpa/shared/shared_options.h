@@ -22,7 +22,7 @@ inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& f
 template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
-             "Skip lines of text, and records of LAS, that are no point, and print how many");
+             "Skip lines of text, and records of LAS, that are not points, and print how many");
   verb.add_option("--where", arguments.where,
                   "Take only points that fulfill a condition on fields of LAS, PLY or PCD, or on columns of text: "
                   "\"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"")
