@@ -144,13 +144,13 @@ class MESHOPS_API Front {
   /// Adds a triangle, counter-clockwise, and glues it to the boundary halfedges between its sites. Its new boundary
   /// halfedges become active. A corner without an adjacent face at that site becomes a fan, and a vertex, of its own.
   /// The numbers that follow the last site stand for new sites, which are added by the call.
-  /// Requires: create_blocker() is empty. Throws ContractViolation, mesh untouched.
+  /// Requires: create_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   /// Cost:     that of edge_between() for each of the three sides, plus the degree of vertices that become one.
   InsertedTriangle create(Site a, Site b, Site c) { return insert_checked(fit(a, b, c), "create"); }
 
   /// Attaches a triangle to a boundary halfedge a→b, with its apex on a site, on the left of the halfedge: create(a, b,
   /// apex) for a caller that has the halfedge.
-  /// Requires: attach_blocker() is empty. Throws ContractViolation, mesh untouched.
+  /// Requires: attach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
   /// create() and attach() in two steps, so that the triangle is checked once: fit() finds the place, insert() adds the
@@ -174,7 +174,7 @@ class MESHOPS_API Front {
   /// Inserts the triangle of a fit.
   /// Requires: `fit` has no refusal; nothing was attached or detached since this front made it; its corners are
   ///           distinct, and exist or are the next new ones; its sides are boundary halfedges between them. Throws
-  ///           ContractViolation, mesh untouched.
+  ///           ContractViolation; the mesh is then unchanged.
   InsertedTriangle insert(const Fit& fit);
 
   /// Returns why detach() would refuse, or nothing when it would not. The reasons: there is no such face, it is not a
@@ -182,7 +182,8 @@ class MESHOPS_API Front {
   std::optional<Refusal> detach_blocker(Face f) const;
   /// Detaches a triangle at the front. The triangle is marked deleted, and so are its edges without another face; its
   /// other sides become boundary halfedges, and active. The inverse of attach() and create(), up to handles.
-  /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation, mesh untouched.
+  /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation; the mesh is then
+  ///           unchanged.
   /// Cost:     constant, plus the degree of each corner at which a fan becomes two.
   DetachedTriangle detach(Face f);
 

@@ -12,20 +12,20 @@
 
 namespace meshops {
 
-/// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: there is no such face, it is no
-/// triangle, a side of it is glued to another face, or a corner has several fans (core/fans.h).
+/// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: the mesh has no status, there is no
+/// such face, it is no triangle, a side of it is glued to another face, or a corner has several fans (core/fans.h).
 MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a triangle that is a component of its own as deleted, with its edges and vertices.
 /// Returns:  delta_of_destroy().
 /// Requires: destroy_triangle_blocker() is empty; the mesh has status of every kind.
-/// Throws:   ContractViolation, mesh untouched.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  create_triangle(), up to handles.
 /// Cost:     constant.
 MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 
-/// Returns why `f` cannot be removed, or nothing when it can. The reasons: there is no such face, it is no
-/// triangle, or a corner has several fans (core/fans.h).
+/// Returns why `f` cannot be removed, or nothing when it can. The reasons: the mesh has no status, there is no such
+/// face, it is no triangle, or a corner has several fans (core/fans.h).
 /// Cost:     the degrees of the corners that are on the boundary.
 MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f);
 
@@ -34,7 +34,7 @@ MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivit
 /// Effect:   the remaining vertices and edges keep their handles; each further fan gets a new vertex.
 /// Returns:  the change of the counts: ΔF is −1.
 /// Requires: remove_triangle_blocker() is empty; the mesh has status of every kind.
-/// Throws:   ContractViolation, mesh untouched.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  insert_triangle(), up to handles.
 /// Cost:     that of up to three unglue().
 MESHOPS_API Delta remove_triangle(Connectivity& mesh, Face f);

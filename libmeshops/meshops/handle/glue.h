@@ -40,7 +40,7 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
 /// Effect:      the edge of `second` and up to two vertices are marked deleted; of two vertices the lower handle stays.
 /// Requires:    glue_blocker() is empty; the mesh has status of every kind (deletion needs it).
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
 /// Inverse:     unglue().
 /// Cost:        that of glue_case().

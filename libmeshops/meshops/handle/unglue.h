@@ -41,7 +41,7 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 /// Effect:   new elements get copies of all properties of the old ones, so that a second vertex lies at the same point.
 ///           Old vertices keep the fan on the side of the opposite of `h`; new ones get the fan with the former face of
 ///           `h`.
-/// Requires: unglue_blocker() is empty. Throws ContractViolation, mesh untouched.
+/// Requires: unglue_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue(first, second).
 /// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
@@ -50,7 +50,7 @@ MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 /// Requires: the glued edge is inner and ends at the vertices at which glue() left it; the elements that glue() marked
 ///           deleted are still marked; the mesh has status of every kind. All of this is checked: a sound mesh stays
 ///           sound whatever the effect contains.
-/// Throws:   ContractViolation, mesh untouched.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Cost:     that of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect);
 

@@ -27,9 +27,9 @@ struct ZipCurvesEffect {
   }
 };
 
-/// Returns why the curves through `first` and `second` cannot be sewn, or nothing when they can. The reasons: one is
-/// not a boundary halfedge, both are on one curve, the lengths differ, an edge joins two vertices that would become
-/// one, or a vertex has several fans (core/fans.h).
+/// Returns why the curves through `first` and `second` cannot be sewn, or nothing when they can. The reasons: the mesh
+/// has no status, one is not a boundary halfedge, both are on one curve, the lengths differ, an edge joins two vertices
+/// that would become one, or a vertex has several fans (core/fans.h).
 /// Cost:     the degrees of the vertices on both curves.
 MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
@@ -38,7 +38,7 @@ MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& me
 /// Effect:      the edges of the curve of `first` stay; those of the other curve are marked deleted, and so is one
 ///              vertex of each merged pair: the lower handle stays.
 /// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the curve through `second`.
 /// Inverse:     unglue() of the seam, from its last edge to its first.
 /// Cost:        that of one glue(), plus the degrees of the vertices on both curves.

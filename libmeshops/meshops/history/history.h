@@ -31,9 +31,9 @@ namespace meshops {
 
 /// History of operators on one mesh. Each operator member performs the operator of its name and returns the result of
 /// that. When the operator refuses, so does the member: the mesh and the history stay as they were. A combination of
-/// several operators is several steps: take steps() before it, and undo_to(steps) after it undoes the whole.
-/// While a mesh has a history, no other code may change its links. Added or collected elements are noticed by their
-/// number and refused (ContractViolation, mesh untouched); other changes are not noticed. Properties of old elements
+/// several operators is several steps: take steps() before it, and undo_to(steps) after it undoes the whole. While a
+/// mesh has a history, no other code may change its links. Added or collected elements are noticed by their number and
+/// refused (ContractViolation; the mesh is then unchanged); other changes are not noticed. Properties of old elements
 /// are not kept. A redo makes the same elements with the same handles; hooks of splits are called again for them.
 /// Arguments are kept as copies: of the caller's objects, the history needs only the mesh and those to which hooks
 /// refer.

@@ -15,11 +15,11 @@
 
 namespace meshops {
 
-/// Returns why h cannot be collapsed, or nothing when it can. The reasons: a face beside it is not a triangle; it is an
-/// inner edge between boundary vertices (they would become a pinch); another edge joins its vertices (it would become a
-/// loop); only an edge would be left; with Keep::simplicial, the link condition fails, i.e. the ends have a common
-/// neighbor other than the apexes, or both have three edges on a tetrahedron; the mesh has no status. The last reason
-/// holds for all operators that delete.
+/// Returns why h cannot be collapsed, or nothing when it can. The reasons: there is no such halfedge; a face beside it
+/// is not a triangle; its edge is an inner one between boundary vertices (they would become a pinch); another edge
+/// joins its vertices (it would become a loop); only an edge would be left; with Keep::simplicial, the link condition
+/// fails, i.e. the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron; the
+/// mesh has no status. The last reason holds for all operators that delete.
 MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
                                                         Keep keep = Keep::simplicial);
 
@@ -29,7 +29,7 @@ MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh
 ///              if v is an inner vertex with only two edges: both apexes are one vertex, two edges join it to w, and
 ///              only the one on the right of h survives.
 /// Requires:    collapse_blocker() is empty; the mesh has status.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; along a boundary edge V −1, E −2, F −1; the topology stays.

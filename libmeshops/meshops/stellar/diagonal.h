@@ -40,7 +40,7 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 /// Effect:      the old face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements
 ///              have default values of all properties.
 /// Requires:    insert_diagonal_blocker() is empty.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     remove_diagonal(), exactly.
 /// Δ:           E +1, F +1; the topology stays.
@@ -48,14 +48,14 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
-/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: it is on the boundary, or one face
-/// lies on both sides of it. The result is a mesh of polygons; two faces with several common edges become one face that
-/// touches itself.
+/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: there is no such halfedge, its
+/// edge is on the boundary, or one face lies on both sides of the edge. The result is a mesh of polygons; two faces
+/// with several common edges become one face that touches itself.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Removes the edge of h. The edge and the face of h are marked deleted, and the face beyond gets the sides of both.
 /// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     insert_diagonal(from, to) of the returned effect, up to handles.
 /// Δ:           E −1, F −1; the topology stays.

@@ -21,16 +21,16 @@ struct FlipEffect {
   constexpr Delta delta() const { return {}; }
 };
 
-/// Returns why the edge cannot be flipped, or nothing when it can. The reasons: it is on the boundary, a face beside it
-/// is not a triangle, both triangles have the same apex (the edge would become a loop), or, with Keep::simplicial, an
-/// edge joins the two apexes.
+/// Returns why the edge cannot be flipped, or nothing when it can. The reasons: there is no such edge, it is on the
+/// boundary, a face beside it is not a triangle, both triangles have the same apex (the edge would become a loop), or,
+/// with Keep::simplicial, an edge joins the two apexes.
 MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
 /// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on its left stays
 ///              on its left and keeps the side c→a; the other face keeps d→b.
 /// Requires:    flip_blocker() is empty.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     flip(), which leaves the edge reversed; undo(), exactly.
 /// Δ:           all 0; the degrees of a and b fall by one, those of c and d rise.
@@ -40,7 +40,7 @@ MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simpli
 /// Rotates the edge back, clockwise. If the mesh is as flip() left it, and later changes have been undone, every record
 /// is restored.
 /// Requires: flip_blocker(mesh, effect.edge, Keep::manifold) is empty.
-/// Throws:   ContractViolation, mesh untouched.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Cost:     constant.
 MESHOPS_API void undo(Connectivity& mesh, const FlipEffect& effect);
 

@@ -21,7 +21,7 @@ MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity&
 /// Collapses the first halfedge of v that has no blocker. Halfedges are tried from mesh.halfedge_handle(v) on,
 /// clockwise, in the order of mesh.voh_range(v).
 /// Requires:    remove_vertex_blocker() is empty; the mesh has status.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted, as collapse().
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
 /// Δ:           that of collapse().

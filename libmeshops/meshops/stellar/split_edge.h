@@ -14,8 +14,9 @@
 
 namespace meshops {
 
-/// Returns why the edge cannot be split, or nothing when it can. The reasons: a face beside it is not a triangle, or,
-/// with Keep::simplicial, the two triangles have the same apex, to which the new vertex would be joined twice.
+/// Returns why the edge cannot be split, or nothing when it can. The reasons: there is no such edge, a face beside it
+/// is not a triangle, or, with Keep::simplicial, the two triangles have the same apex, to which the new vertex would be
+/// joined twice.
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                           Keep keep = Keep::simplicial);
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e,
@@ -28,7 +29,7 @@ MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& me
 ///              see the overloads below.
 /// Returns:     the added elements, and the halfedge from the new vertex to b.
 /// Requires:    split_edge_blocker() is empty.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     weld_edge() along the returned halfedge, exactly.
 /// Δ:           V +1, E +3, F +2; on the boundary V +1, E +2, F +1; the topology stays.
@@ -39,7 +40,7 @@ MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Splits the edge and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: also what the hook throws, mesh untouched.
+/// Throws: also what the hook throws; the mesh is then unchanged.
 template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
   return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), h, keep), hook);

@@ -13,8 +13,8 @@
 
 namespace meshops {
 
-/// Returns why the face cannot be split, or nothing when it can. The only reason: it is not a triangle. A simplicial
-/// mesh always stays simplicial.
+/// Returns why the face cannot be split, or nothing when it can. The reasons: there is no such face, or it is not a
+/// triangle. A simplicial mesh always stays simplicial.
 MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f);
 
 /// Puts a new vertex into a triangle and joins it to the three corners.
@@ -23,7 +23,7 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 ///              default point is unspecified, because OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_face_blocker() is empty.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     weld_face() of the new vertex, exactly.
 /// Δ:           V +1, E +3, F +2; the topology stays.
@@ -31,7 +31,7 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 MESHOPS_API SplitFaceEffect split_face(Connectivity& mesh, Face f);
 
 /// Splits the face and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: also what the hook throws, mesh untouched.
+/// Throws: also what the hook throws; the mesh is then unchanged.
 template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook>
 SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook) {
   return detail::with_hook(mesh, split_face(static_cast<Connectivity&>(mesh), f), hook);

@@ -32,7 +32,7 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 ///              unspecified, because OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_vertex_blocker() is empty.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     collapse() along the returned halfedge, exactly.
 /// Δ:           V +1, E +3, F +2; with one left out V +1, E +2, F +1; the topology stays.
@@ -41,7 +41,7 @@ MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Hal
                                            std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 
 /// Splits the vertex and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: also what the hook throws, mesh untouched.
+/// Throws: also what the hook throws; the mesh is then unchanged.
 template <typename Mesh, SplitHook<Mesh, SplitVertexEffect> Hook>
 SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right, Hook hook,
                                Keep keep = Keep::simplicial) {

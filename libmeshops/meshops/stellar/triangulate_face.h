@@ -109,7 +109,7 @@ MESHOPS_API std::optional<std::string> triangulate_face_blocker(const Connectivi
 /// Effect:      the face keeps its halfedge and becomes the triangle there; everything else is new, with default values
 ///              of all properties. A face that is a triangle stays as it is.
 /// Requires:    triangulate_face_blocker() is empty.
-/// Throws:      ContractViolation, and what weight() throws, mesh untouched.
+/// Throws:      ContractViolation, and what weight() throws; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Δ:           E +k−3, F +k−3; the topology stays.
 template <TriangleWeight Weight>

@@ -15,7 +15,7 @@ namespace meshops {
 ///           operator.
 /// Requires: the elements still exist and are marked; left and right leave the survivor, and can be split; the mesh has
 ///           status of every kind. All of this is checked.
-/// Throws:   ContractViolation, mesh untouched.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Δ:        the opposite of effect.delta().
 /// Cost:     the degree of the restored vertex; where the survivor is on the boundary, that of the survivor.
 MESHOPS_API void undo(Connectivity& mesh, const WeldEffect& effect);

@@ -17,9 +17,9 @@ struct WeldFaceEffect : WeldEffect {
   Face face{};  ///< the triangle that replaces the three
 };
 
-/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: it is isolated or on the
-/// boundary, it does not have three edges, a face at it is not a triangle, or, with Keep::simplicial, a triangle with
-/// these corners exists already.
+/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: there is no such vertex,
+/// it is isolated or on the boundary, it does not have three edges, a face at it is not a triangle, or, with
+/// Keep::simplicial, a triangle with these corners exists already.
 MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
                                                          Keep keep = Keep::simplicial);
 
@@ -27,7 +27,7 @@ MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mes
 /// Effect:      the vertex, its edges, and the two faces beside the edge of mesh.halfedge_handle(v) are marked deleted;
 ///              the third face becomes the triangle.
 /// Requires:    weld_face_blocker() is empty; the mesh has status.
-/// Throws:      ContractViolation, mesh untouched.
+/// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_face() of `face`, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; the topology stays.

@@ -26,7 +26,7 @@ MESHOPS_API std::optional<std::string> cut_open_blocker(const Connectivity& mesh
 /// Effect:   a vertex becomes as many vertices as there are fans of faces around it after the cut; new vertices and
 ///           edges get copies of all properties of the old ones, including points.
 /// Returns:  the effects, in the order of the edges.
-/// Requires: cut_open_blocker() is empty. Throws ContractViolation, mesh untouched.
+/// Requires: cut_open_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue_back().
 /// Cost:     that of an unglue() for each edge.
 MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edges);
@@ -34,7 +34,7 @@ MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<con
 /// Cuts every component to one disc: along the cut graph, or, for a sphere, where the cut graph is empty, along its
 /// least edge.
 /// Requires: `homology` is the result of homology() for this mesh, which has not changed since. Throws
-///           ContractViolation when its edges cannot be cut, mesh untouched.
+///           ContractViolation when its edges cannot be cut; the mesh is then unchanged.
 MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology);
 
 /// Glues together the edges that cut_open() cut, the last edge first.

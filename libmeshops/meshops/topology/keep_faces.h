@@ -1,4 +1,4 @@
-// What: removes faces from a soup, and the points that are then without a face.
+// What: removes faces from a soup, and all points without a remaining face.
 // Cost: linear.
 #pragma once
 
@@ -20,7 +20,7 @@ struct SoupPart {
 };
 
 /// Returns the kept faces, in their old order, and the points that are corners of them.
-/// Requires: `kept` has a value for each face; every corner is a point.
+/// Requires: `kept` has a value for each face; every corner of a kept face is a point.
 /// Throws:   ContractViolation that names the requirement that is not met; Cancelled.
 MESHOPS_API SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on = {});
 

@@ -38,7 +38,8 @@ struct Orientation {
 MESHOPS_API Orientation orient(const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// Reverses faces of a soup. The first corner of a face stays the first.
-/// Requires: a value for each face. Throws: ContractViolation.
+/// Requires: a value for each face.
+/// Throws:   ContractViolation when there is not, and as require_parted(); the soup is then unchanged.
 MESHOPS_API void reverse_faces(PolygonSoup& soup, const std::vector<bool>& reversed);
 
 }  // namespace meshops

@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// A view of triangles and neighbors, to which a AlphaComplex converts.
+/// A view of triangles and neighbors, to which an AlphaComplex converts.
 struct TriangleArrays {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = no_index;

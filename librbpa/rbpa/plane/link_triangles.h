@@ -16,7 +16,7 @@
 namespace rbpa {
 
 /// Returns for each triangle its neighbors: number k is the triangle across from corner k, or TriangleArrays::none.
-/// Requires: triangles of a complex in the plane as in a AlphaComplex; corners are below `points`.
+/// Requires: triangles of a complex in the plane as in an AlphaComplex; corners are below `points`.
 /// Throws:   Cancelled.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
                                               const GoOn& go_on = {});

@@ -44,7 +44,9 @@ class RBPA_API Locator {
   /// Prepares queries in a triangulation. Keeps the spans.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
   ///           infinite alpha with neighbors.
-  /// Throws:   ContractViolation as require_linked(), or when the triangles are visibly not Delaunay; Cancelled.
+  /// Throws:   InvalidInput when a point is not finite, or when there are too many; ContractViolation as
+  ///           require_linked(), or when the number of triangles is not that of a triangulation of all points;
+  ///           Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});
   Locator(Locator&&) noexcept;
   Locator& operator=(Locator&&) noexcept;
@@ -55,7 +57,7 @@ class RBPA_API Locator {
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
-  /// Returns values at queries: a row of `columns` numbers for each query, as `values` has one for each point. NaN
+  /// Returns values at queries: a row of `columns` numbers for each query, as `values` has one for each point; NaNs
   /// where find() finds no triangle. Of equal points the first counts.
   ///
   /// By natural neighbors, the value is a weighted mean over the points from whose Voronoi cells the query would take

@@ -2,7 +2,7 @@
 //         component by the edge at which it ends.
 // Law:    a hole at a radius is the region that can be reached from its last triangle through triangles and edges that
 //         appear later. Every curve of the complex around the hole encloses these triangles, so none encloses less
-//         area. A function of the set of points alone, except for the edges if radii are equal.
+//         area. The result is a function of the set of points alone, except for the edges if radii are equal.
 // Cost:   that of persistence(), and linear in the triangles of the chosen holes.
 // Source: Obayashi, Volume-optimal cycle (2018); docs/explanation/filtration_and_persistence.md, section 5.
 #pragma once

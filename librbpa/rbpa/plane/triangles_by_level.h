@@ -24,8 +24,8 @@ inline constexpr std::size_t usual_leaf_capacity = 16384;
 struct TrianglesByLevelOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1.
   std::size_t leaf_capacity = usual_leaf_capacity;
-  bool neighbors = false;  ///< fills in AlphaComplex::neighbors
-  bool boundary = false;   ///< fills in AlphaComplex::boundary
+  bool neighbors = false;  ///< whether AlphaComplex::neighbors is filled in
+  bool boundary = false;   ///< whether AlphaComplex::boundary is filled in
   MaxThreads threads = 0;
   OnProgress progress = {};
 };
