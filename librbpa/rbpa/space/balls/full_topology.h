@@ -36,7 +36,7 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
 /// voids, each with its volume. Its solid_boundary() is the walls of the voids, seen from inside the voids; a triangle
 /// with a void on both sides is there twice. Points of no void are isolated.
 /// Requires: as dangling_faces().
-/// Throws:   as dangling_faces().
+/// Throws:   as count_full().
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
@@ -48,6 +48,7 @@ struct FullVoids {
 /// Returns the voids one by one, each also with the volume outside of the balls of radius alpha around the points. An
 /// island is a set of triangles within a void that are connected through points.
 /// Requires: void_space() of these points at this alpha.
+/// Throws:   ContractViolation when it visibly is not; Cancelled.
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
                               const GoOn& go_on = {});
 

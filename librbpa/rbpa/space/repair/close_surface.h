@@ -24,10 +24,10 @@ struct ClosedSurface : FilledSurface {
   std::size_t given_up = 0;     ///< number of triangles removed; more than 0 only if the surface is closed
 };
 
-/// Fills all boundary curves. Triangles are removed only if the surface is then closed, or touches itself at fewer
-/// points; at most a twentieth of them are. None are removed where the surface would split into more components, nor
-/// around a curve of more than 256 edges. Islands that are still open then, which are components of less than a
-/// hundredth of the area, are left out.
+/// Fills all boundary curves. Triangles are removed only if the surface is then closed; if it was closed before, only
+/// if it then touches itself at fewer points. At most a twentieth of them are removed, and none if the closed surface
+/// would have more components, or while a curve of more than 256 edges stays open. Components that become islands() by
+/// this are removed too.
 /// Requires: an indexable_surface().
 /// Throws:   as fill_holes().
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,

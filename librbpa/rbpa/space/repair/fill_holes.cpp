@@ -54,7 +54,7 @@ class Closing {
           const SurfaceOptions& options)
       : points_(points),
         go_on_([this, &options] {
-          const std::lock_guard<std::mutex> lock(asking_);
+          const std::lock_guard<std::mutex> lock(one_call_);
           return !options.progress || options.progress({made_, points_.size()});
         }),
         work_(most_pairs(triangles.size()), go_on_),
@@ -152,7 +152,7 @@ class Closing {
   }
 
   std::span<const Point3> points_;
-  std::mutex asking_;
+  std::mutex one_call_;
   std::size_t made_ = 0;  // triangles
   GoOn go_on_;
   space::Work work_;

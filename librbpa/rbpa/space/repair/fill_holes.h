@@ -83,10 +83,12 @@ struct FilledSurface {
 
 /// Closes the given boundary curves of a surface in the same way.
 /// Requires: an indexable_surface() (split_fans.h), and curves of it.
+/// Throws:   as fill_holes() of loops.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                                   const SurfaceOptions& options = {});
 
 /// Closes the chosen boundary curves of the indexable_surface() of any surface of these points.
+/// Throws: as fill_holes() of loops.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
                                   const SurfaceOptions& options = {});
 

@@ -42,8 +42,9 @@ struct RefinedSurface : AddedPoints {
 };
 
 /// Refines each filling: each connected set of triangles with is_new[t].
-/// Requires: an indexable_surface() of the points; fewer than 2^31 points and triangles, the added ones included.
-/// Throws:   InvalidInput; ContractViolation; Cancelled.
+/// Requires: an indexable_surface() of the points, which are finite; one flag for each triangle; fewer than 2^31 points
+///           and triangles, the added ones included.
+/// Throws:   InvalidInput when a point is not finite; ContractViolation; Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 
@@ -54,7 +55,8 @@ RBPA_API AddedPoints refine_filling(std::span<const Point3> points, FilledSurfac
 
 /// Returns unit normals for the added points: the mean direction of the normals at the three points between which each
 /// was put, or the first of them if they cancel each other.
-/// Requires: normals of the other points, none of length 0.
+/// Requires: normals of the other points, none of length 0; points lie between points of lower numbers.
+/// Throws:   ContractViolation when a point lies between others that follow it.
 RBPA_API std::vector<Point3> normals_between(std::span<const Point3> normals,
                                              std::span<const std::array<std::uint32_t, 3>> between);
 

@@ -63,9 +63,12 @@ RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 /// Returns the triangles that have a tetrahedron on one side only, each at the place of that tetrahedron; corners are
 /// vertices, counter-clockwise seen from outside. They form a closed surface if images of an edge count as one.
 /// Requires: neighbors.
+/// Throws:   ContractViolation when there are none.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);
 
-/// Returns the tetrahedra of radius at most alpha, like within() of a Solid.
+/// Returns the tetrahedra of radius at most alpha, like within() of a Solid, with the vertices that are their corners.
+/// Requires: the radius of each tetrahedron.
+/// Throws:   ContractViolation when the number of radii is wrong; InvalidInput when alpha is not above 0.
 RBPA_API PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

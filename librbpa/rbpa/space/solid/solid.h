@@ -4,8 +4,8 @@
 //         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
 //         same tetrahedra. docs/explanation/space.md.
 // Cost:   about 7 tetrahedra a point for points that fill a volume, and the time that docs/explanation/space.md,
-//         section 16, measures; quadratic
-//         in the worst case, as the number of tetrahedra is (points on the moment curve).
+//         section 16, measures; quadratic in the worst case, as the number of tetrahedra is (points on the moment
+//         curve).
 // Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and
 //         Mücke, Three-dimensional alpha shapes (1994).
 #pragma once

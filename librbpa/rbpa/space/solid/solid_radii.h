@@ -31,8 +31,8 @@ RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                           const GoOn& go_on = {});
 
-/// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction
-/// `share` of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
+/// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction `share`
+/// of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
 /// Requires: what min_alpha() requires; a triangulation with neighbors.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                            const GoOn& go_on = {});

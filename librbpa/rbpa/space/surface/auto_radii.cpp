@@ -95,7 +95,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   const std::size_t count = gaps.near.points.size();
   gaps.gap.assign(count, none);
   gaps.least.assign(count, none);
-  std::mutex asking_one;
+  std::mutex one_call;
   std::vector<char> on_surface(count, 0);
   for_each_part(threads, count, points_at_a_time, [&](std::size_t first, std::size_t last) {
     std::vector<Point3> around;
@@ -111,7 +111,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
       if (const auto least = space::nearest_circumradius(around)) gaps.least[i] = std::ldexp(*least, exponent);
     }
     if (!go_on) return;
-    const std::lock_guard lock(asking_one);
+    const std::lock_guard lock(one_call);
     go_on();
   });
   leave_out_strangers(gaps, on_surface);

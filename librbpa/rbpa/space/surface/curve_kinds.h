@@ -43,6 +43,7 @@ struct HoleChoice {
 
 /// Returns the chosen curves, in their order.
 /// Requires: the kind of each curve.
+/// Throws:   ContractViolation when there are fewer or more kinds than curves.
 RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
                                          const HoleChoice& choice = {});
 

@@ -23,9 +23,9 @@ struct SurfaceOfTriangles : Surface {
   std::vector<std::uint32_t> given;  ///< for each triangle, its number among the given triangles
 };
 
-/// Glues triangles to a surface. Corners on equal points become the one of lowest index. Triangles are neither reversed nor
-/// dropped: those that run along an edge in the same direction are not glued there (meshops::repair() makes a manifold
-/// of any).
+/// Glues triangles to a surface. Corners on equal points become the one of lowest index. Triangles are neither reversed
+/// nor dropped: those that run along an edge in the same direction are not glued there (meshops::repair() makes a
+/// manifold of any).
 /// Requires: finite points, fewer than 2^32 − 1; the corners of each triangle are three of the points, at different
 ///           places; fewer than 2^32 corners.
 /// Throws:   InvalidInput that names the violated requirement.
@@ -34,8 +34,8 @@ RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
 
 /// Glues triangles to a surface as `neighbors` specifies: number k of a triangle is the triangle across from its corner
 /// k, or Surface::none.
-/// Requires: what surface_of() without neighbors requires; each triangle is a neighbor of its neighbors, across the side
-///           between the same corners.
+/// Requires: what surface_of() without neighbors requires; each triangle is a neighbor of its neighbors, across the
+///           side between the same corners.
 /// Throws:   InvalidInput that names the violated requirement; ContractViolation if it is one of `neighbors`.
 RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
                                        std::span<const std::array<std::uint32_t, 3>> triangles,
