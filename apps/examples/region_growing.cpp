@@ -97,7 +97,7 @@ Mesh cube(int side) {
   return mesh;
 }
 
-/// Returns whether the triangles beside the edge lie in two planes.
+/// Returns whether the two triangles of the edge lie in different planes.
 bool is_fold(const Mesh& mesh, Edge e) {
   const auto normal = [&](Halfedge h) {
     const auto& a = mesh.point(mesh.from_vertex_handle(h));
@@ -107,7 +107,7 @@ bool is_fold(const Mesh& mesh, Edge e) {
   return (normal(mesh.halfedge_handle(e, 0)) % normal(mesh.halfedge_handle(e, 1))).sqrnorm() != 0;
 }
 
-/// Returns the regions by definition: faces that are connected across edges that are no crease.
+/// Returns the regions by definition: faces that are connected across edges that are not a crease.
 template <typename IsCrease>
 std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease) {
   meshops::DisjointSets sets(mesh.n_faces());

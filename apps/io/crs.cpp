@@ -134,7 +134,7 @@ namespace {
 
 /// KEYWORD[items].
 struct WktNode {
-  std::string keyword = {};                  ///< in capitals; empty if the text is no such item
+  std::string keyword = {};                  ///< in capitals; empty if the text is not KEYWORD[items]
   std::vector<std::string_view> items = {};  ///< between the commas in its brackets
 };
 

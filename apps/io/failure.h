@@ -27,7 +27,8 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The reader of the output has closed it (exit code 141). No message follows: `rbpa alpha --csv | head` is no failure.
+/// The reader of the output has closed it (exit code 141). No message follows: `rbpa alpha --csv | head` is not a
+/// failure.
 class ClosedPipe : public std::runtime_error {
  public:
   ClosedPipe() : std::runtime_error("the reader of the output is gone") {}

@@ -18,7 +18,7 @@ enum class Format {
   xyzn,
   xyzrgb,
   npy,
-  npy_edges,  // written beside the .npy of the triangles of a full complex
+  npy_edges,  // written next to the .npy of the triangles of a full complex
   npy_points,
   raw,
   kitti,  // .bin
@@ -77,7 +77,7 @@ struct FormatRow {
   std::string_view aliases;  ///< further endings and names, which are not listed
   Format format;
   unsigned uses;                        ///< of Use, joined by |
-  const CloudFormat* points = nullptr;  ///< reads points; null for geometries and pixels, which are no columns
+  const CloudFormat* points = nullptr;  ///< reads points; null for geometries and pixels, which are not columns
 
   constexpr bool is_for(Use use) const { return (uses & static_cast<unsigned>(use)) != 0; }
 };

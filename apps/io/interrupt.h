@@ -25,10 +25,10 @@ class Interruption {
 /// Whether a signal has arrived. Callable from any thread.
 bool interrupted();
 
-/// Returns a progress function for computations: it returns false once a signal has arrived.
+/// Returns a progress function for computations: it returns false after a signal has arrived.
 std::function<bool()> until_interrupted();
 
-/// Throws Cancelled once a signal has arrived. Cost: two loads.
+/// Throws Cancelled if a signal has arrived. Cost: two loads.
 void stop_if_interrupted();
 
 }  // namespace rbpa::app

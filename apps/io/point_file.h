@@ -36,7 +36,7 @@ struct PointFile {
   std::optional<Crs> crs = std::nullopt;  ///< if the file names one
   std::vector<std::vector<double>> fields = {};  ///< a column for each of the condition's columns(), a value per point
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
-  /// empty text is no name of a group.
+  /// empty text is not the name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
   bool keys_are_texts = false;  ///< some keys of groups are texts in the file, so that all count as texts
   /// Third coordinates, one per point, if they were requested and any point has one; NaN for points without.

@@ -6,8 +6,8 @@ export async function load() {
 }
 export default load;
 
-/** Returns alpha as a rule, or null, and a radius. The module refuses texts that are no rule, such as values of other
- * types. */
+/** Returns alpha as a rule, or null, and a radius. The module refuses texts that are not a rule, such as values of
+ * other types. */
 function ruleAndRadius(alpha) {
   if (typeof alpha === "number") return [null, alpha];
   return [typeof alpha === "string" ? alpha : (JSON.stringify(alpha) ?? String(alpha)), Infinity];

@@ -1,7 +1,7 @@
 # What: Debian's Emscripten with this machine's header-only libraries: Highway, Boost, Eigen, nanoflann.
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
 
-# Linked into a folder of their own, as the headers beside them belong to another standard library.
+# Linked into a folder of their own, as the other headers there belong to another standard library.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
 foreach(header hwy boost eigen3/Eigen nanoflann.hpp)

@@ -1,5 +1,5 @@
 // What: one run of meshtopo.
-// Law:  output files appear once all are complete and the report is written.
+// Law:  output files appear when all are complete and the report is written.
 #pragma once
 
 #include "meshtopo/arguments.h"

@@ -3,7 +3,7 @@
 //       and both are filled as by --fill-holes. This removes a thin bridge, or closes a small tunnel, without
 //       intersections.
 // Law:  each closed loop reduces the genus by one and adds no component, boundary curve or pinch; if that is
-//       impossible, the mesh stays as it is there.
+//       impossible, the mesh stays unchanged there.
 // Cost: for each round that closes a loop, that of shortest_generators(); for each loop, that of a report and of
 //       rbpa::fill_holes().
 #pragma once

@@ -10,8 +10,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Rotates a curve to begin at its least point; if it passes that point several times (a pinch), the next point
-/// decides.
+/// Rotates a curve to begin at its lowest index; if that occurs several times (a pinch), the next index decides.
 std::vector<std::uint32_t> from_least_edge(std::vector<std::uint32_t> curve) {
   const std::size_t length = curve.size();
   std::size_t first = 0;

@@ -1,5 +1,5 @@
 """Copies the shared libraries that an extension module needs into its wheel, as auditwheel does: with unique names,
-beside the package, where the module searches first. Needs patchelf and ldd.
+next to the package, where the module searches first. Needs patchelf and ldd.
 """
 
 from __future__ import annotations

@@ -208,7 +208,7 @@ void bind_handle_operators(py::class_<Mesh>& mesh) {
                           "Separates the two faces at an inner edge: the inverse of glue().", halfedge);
   mesh.def(
       "unglue", [](Mesh& m, const meshops::GlueEffect& effect) { return meshops::unglue(m.changed(), effect); },
-      arg("effect"), "Undoes a glue() exactly: every record is as it was.");
+      arg("effect"), "Undoes a glue() exactly: restores every record.");
   bind_operator<Halfedge>(mesh, RBPA_OPERATOR(close_curve),
                           "Fills the boundary curve through a halfedge with one face.", halfedge);
   bind_operator<Face>(mesh, RBPA_OPERATOR(open_curve),
@@ -225,7 +225,7 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
   const py::arg_v keep = arg("keep") = "simplicial";
   bind_operator<Halfedge, Keep>(
       mesh, RBPA_OPERATOR(split_edge),
-      "Inserts a vertex on the edge of a halfedge, and joins it to the apex of each triangle beside it.", halfedge,
+      "Inserts a vertex on the edge of a halfedge, and joins it to the apex of each triangle of the edge.", halfedge,
       by_name, keep);
   bind_operator<Face>(mesh, RBPA_OPERATOR(split_face), "Inserts a vertex into a triangle, and joins it to its corners.",
                       face);
@@ -254,12 +254,11 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
       "Undoes a flip.");
   mesh.def(
       "undo", [](Mesh& m, const meshops::WeldEffect& effect) { meshops::undo(m.changed(), effect); }, arg("effect"),
-      "Undoes the removal of a vertex exactly: every record is as it was.");
+      "Undoes the removal of a vertex exactly: restores every record.");
   bind_operator<Halfedge, Halfedge, Keep>(mesh, RBPA_OPERATOR(insert_diagonal),
                                           "Cuts a face in two, between the corners where these sides of it start.",
                                           arg("start"), arg("end"), by_name, keep);
-  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(remove_diagonal), "Merges the two faces beside an edge into one.",
-                          halfedge);
+  bind_operator<Halfedge>(mesh, RBPA_OPERATOR(remove_diagonal), "Merges the two faces of an edge into one.", halfedge);
   mesh.def(
       "triangulate_face",
       [](Mesh& m, Face given, const py::function& weight, Keep kept) {

@@ -36,7 +36,7 @@ Json as_json(const std::optional<Recommendation>& recommended) {
   return {{"choice", recommended->choice}, {"alpha", radius(recommended->alpha)}, {"why", recommended->why}};
 }
 
-/// Returns the data that are no arrays, as JSON.
+/// Returns the data that are not arrays, as JSON.
 std::string facts(const Report& report) {
   const auto& pairs = report.arrays.pairs;
   const auto components =

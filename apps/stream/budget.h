@@ -52,7 +52,8 @@ class PackedSample {
 /// Throws Failure if the files of tiles need more room than is free; it names both amounts.
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample);
 
-/// Throws Failure likewise for the file at `path`; does nothing if that is no regular file.
+/// Throws Failure if the file at `path` needs more room than is free; names both amounts. Ignores a path that is not a
+/// regular file.
 void require_room_for_output(const std::string& path, std::uint64_t bytes);
 
 }  // namespace rbpa::app

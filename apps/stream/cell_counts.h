@@ -30,8 +30,8 @@ class CellCounts {
   std::vector<Cell> cells() const;  ///< by column, then by row
   double side() const;
   std::uint64_t points() const { return points_; }
-  const Point& least() const { return least_; }        ///< corner of the bounding box; (0, 0) without points
-  const Point& greatest() const { return greatest_; }  ///< likewise
+  const Point& least() const { return least_; }        ///< least coordinates of all points; (0, 0) without points
+  const Point& greatest() const { return greatest_; }  ///< greatest coordinates; (0, 0) without points
 
  private:
   void begin();

@@ -17,7 +17,7 @@ namespace rbpa::app {
 struct InputBlock {
   std::vector<Point> points = {};
   std::uint64_t first = 0;  ///< index of the first point
-  std::size_t file = 0;     ///< number of the file of these points
+  std::size_t file = 0;     ///< number of the file that contains `points`
   bool ends_file = false;   ///< true: the block has no points, and `about` has the information on the file
   PointFile about = {};
 };

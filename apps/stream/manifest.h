@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// A file of the input as it was when the run began.
+/// A file of the input with its size and time of change when the run began.
 struct InputFile {
   std::string path;
   std::uint64_t size = 0;
@@ -73,7 +73,7 @@ struct Manifest {
 void save(const Manifest& manifest, const Scratch& scratch);
 
 /// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference, BadInput if the file
-/// is no manifest.
+/// is not a manifest.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

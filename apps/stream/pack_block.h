@@ -38,7 +38,7 @@ struct PackingHint {
 void pack_block(std::span<const Point> points, std::span<const std::uint64_t> indices, PackingHint& hint,
                 std::string& bytes);
 
-/// Appends the points of a block. Returns false if the bytes are no block.
+/// Appends the points of a block. Returns false if the bytes are not a block.
 bool unpack_block(std::string_view bytes, IndexedPoints& points);
 
 }  // namespace rbpa::app

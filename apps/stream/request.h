@@ -13,7 +13,7 @@ namespace rbpa::app {
 enum class StreamFormat {
   npy,      ///< triangles, as `rbpa mesh` writes them
   geojson,  ///< polygons, as `rbpa shape` writes them
-  wkt,      ///< likewise
+  wkt,      ///< polygons, as `rbpa shape` writes them
   ply       ///< a mesh for each tile: the name has a '*' for its number
 };
 
@@ -28,7 +28,7 @@ struct StreamRequest {
   double alpha = 0;
   std::uint64_t memory = 0;                               ///< bytes
   std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points that a tile may own
-  std::optional<std::string> scratch = std::nullopt;      ///< the folder; absent: beside the first target
+  std::optional<std::string> scratch = std::nullopt;      ///< the folder; absent: a new one next to the first target
   bool keep_tiles = false;
   bool resume = false;
   unsigned threads = 1;  ///< at most this many

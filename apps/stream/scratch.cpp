@@ -83,7 +83,7 @@ bool is_alive(const fs::path& folder) {
   return id <= 0 || kill(static_cast<pid_t>(id), 0) == 0 || errno != ESRCH;
 }
 
-/// Removes folders beside the targets whose runs are dead.
+/// Removes the folders of dead runs that are next to the targets.
 ///
 /// No run loses its folder to another that starts at the same time. A process uses a folder only after it has locked
 /// the file in it and has then checked that the path still names the locked file (Lock::ours). A process removes a
@@ -204,7 +204,7 @@ void Scratch::remove_own() noexcept {
   std::error_code error;
   try {
     fs::remove_all(folder_, error);
-  } catch (...) {  // NOLINT(bugprone-empty-catch): a folder that stays is removed by the next run beside it
+  } catch (...) {  // NOLINT(bugprone-empty-catch): the next run with this target removes a folder that stays
   }
 }
 

@@ -13,7 +13,7 @@ namespace rbpa::app {
 
 class Scratch {
  public:
-  /// Opens the requested folder, or makes one beside the first target after removing folders of killed runs there.
+  /// Opens the requested folder, or makes one next to the first target after removing folders of killed runs there.
   /// Throws WrongUsage if the folder contains other files, or a run that is not to be resumed; Failure if it cannot be
   /// made or another run uses it.
   explicit Scratch(const StreamRequest& request);

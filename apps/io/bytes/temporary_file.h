@@ -1,4 +1,4 @@
-// What: a file under construction, beside the one that it replaces at the end.
+// What: a file under construction, in the folder of the one that it replaces at the end.
 // Law:  without take_place() nothing is left of it. The file of a killed process is removed by the next process that
 //       writes into the folder; the file of a living process never is.
 //
@@ -31,7 +31,7 @@ class TemporaryFile {
   bool create(const std::string& name);
 
   std::string path_;
-  std::string name_ = {};  // empty once the file is renamed or removed
+  std::string name_ = {};  // empty when the file is renamed or removed
   int descriptor_ = -1;
 };
 

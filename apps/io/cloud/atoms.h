@@ -45,8 +45,8 @@ class AtomSource {
   virtual void require_columns() const {}
 
   std::size_t models() const { return models_; }  ///< models with atoms; known at the end
-  std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms, of which only the first is read; likewise
-  UnitCell& cell() { return cell_; }              ///< likewise
+  std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms; known at the end; only the first is read
+  UnitCell& cell() { return cell_; }              ///< known at the end
 
  protected:
   std::size_t models_ = 0, blocks_ = 1;

@@ -77,7 +77,7 @@ struct UnitCell {
   std::string fault = {};
 };
 
-/// Facts that a file states about its points; complete once all points are read.
+/// Facts that a file states about its points; complete when all points are read.
 struct CloudFacts {
   PointFile file = {};  ///< without the points
   UnitCell cell = {};
@@ -142,7 +142,7 @@ std::unique_ptr<Cloud> open_as(Content content, const CloudRequest& request) {
   return std::make_unique<Reader>(std::move(content), request, more...);
 }
 
-/// Returns the reader of a format; null for formats whose points are no columns, such as geometries and pixels.
+/// Returns the reader of a format; null for geometries and pixels, which are not columns.
 const CloudFormat* cloud_format(Format format);
 
 /// Whether the format has points, and its reader has the property.

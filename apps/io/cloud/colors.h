@@ -25,7 +25,7 @@ class LastColumns {
 
  private:
   bool all_channels_ = true;   // so far they are whole numbers up to widest_channel
-  bool no_direction_ = false;  // one of them is no direction of a normal
+  bool no_direction_ = false;  // one of them cannot be the direction of a normal
   double greatest_ = 0;
 };
 
@@ -34,13 +34,13 @@ class TextColors {
   explicit TextColors(double allowed = 255) : allowed_(allowed) {}
 
   /// Appends the color of a vertex to the block: the first three words of `rest`, which follows the vertex in line
-  /// `line`. Words that are no numbers are no color; further words are ignored.
+  /// `line`. Words that are not numbers are not a color; further words are ignored.
   void take(std::string_view rest, std::size_t line, CloudBlock& block);
 
   /// Appends the color of a vertex, from three words, to the block.
   void take(const std::array<std::string_view, 3>& words, std::size_t line, CloudBlock& block);
 
-  /// Sets the range of the channels, once the colors of all vertices are taken. Warns if colors are dropped, or if
+  /// Sets the range of the channels, when the colors of all vertices are taken. Warns if colors are dropped, or if
   /// there are none although the header has `announced` them.
   void settle(bool announced, CloudFacts& facts) const;
 

@@ -52,8 +52,8 @@ std::vector<Point> read_pgm_points(std::string_view bytes, const std::string& na
 
 /// Reads a PNG image of any kind: gray, color or palette, 1 to 16 bits, interlaced or not. Uses the values as stored,
 /// without gamma; the gray value of a color is 0.2126 red + 0.7152 green + 0.0722 blue; a pixel less than half
-/// opaque is clear. Throws BadInput naming the file, before the pixels are allocated if no file of this size can hold
-/// as many as it claims; Cancelled.
+/// opaque is clear. Throws BadInput naming the file, before the pixels are allocated if no file of that size can hold
+/// as many as the header claims; Cancelled.
 std::vector<Point> read_png_points(std::string_view bytes, const std::string& name, const PixelRule& rule);
 
 }  // namespace rbpa::app

@@ -151,7 +151,7 @@ class LasCloud final : public Cloud {
   void end() {
     ended_ = true;
     if (!is_settled_) {
-      // The number of records is known once the file is decompressed.
+      // The number of records is known only at the end of the decompressed file.
       std::size_t found = first_;
       for (; found < header_.count.room() && content_.ahead(header_.length).size() >= header_.length; ++found)
         content_.skip(header_.length);

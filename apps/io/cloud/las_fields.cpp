@@ -167,7 +167,7 @@ ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offse
 
 namespace {
 
-/// Returns 0, 1 or 2 for x, y or z, which are no fields, as they need scale and offset; nothing for other names.
+/// Returns 0, 1 or 2 for x, y or z, which are not fields: they need scale and offset; nothing for other names.
 std::optional<std::size_t> las_axis(std::string_view name) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (is(name, axes[axis])) return axis;

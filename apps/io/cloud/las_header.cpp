@@ -160,7 +160,7 @@ std::string text_of_unit(unsigned unit) {
 }
 
 /// Returns the system if `unit`, EPSG's number of a unit, is the unit of the system, and a warning otherwise: some
-/// writers name a system in meters and, beside it, feet as the unit. Returns the system also if its unit cannot be
+/// writers name a system in meters together with feet as the unit. Returns the system also if its unit cannot be
 /// compared: `unit` is 0, or the system has no EPSG code.
 LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
   const bool is_of_epsg = crs && crs->authority == "EPSG";

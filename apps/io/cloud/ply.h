@@ -20,7 +20,7 @@ struct PlyProperty {
   std::string name;
   Scalar type;                                      ///< of the value, or of each value of the list
   std::optional<Scalar> count_type = std::nullopt;  ///< of the length before the values, when it is a list
-  std::size_t count = 1;                            ///< of the values, if it is no list; 1 in PLY, any number in PCD
+  std::size_t count = 1;                            ///< of the values, unless it is a list; 1 in PLY, any number in PCD
 
   /// Returns its size in a binary file, in bytes; that of an empty list if it is a list.
   std::size_t least_size() const { return count_type ? size_of(*count_type) : count * size_of(type); }

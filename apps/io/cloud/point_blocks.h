@@ -35,8 +35,8 @@ class PointBlocks {
 /// The approximate number of points in a block.
 constexpr std::size_t points_in_block = 1U << 16U;
 
-/// Opens a file. Requires a path other than "-". Throws as read_points(), and BadInput if the path is no regular file,
-/// which could not be read twice.
+/// Opens a file. Requires a path other than "-". Throws as read_points(), and BadInput if the path is not a
+/// regular file, which could not be read twice.
 std::unique_ptr<PointBlocks> open_point_blocks(const PointSource& source);
 
 }  // namespace rbpa::app

@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Reads points by their format; geometries and pixels have readers of their own, as they are no columns.
+/// Reads points by their format; geometries and pixels, which are not columns, have their own readers.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   switch (source.format) {
     case Format::png:

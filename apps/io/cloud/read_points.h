@@ -35,8 +35,8 @@ struct PointSource {
 /// the line or the point, what was found and what was expected; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
-/// Checks options once the content of standard input has shown its format. Throws WrongUsage if an option asks for data
-/// that the format does not have.
+/// Checks options after the content of standard input has shown its format. Throws WrongUsage if an option asks for
+/// data that the format does not have.
 void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
                       const std::optional<Condition>& where);
 

@@ -224,7 +224,7 @@ class TableCloud final : public Cloud {
     append(value, block);
   }
 
-  /// Notes a height; a field that is no number is none. Only matters until two heights differ.
+  /// Notes a height; ignores a field that is not a number. Only matters until two heights differ.
   void take_height(std::string_view field) {
     std::string text(field);
     if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');  // a decimal comma

@@ -117,7 +117,7 @@ bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& la
   return true;
 }
 
-/// Throws BadInput if the first column may be the numbers of elements, which are no coordinates.
+/// Throws BadInput if the first column may be the numbers of elements, which are not coordinates.
 void refuse_atoms(const TableBeginning& table, const std::string& columns) {
   if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
     bad_input(here(table), found_fields(table) + ", the first of which may be the number of an element",

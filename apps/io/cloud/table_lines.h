@@ -37,7 +37,7 @@ class TableLines {
   /// only.
   std::string_view ahead(std::size_t size);
   const Lines& lines() const { return lines_; }
-  /// Returns the comment in the line right before the current one, after its '#' or "//"; empty if it is no comment.
+  /// Returns the comment in the line right before the current one, after its '#' or "//"; empty if it is not a comment.
   std::string_view comment_before() const;
 
   const Content& content() const { return content_; }

@@ -27,7 +27,7 @@ void shift_longitude(std::vector<Point>& points, const std::string& name);
 std::string warning_on_degrees(const std::vector<Point3>& points);
 
 /// Adds warnings: that degrees are lengths of different size in the plane; that points are on both sides of the
-/// antimeridian, or are no degrees.
+/// antimeridian, or are not in degrees.
 void warning_on_degrees(PointFile& file);
 
 }  // namespace rbpa::app

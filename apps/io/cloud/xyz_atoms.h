@@ -19,7 +19,7 @@ struct XyzAtoms {
 };
 
 /// Returns the beginning of a list of atoms, whose first line is the number of atoms; nothing if the third line of
-/// `text` is no atom. `by_number`: elements may be numbers.
+/// `text` is not an atom. `by_number`: elements may be numbers.
 std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number);
 
 }  // namespace rbpa::app

@@ -71,9 +71,9 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
 }
 
 /// Writes binary little-endian PLY. A mesh may have more properties of a vertex: properties() returns their lines of
-/// the header, with line ends, and write_properties(file, i) writes their values; of a face likewise face_properties()
-/// and write_face_properties(file, f). The length of a face is a byte, which every reader supports, unless a face is
-/// too long.
+/// the header, with line ends, and write_properties(file, i) writes their values; face_properties() and
+/// write_face_properties(file, f) do so for a face. The length of a face is a byte, which every reader supports,
+/// unless a face is too long.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;

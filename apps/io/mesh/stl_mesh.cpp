@@ -47,7 +47,7 @@ bool begins_with_word(const Lines& lines, std::string_view word) {
   return same_letters(take_word(rest), word);
 }
 
-/// Whether the file is binary, by its size or because it is no text: a binary file may begin with "solid", too.
+/// Whether the file is binary, by its size or because it is not text: a binary file may begin with "solid", too.
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);

@@ -1,4 +1,4 @@
-// What: writes triangles in the plane, and the edges and points of a full complex beside them.
+// What: writes triangles in the plane, together with the edges and points of a full complex.
 // Law:  the bytes depend on the mesh alone; coordinates read back to the same doubles.
 #pragma once
 
@@ -41,7 +41,7 @@ struct TriangleMesh {
   std::span<const Edge> edges = {};            ///< dangling: in no triangle
   std::span<const std::uint32_t> points = {};  ///< in no triangle and no edge
   const TriangleFeatures* features = nullptr;  ///< null, or set if there are neither edges nor points
-  std::span<const std::uint16_t> levels = {};  ///< of each triangle, or empty; likewise
+  std::span<const std::uint16_t> levels = {};  ///< of each triangle; empty if there are edges or points
   std::span<const double> z = {};              ///< of each vertex; empty: all are 0
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
 

@@ -280,7 +280,7 @@ class Events {
     return true;
   }
 
-  /// Takes a value that is no coordinate, object or array. Throws BadInput unless it `fits` its key or is ignored.
+  /// Takes a value that is not a coordinate, object or array. Throws BadInput unless it `fits` its key or is ignored.
   bool scalar(const std::string& found, bool fits) const {
     if (depth_ > 0) return true;
     if (frames_.empty()) refuse(found, "a GeoJSON object");

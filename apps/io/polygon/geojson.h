@@ -21,7 +21,7 @@ PointFile read_geojson_points(std::string_view text, const std::string& name, bo
                               const GroupColumns& properties = {});
 
 /// Reads the polygons of each Polygon and MultiPolygon, also in collections, as a geometry, and the properties that are
-/// numbers. Geometries that are in no Feature form a feature with those beside them. Throws BadInput naming the line,
+/// numbers. Geometries outside of any Feature form one feature. Throws BadInput naming the line,
 /// also for other kinds of geometries.
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name);
 

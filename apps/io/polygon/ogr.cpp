@@ -63,7 +63,7 @@ class OgrReader {
       const OGRGeometry* geometry = feature->GetGeometryRef();
       geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
     }
-    // Half of a file is no result.
+    // Refuse a file that can be read in part only.
     if (gdal_.has_failed()) throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()));
     constexpr int if_known = 0;
     const GIntBig announced = layer.GetFeatureCount(if_known);

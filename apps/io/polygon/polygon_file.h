@@ -20,7 +20,7 @@ struct PolygonGeometry {
 /// A property of features that is a number.
 struct NumberProperty {
   std::string name;
-  std::vector<double> values;  ///< one per feature; NaN if it has none, or one that is no number
+  std::vector<double> values;  ///< one per feature; NaN if it has none, or one that is not a number
 };
 
 struct PolygonFile {

@@ -43,7 +43,7 @@ std::optional<std::string> geojson_caution(const Shape& shape);
 /// follow, then "]}".
 std::string geojson_collection(const std::optional<Crs>& crs);
 
-/// The facts about a polygon beside its rings.
+/// The facts about a polygon in addition to its rings.
 struct PolygonFacts {
   double area = 0;
   double perimeter = 0;

@@ -13,7 +13,7 @@ namespace rbpa::app {
 namespace {
 
 Column parse_column(std::string_view text) {
-  // A number is no name: -1 and 1.5 are mistakes.
+  // A number is not a name: -1 and 1.5 are mistakes.
   const NumberFault fault = parse_whole_number(text).fault;
   if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
     return {.number = 0, .name = std::string(text)};

@@ -32,7 +32,7 @@ struct NamedColumns {
 };
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
-/// with other columns beside them; the leftmost of several pairs.
+/// among other columns; the leftmost of several pairs.
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
 /// Returns the columns called x, y and z, or easting, northing and height, followed by those called nx, ny and nz if

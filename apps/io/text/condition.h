@@ -20,16 +20,16 @@ struct FieldNames {
   bool texts = false;     ///< fields may be compared with texts
 };
 
-/// Returns the rule for tables: any name. A name that is no word, such as "point class", is in double quotes.
+/// Returns the rule for tables: any name. A name that is not a word, such as "point class", is in double quotes.
 FieldNames names_of_columns();
 
-/// A column that is read for each point beside its position.
+/// A column that is read for each point in addition to its position.
 struct WantedColumn {
   enum class Kind {
     by_value,  ///< numbers if the first value is one, otherwise texts; for atoms, by the column
     number,
     text,
-    radius  ///< a number; NaN for any other text, which concerns its group only and is no reason to refuse the file
+    radius  ///< a number; NaN for any other text, for which the file is not refused, as it concerns only a group
   };
   std::string name;
   Kind kind = Kind::number;
@@ -72,7 +72,7 @@ class Condition {
     negation,
     text,
     unless_true,  ///< if the last value is not 0, makes it 1 and jumps to instruction Instruction::field
-    unless_false  ///< likewise if it is 0
+    unless_false  ///< if the last value is 0, makes it 0 and jumps to that instruction
   };
   /// A step of a stack machine: operands come before their operator.
   struct Instruction {

@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// The end of a message about a word that is no number.
+/// The end of a message about a word that is not a number.
 constexpr std::string_view of_where =
     ", as --where compares the column with numbers (== \"...\" compares it with a text)";
 
@@ -104,7 +104,7 @@ class LineSelection {
   void add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const;
 
  private:
-  /// Returns a radius; NaN for any other text, which concerns its group only and is no reason to refuse the file.
+  /// Returns a radius; NaN for any other text, for which the file is not refused, as it concerns only a group.
   static double radius_of(std::string_view text) {
     const ParsedNumber number = parse_whole_number(text);
     const bool is_one = number.fault == NumberFault::none || number.fault == NumberFault::not_finite;

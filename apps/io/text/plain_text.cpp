@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns the name of the encoding if it is UTF-16 or UTF-32, which begin with a mark or have zero bytes beside ASCII;
-/// empty otherwise.
+/// Returns the name of the encoding if it is UTF-16 or UTF-32, which begin with a mark or have zero bytes next to
+/// ASCII; empty otherwise.
 std::string_view other_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return "UTF-16";

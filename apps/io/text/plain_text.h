@@ -1,6 +1,6 @@
 // What: the normal form of text for all readers: without a byte-order mark, and with lines that end in LF.
-// Law:  a byte-order mark of UTF-8, and CR or CRLF in place of LF, do not change the text. Bytes that are no text stay
-//       as they are. Lines keep their numbers.
+// Law:  a byte-order mark of UTF-8, and CR or CRLF in place of LF, do not change the text. Bytes that are not text
+//       stay unchanged. Lines keep their numbers.
 // Cost: one search for CR; a copy if a line ends in CR alone.
 #pragma once
 

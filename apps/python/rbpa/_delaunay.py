@@ -137,7 +137,7 @@ class Delaunay(Triangles):
         Raises
         ------
         InvalidInput
-            Values that are not one for each point, or are no numbers; an unknown method.
+            Values that are not one for each point, or are not numbers; an unknown method.
 
         Examples
         --------
@@ -290,7 +290,7 @@ class Delaunay(Triangles):
 
     @cached_property
     def coplanar(self) -> Indices:
-        """Points that are no vertices, here the duplicates: rows of the point, a triangle that contains it, and the
+        """Points that are not vertices, here the duplicates: rows of the point, a triangle that contains it, and the
         equal vertex.
 
         Int32 of shape (d, 3).
@@ -380,8 +380,8 @@ class DelaunayInSpace(Delaunay):
         return _weighted(weights, rows[self.simplices[found]])
 
     def _lifted_planes(self) -> tuple[float, float, Floats]:
-        """Returns the planes through the corners of each tetrahedron, lifted likewise; the normals are minors of the
-        corners."""
+        """Returns the planes through the corners of each tetrahedron, lifted as by `_lifted`; the normals are
+        minors of the corners."""
         scale, shift, lifted = self._lifted()
         corners = lifted[self.simplices]
         edges = corners[:, 1:] - corners[:, :1]

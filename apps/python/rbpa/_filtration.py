@@ -31,8 +31,8 @@ class Plateau(NamedTuple):
     covered: int
     area: float
     effective_parts: float
-    """The number of parts, weighted by their points: 2 for two halves, little more than 1 for one part with dust beside
-    it."""
+    """The number of parts, weighted by their points: 2 for two halves, little more than 1 for one part and
+    dust."""
     hole_share: float
     """The area of the holes divided by that of triangles and holes."""
     kind: str

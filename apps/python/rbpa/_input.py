@@ -133,7 +133,7 @@ def _hint(points: npt.ArrayLike, array: npt.NDArray[Any], name: str, columns: in
 
 
 def as_scalar(value: Any) -> Any:
-    """Returns the number in a 0-d array; anything else as it is."""
+    """Returns the number in a 0-d array; any other value unchanged."""
     return value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
 
 

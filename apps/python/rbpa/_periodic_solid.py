@@ -131,8 +131,8 @@ class PeriodicSolid(Result):
     vertex_offsets : int8 array of shape (v, 3)
         The number of boxes between each vertex and its point modulo the box, along x, y and z.
     simplices : int32 array of shape (m, 4)
-        The corners of each tetrahedron as vertices, positively oriented. Of the images of a tetrahedron, the one whose
-        corner with the least point is in the box is listed.
+        The corners of each tetrahedron as vertices, positively oriented. Of the images of a tetrahedron, the one is
+        listed that has its corner with the lowest point index in the box.
     neighbors : int32 array of shape (m, 4)
         Column k is the tetrahedron that has an image opposite to corner k, or -1.
     boundary : int32 array of shape (b, 3)

@@ -1,4 +1,4 @@
-"""Drawing with matplotlib: width and opacity of strokes and dots, so that many of them are no blot; triangles in space.
+"""Drawing with matplotlib: width and opacity of strokes and dots, so that many remain distinct; triangles in space.
 
 Lengths are in typographic points, 1/72 inch. Strokes and dots that are too dense for the page become thinner, then
 paler; sides of triangles are finally left out.

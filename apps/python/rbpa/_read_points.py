@@ -33,9 +33,9 @@ def read_points(
     space : bool
         Read points in space with their normals and colors, for `surface`; otherwise points in the plane.
     fields : sequence of str, or mapping of str to float or str
-        Names of fields to read beside the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
+        Names of fields to read with the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
         columns of a table with a header; of molecules serial, chain, resseq, icode, resname, name, element, altloc,
-        occupancy and bfactor. A column of a table is one of texts if its first value is no number, or if the mapping
+        occupancy and bfactor. A column of a table is one of texts if its first value is not a number, or if the mapping
         has str: ``{"plot": str}``.
     where : str, optional
         A condition on such fields that selects points: "classification == 2 and not overlap", as in ``--where`` of the

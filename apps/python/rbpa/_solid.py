@@ -258,7 +258,7 @@ class Solid(Result):
         Raises
         ------
         InvalidInput
-            alpha is no radius, or greater than that of this solid.
+            alpha is not a radius, or is greater than that of this solid.
         """
         radius = as_number(alpha, "alpha", "a radius: a number > 0, or inf")
         if radius > self.alpha:

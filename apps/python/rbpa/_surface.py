@@ -124,8 +124,8 @@ def surface_of(
     Raises
     ------
     InvalidInput
-        A ValueError that names the fault: another shape, an invalid coordinate, a corner that is no point, a triangle
-        with two corners at equal positions.
+        A ValueError that names the fault: another shape, an invalid coordinate, a corner that is not a point, a
+        triangle with two corners at equal positions.
 
     Examples
     --------
@@ -369,7 +369,7 @@ class Surface(Result):
         return self._keep_chosen(radius=float(_not_empty(self.radii)[0]))
 
     def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_], points: Floats, normals: Optional[Floats]) -> Surface:
-        """Returns the surface of these points with new triangles, and without those that are not kept."""
+        """Returns this surface with the filling triangles, and without those triangles that are not `kept`."""
         old = of["is_new"] == 0
         levels = np.full(len(old), -1, dtype=np.int32)
         levels[old] = self.levels[kept]

@@ -93,7 +93,7 @@ def alpha_shape(
     Raises
     ------
     InvalidInput
-        A ValueError that names the fault: sources that are no points; files that changed between two readings.
+        A ValueError that names the fault: sources that are not points; files that changed between two readings.
     """
     radius = as_radius(alpha, "a finite radius (a number > 0)")
     if not np.isfinite(radius):
@@ -252,7 +252,7 @@ def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tupl
 def _merged(
     run: _Run, tree: Tile, pieces: list[list[tuple[int, str, int, int]]], alpha: float, threads: int, folder: str, triangles: bool
 ) -> Any:
-    """Returns the final task, which merges the tiles as they were halved."""
+    """Returns the final task, which merges the two halves of each cut of the tree of tiles."""
     of_tile: dict[int, list[tuple[str, int, int]]] = {}
     for chunk in pieces:
         for tile, path, at, count in chunk:

@@ -53,7 +53,8 @@ class Mesh(_core.Mesh):
     Raises
     ------
     ContractViolation
-        The faces are no oriented manifold; the message names the place and the reason. See `find_defects` and `repair`.
+        The faces are not an oriented manifold; the message names the place and the reason. See `find_defects` and
+        `repair`.
     """
 
     def __init__(self, faces: Faces = (), points: Optional[int] = None) -> None:

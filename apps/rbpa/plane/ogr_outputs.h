@@ -9,7 +9,7 @@
 namespace rbpa::app {
 
 /// Adds the files that GDAL has made for a target to the files of the run. Throws Failure if an old file of the same
-/// target would remain beside them.
+/// target would remain next to them.
 void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
 
 }  // namespace rbpa::app

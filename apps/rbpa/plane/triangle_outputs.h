@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Adds a target that is no picture; `about` has the coordinate system of the points. Throws Failure, Cancelled.
+/// Adds a target that is not a picture; `about` has the coordinate system of the points. Throws Failure, Cancelled.
 void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, const PointFile& about);
 
 /// Prints a warning, also with --quiet, if a GeoJSON target may be read as degrees though its coordinates are not.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Parses a number >= 0, or infinity; nothing if the text is no such number.
+/// Parses a number >= 0, or infinity; returns nothing for other texts.
 std::optional<double> parse_size(const std::string& text) {
   const ParsedNumber number = parse_whole_number(text);
   if (number.fault == NumberFault::not_finite && number.value > 0) return infinity;
@@ -122,7 +122,7 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   } catch (const InvalidInput& e) {
     throw WrongUsage("--" + std::string(e.what()) + " (rbpa alpha POINTS lists them)");
   }
-  line.reset();  // nothing may be said beside it
+  line.reset();  // a message must not follow on the line of progress
   if (chosen.plateaus.empty() || run.quiet) return chosen.alpha;
   if (!chosen.plateaus.front().is_long)
     say("rbpa", "--alpha " + name_of(choice) +

@@ -133,7 +133,7 @@ std::vector<std::string> ogr_paths(const Target& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};
   std::vector<std::string> paths;
-  // They are beside s.shp. For a file with another ending or none, their endings are appended.
+  // The other files are next to s.shp. If the target has another ending or none, their endings are appended.
   const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
   const std::string stem =
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;

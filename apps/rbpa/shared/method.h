@@ -33,7 +33,7 @@ struct Method {
 /// Parses the options. Throws WrongUsage that names an unknown value, or one that belongs to another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// Wanted besides the triangles; each value includes the one before.
+/// Links that are wanted in addition to the triangles; each value includes the one before.
 enum class Links { none, boundary, neighbors };
 
 /// A complex as a method makes it.

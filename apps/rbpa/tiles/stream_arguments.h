@@ -19,8 +19,9 @@ std::string stream_formats(bool with_meshes = true);
 std::uint64_t parse_memory(const std::string& text);
 
 /// Returns the files of points in a folder, sorted by name, all of one format. If there are LAS files, these are taken:
-/// text files and pictures beside them describe tiles. Prints, unless quiet, how many there are and what else is in the
-/// folder. Throws BadInput if there are none, or also files of points in another format, read or not.
+/// text files and pictures in the same folder describe tiles. Prints, unless quiet, how many there are and
+/// what else is in the folder. Throws BadInput if there are none, or also files of points in another format, read or
+/// not.
 std::vector<std::string> files_in(const std::string& folder, const PointArguments& arguments, bool quiet);
 
 /// Parses a file to write: its format is that of the ending, else the named one.

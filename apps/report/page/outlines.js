@@ -49,7 +49,7 @@ function splitIntoRings(curve, place, rings) {
   rings.push(walked);
 }
 
-/** Rotates a ring to begin at its least point. */
+/** Rotates a ring to begin at its lowest index. */
 function fromLeastPoint(ring) {
   let least = 0;
   for (let i = 1; i < ring.length; ++i) if (ring[i] < ring[least]) least = i;
