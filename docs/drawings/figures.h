@@ -1,4 +1,5 @@
-// What: the figures of the pages that only C++ can draw, each by running the operator on a mesh or the method on points.
+// What: the figures of the pages that only C++ can draw, each by running the operator on a mesh or the method on
+//       points.
 #pragma once
 
 #include <string>

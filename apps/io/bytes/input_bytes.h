@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// How a file that begins like a gzip file is read.
+/// The way to read a file that begins like a gzip file.
 struct Decompression {
   bool is_wanted = true;     ///< false: the file is read as it is
   bool is_of_text = false;   ///< refuse zero bytes, of which a few kilobytes would become a line of gigabytes

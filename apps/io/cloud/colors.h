@@ -19,8 +19,8 @@ class LastColumns {
  public:
   /// Takes the three numbers of a point.
   void take(const std::array<double, 3>& numbers);
-  /// Sets their meaning, and warns of it: colors if `is_by_content` and they are whole numbers up to widest_channel, one
-  /// of them greater than 1; otherwise normals.
+  /// Sets their meaning, and warns of it: colors if `is_by_content` and they are whole numbers up to widest_channel,
+  /// one of them greater than 1; otherwise normals.
   void settle(bool is_by_content, CloudFacts& facts) const;
 
  private:

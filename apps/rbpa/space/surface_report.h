@@ -39,8 +39,8 @@ struct SurfaceFacts : Reconstruction {
 /// Returns "0.5, 1.25".
 std::string text_of_radii(const std::vector<double>& radii);
 
-/// Returns ", genus 2", or if components were dropped ", genus 0 (5 before), after 3 components were dropped (88 % of the
-/// triangles, 60 % of the area)".
+/// Returns ", genus 2", or if components were dropped ", genus 0 (5 before), after 3 components were dropped (88 % of
+/// the triangles, 60 % of the area)".
 std::string genus_text(const SurfaceFacts& facts);
 
 /// Returns the lines "12 unused points: 10 that ..., 2 ...", one for each of the longest boundary curves and one for

@@ -17,8 +17,8 @@ namespace rbpa {
 
 class Growth {
  public:
-  /// Begins with the empty complex on `vertices` vertices. Vertex v has the point point_of_vertex[v]; without such a list
-  /// each vertex is a point. The arrays must outlive the object.
+  /// Begins with the empty complex on `vertices` vertices. Vertex v has the point point_of_vertex[v]; without such a
+  /// list each vertex is a point. The arrays must outlive the object.
   /// Requires: corners below `vertices`; `point_of_vertex` is empty or has an entry for each vertex.
   Growth(const TriangleArrays& arrays, std::size_t vertices, const std::vector<std::uint32_t>& point_of_vertex = {});
 

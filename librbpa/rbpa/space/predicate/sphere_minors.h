@@ -71,8 +71,8 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
           -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
 }
 
-/// Filter constant: errors are below this times the lengths of docs/explanation/exact_decisions.md, section 7. It covers
-/// 20 roundings there, and some of the bound itself.
+/// Filter constant: errors are below this times the lengths of docs/explanation/exact_decisions.md, section 7. It
+/// covers 20 roundings there, and some of the bound itself.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
 /// Returns the error bound of these minors. Requires: no corner at infinity. `underflow` is that of

@@ -18,7 +18,8 @@ namespace {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// A face of an image: its points, ascending, and the offsets in boxes of the second and the third point from the first.
+/// A face of an image: its points, ascending, and the offsets in boxes of the second and the third point from the
+/// first.
 struct ImageFace {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;

@@ -32,8 +32,8 @@ struct Sample {
   std::vector<Corners> triangles;
 };
 
-/// Returns triangles in the square of side `size` at (corner, corner). Each corner of a triangle is at most reach * size
-/// from a random center, in x and in y. Coordinates are multiples of `pitch` unless it is 0.
+/// Returns triangles in the square of side `size` at (corner, corner). Each corner of a triangle is at most reach *
+/// size from a random center, in x and in y. Coordinates are multiples of `pitch` unless it is 0.
 Sample sample(Random& random, std::size_t points, double corner, double size, double reach, double pitch) {
   Sample made;
   made.tile.columns = made.tile.rows = 4;

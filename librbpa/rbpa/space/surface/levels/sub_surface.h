@@ -1,6 +1,6 @@
 // What: extracts parts of a surface, for example the triangles of its smaller radii.
-// Law:  the triangles of the smaller radii are the surface of those radii alone: a later radius changes no gluing between
-//       earlier triangles.
+// Law:  the triangles of the smaller radii are the surface of those radii alone: a later radius changes no gluing
+//       between earlier triangles.
 #pragma once
 
 #include <cstddef>
