@@ -27,10 +27,10 @@ namespace rbpa {
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 
-/// Returns for each closed surface in how many others it lies, exactly: 0 for a body outside of all others, 1 for the wall
-/// of a cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner that is
-/// on no other surface. A surface without a triangle lies in none. A surface with every corner on another one does not
-/// lie in that one.
+/// Returns for each closed surface in how many others it lies, exactly: 0 for a body outside of all others, 1 for the
+/// wall of a cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner
+/// that is on no other surface. A surface without a triangle lies in none. A surface with every corner on another one
+/// does not lie in that one.
 /// Requires: triangles that close each surface.
 /// Throws:   as outer_shells().
 /// Cost:     for each triangle, the rays that begin behind it; n log n if surfaces hide few others.
