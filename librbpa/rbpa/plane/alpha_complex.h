@@ -22,8 +22,8 @@ namespace rbpa {
 
 struct AlphaComplexOptions {
   ComplexKind complex = ComplexKind::solid;
-  bool neighbors = false;  ///< fills in AlphaComplex::neighbors
-  bool boundary = false;   ///< fills in AlphaComplex::boundary
+  bool neighbors = false;  ///< whether AlphaComplex::neighbors is filled in
+  bool boundary = false;   ///< whether AlphaComplex::boundary is filled in
   MaxThreads threads = 0;
   OnProgress progress = {};
 };
@@ -35,9 +35,9 @@ struct AlphaComplex {
 
   /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
-  /// The triangle across from each corner, or none.
+  /// Only on request: the triangle across from each corner, or none.
   std::vector<Triangle> neighbors;
-  /// The boundary: the sides at which no other triangle lies, each directed as in its triangle, in lexicographic order.
+  /// Only on request, the boundary: the sides at which no other triangle lies, each directed as in its triangle, in lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
   std::vector<Duplicate> duplicates;    ///< ascending by index

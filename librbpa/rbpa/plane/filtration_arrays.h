@@ -39,7 +39,7 @@ struct FiltrationArrays {
   /// Indices into `points`, counter-clockwise, the smallest first; sorted by alpha, then by corners.
   std::vector<Triangle> triangles;
   std::vector<double> alpha;         ///< for each triangle, the alpha at which it appears
-  std::vector<FreeEdge> free_edges;  ///< by alpha, then by triangle and side
+  std::vector<FreeEdge> free_edges;  ///< by alpha, then by triangle and side; empty without triangles
   std::vector<PlacedPair> pairs;     ///< sorted as by persistence(), equal pairs by triangle
 };
 

@@ -31,7 +31,7 @@ struct PartialCounts {
   std::uint64_t edges = 0;
   std::uint64_t triangles = 0;
   std::uint64_t solid_components = 0;
-  std::uint64_t components = 0;  ///< pinches connect
+  std::uint64_t components = 0;  ///< as counted where pinches connect
   std::uint64_t boundary_curves = 0;
   friend bool operator==(const PartialCounts&, const PartialCounts&) = default;
 
@@ -103,7 +103,7 @@ struct PartialAndItems {
   OwnedItems owned;
 };
 
-/// Computes the contribution of a region and its items, at the cost of one of them.
+/// Computes the contribution of a region and its items, at the cost of one of them. Throws as partial().
 RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoints& points, double alpha,
                                            const PartialOptions& options = {});
 
@@ -114,14 +114,14 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 /// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
-/// Removes the finished polygons from `partial` and returns them in order; counts do not change. A polygon that touches
+/// Removes the finished polygons from `partial` and returns them, sorted as by comes_before(); counts do not change. A polygon that touches
 /// an unfinished one is finished once it is certain which of them counts the common points.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 struct TakenHoles {
   /// The holes of one polygon may be returned under several names, and several times under one.
   ComponentName component;
-  std::vector<CornerRing> holes;  ///< in order
+  std::vector<CornerRing> holes;  ///< by first point, then by second
 };
 
 /// Removes the holes of unfinished components from `partial` and returns them by component. A component that spans the
@@ -131,7 +131,7 @@ RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_co
 
 struct WholeComplex {
   PartialCounts counts;
-  std::vector<CornerPolygon> polygons;  ///< in order; without those already removed
+  std::vector<CornerPolygon> polygons;  ///< sorted as by comes_before(); without those already removed
 };
 
 /// Returns the complex of the whole plane.

@@ -29,8 +29,8 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
-/// Returns the pairs sorted by dimension, birth and death; those without a death come last. A function of the set of
-/// points alone.
+/// Returns the pairs sorted by dimension, birth and death; those without a death come last. The result is a
+/// function of the set of points alone.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,

@@ -32,12 +32,12 @@ struct Plateau {
   std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
   /// Its persistence: to / from; for the last plateau, half the diagonal of the points' box / from, at least 1.
   double ratio = 1;
-  double alpha = 0;            ///< the recommended alpha: √(from · to), but at most plateau_settles · from
+  double alpha = 0;            ///< the recommended alpha: from · √ratio, but at most plateau_settles · from
   FiltrationStep step = {};    ///< the complex at `alpha`
   double effective_parts = 1;  ///< at `alpha`, (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
   double hole_share = 0;       ///< at `alpha`, area of holes / area of complex and holes
   PlateauKind kind = PlateauKind::one_piece;  ///< at `alpha`
-  bool is_long = false;  ///< whether its ratio is above the one that points without any structure reach by chance
+  bool is_long = false;  ///< whether its ratio is one that points without any structure do not reach by chance
   friend bool operator==(const Plateau&, const Plateau&) = default;
 };
 

@@ -13,8 +13,7 @@ void check_finite(double alpha) {
   if (std::isinf(alpha) && alpha > 0)
     throw InvalidInput(
         "alpha is infinite, expected a radius: without one a circle may be as large as the whole set, and no halo "
-        "around a "
-        "region is enough. Choose a radius (rbpa alpha --help says how), or triangulate all points in memory");
+        "around a region is enough. Choose a radius (rbpa alpha --help says how), or triangulate all points in memory");
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a finite radius above 0");
 }
 
@@ -41,7 +40,6 @@ Region halo(const Region& region, double alpha) {
   Region wide{below(region.x0), below(region.y0), above(region.x1), above(region.y1)};
   // An infinite reach from an infinite bound is NaN.
   if (std::isinf(reach)) wide = Region{};
-  // Half-open boxes do not reach the largest double itself.
   return wide;
 }
 
