@@ -48,7 +48,8 @@ MESHOPS_API std::string_view name(ElementKind kind);
 MESHOPS_API std::string describe(const Defect& defect);
 
 /// Returns every defect of the mesh, vertices first, then halfedges, then faces; an empty list when the mesh is sound.
-/// Isolated vertices are no defects. Elements marked deleted are skipped.
+/// Isolated vertices are no defects. Elements marked deleted are skipped. If a handle is out of range, only such
+/// defects are listed, as nothing else can be checked safely.
 /// Cost: linear in the size of the mesh.
 MESHOPS_API std::vector<Defect> validate(const Connectivity& mesh);
 

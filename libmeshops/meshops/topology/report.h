@@ -71,7 +71,7 @@ MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {
 /// vertex with several fans, as OpenMesh's readers leave it, is a pinch: no piece and no curve passes it.
 /// Requires: the only defects that validate() finds are vertices with several fans; `point_of_vertex` is empty or has a
 ///           value per vertex.
-/// Throws: Cancelled.
+/// Throws:   ContractViolation when `point_of_vertex` has another number of values; Cancelled.
 MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {},
                                   const GoOn& go_on = {});
 

@@ -37,7 +37,8 @@ struct AlphaComplex {
   std::vector<Triangle> triangles;
   /// Only on request: the triangle across from each corner, or none.
   std::vector<Triangle> neighbors;
-  /// Only on request, the boundary: the sides at which no other triangle lies, each directed as in its triangle, in lexicographic order.
+  /// Only on request, the boundary: the sides at which no other triangle lies, each directed as in its triangle, in
+  /// lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
   std::vector<Duplicate> duplicates;    ///< ascending by index
