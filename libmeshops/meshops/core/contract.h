@@ -2,8 +2,10 @@
 //       see the …_blocker() functions.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "meshops/core/api.h"
 
@@ -26,6 +28,15 @@ namespace detail {
 inline void require(bool holds, const char* what) {
   if (!holds) [[unlikely]]
     detail::violate(what);
+}
+
+/// Throws ContractViolation unless there are as many values as items: "report: found 3 points for 5 vertices, expected
+/// one for each".
+inline void require_one_each(std::string_view name, std::size_t found, std::string_view values, std::size_t expected,
+                             std::string_view items) {
+  if (found != expected) [[unlikely]]
+    throw ContractViolation(std::string(name) + ": found " + std::to_string(found) + " " + std::string(values) +
+                            " for " + std::to_string(expected) + " " + std::string(items) + ", expected one for each");
 }
 
 }  // namespace meshops

@@ -11,7 +11,7 @@ SiteVertices::SiteVertices(Connectivity& mesh, std::size_t sites) : mesh_(mesh),
 }
 
 SiteVertices::SiteVertices(Connectivity& mesh, std::span<const Site> site_of) : mesh_(mesh), first_(0) {
-  require(site_of.size() == mesh.n_vertices(), "Front: expected a site for each vertex of the mesh");
+  require_one_each("Front", site_of.size(), "sites", mesh.n_vertices(), "vertices of the mesh");
   further_.resize(site_of.size());
   for (std::size_t i = 0; i < site_of.size(); ++i) {
     further_[i] = {site_of[i], none};

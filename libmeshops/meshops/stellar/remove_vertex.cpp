@@ -24,7 +24,7 @@ Choice choose(const Connectivity& mesh, Vertex v, Keep keep) {
 
 std::optional<std::string> reason(const Choice& choice) {
   if (!choice.refusal) return std::nullopt;
-  return choice.along.is_valid() ? std::string("no neighbor can take over its edges: ") + choice.refusal
+  return choice.along.is_valid() ? std::string("no edge at the vertex can be collapsed: ") + choice.refusal
                                  : std::string(choice.refusal);
 }
 

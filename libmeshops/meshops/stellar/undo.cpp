@@ -22,11 +22,11 @@ const char* refusal(const Connectivity& mesh, const WeldEffect& effect) {
                       (faces.size() == 1 || faces[0] != faces[1]);
   const bool one_is_left_out = !effect.left || !effect.right;
   if (!differ || mesh.edge_handle(effect.halfedge) != edges[0] || one_is_left_out != removed.at_boundary)
-    return "no operator returns such an effect";
+    return "the edges, faces and halfedges of the effect contradict each other (pass the effect unchanged)";
   if (const char* reason = detail::open_refusal(mesh, effect.left, effect.right, Keep::manifold)) return reason;
   return mesh.from_vertex_handle(effect.left ? *effect.left : *effect.right) == effect.survivor
              ? nullptr
-             : "the halfedges leave another vertex now";
+             : "the halfedges of the effect no longer leave the surviving vertex";
 }
 
 }  // namespace

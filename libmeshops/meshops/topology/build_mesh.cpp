@@ -99,8 +99,8 @@ std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& sou
 }
 
 PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex) {
-  require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
-          "soup_of: expected a point for each vertex");
+  if (!point_of_vertex.empty())
+    require_one_each("soup_of", point_of_vertex.size(), "points", mesh.n_vertices(), "vertices");
   PolygonSoup soup;
   soup.points = point_of_vertex.empty() ? mesh.n_vertices() : 0;
   for (const std::uint32_t p : point_of_vertex) soup.points = std::max<std::size_t>(soup.points, p + std::size_t{1});

@@ -232,7 +232,7 @@ Homology compute(const Connectivity& mesh, std::span<const double> lengths, cons
 }
 
 void check(const Connectivity& mesh, std::span<const double> lengths) {
-  require(lengths.size() == mesh.n_edges(), "homology: lengths needs a value for each edge");
+  require_one_each("homology", lengths.size(), "lengths", mesh.n_edges(), "edges");
   double sum = 0;
   for_each_edge(mesh, [&](Edge e) {
     require(lengths[at(e)] >= 0, "homology: the length of an edge is negative or not a number");

@@ -8,7 +8,7 @@ namespace meshops {
 
 SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on) {
   require_parted(soup);
-  require(kept.size() == soup.faces(), "keep_faces: kept needs a value for each face");
+  require_one_each("keep_faces", kept.size(), "values", soup.faces(), "faces");
   Steps step(go_on);
   std::vector<bool> is_used(soup.points, false);
   for (std::size_t f = 0; f < soup.faces(); ++f) {
@@ -16,7 +16,7 @@ SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, cons
     if (!kept[f]) continue;
     for (const std::uint32_t corner : soup.face(f)) {
       if (corner >= soup.points)
-        throw ContractViolation("keep_faces: a corner of face " + std::to_string(f) + " is no point");
+        throw ContractViolation("keep_faces: a corner of face " + std::to_string(f) + " is not a point");
       is_used[corner] = true;
     }
   }

@@ -22,7 +22,7 @@ PolygonSoup renumbered(const PolygonSoup& soup, const std::vector<std::uint32_t>
     cycle.clear();
     for (const std::uint32_t corner : soup.face(f)) {
       if (corner >= soup.points)
-        throw ContractViolation("merge_points: a corner of face " + std::to_string(f) + " is no point");
+        throw ContractViolation("merge_points: a corner of face " + std::to_string(f) + " is not a point");
       if (cycle.empty() || cycle.back() != number[corner]) cycle.push_back(number[corner]);
     }
     while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
@@ -35,15 +35,16 @@ PolygonSoup renumbered(const PolygonSoup& soup, const std::vector<std::uint32_t>
 
 MergedPoints merge_points(const PolygonSoup& soup, std::span<const std::uint32_t> least, const GoOn& go_on) {
   require_parted(soup);
-  require(least.size() == soup.points, "merge_points: least needs a value for each point");
+  require_one_each("merge_points", least.size(), "values", soup.points, "points");
   Steps step(go_on);
   MergedPoints result;
   std::vector<std::uint32_t> number(soup.points);
   for (std::uint32_t p = 0; p < soup.points; ++p) {
     step();
     if (least[p] > p || least[least[p]] != least[p])
-      throw ContractViolation("merge_points: point " + std::to_string(p) + " becomes one with point " +
-                              std::to_string(least[p]) + ", which is not the least of them");
+      throw ContractViolation("merge_points: least[" + std::to_string(p) + "] is " + std::to_string(least[p]) +
+                              ", expected the lowest index of the points that are merged with point " +
+                              std::to_string(p));
     if (least[p] == p) {
       number[p] = static_cast<std::uint32_t>(result.point_was.size());
       result.point_was.push_back(p);

@@ -52,7 +52,7 @@ Orientation orient(const PolygonSoup& soup, const GoOn& go_on) {
 
 void reverse_faces(PolygonSoup& soup, const std::vector<bool>& reversed) {
   require_parted(soup);
-  require(reversed.size() == soup.faces(), "reverse_faces: reversed needs a value for each face");
+  require_one_each("reverse_faces", reversed.size(), "values", soup.faces(), "faces");
   for (std::size_t f = 0; f < soup.faces(); ++f)
     if (reversed[f] && soup.begin[f] < soup.begin[f + 1])
       std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]) + 1,

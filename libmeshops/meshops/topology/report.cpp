@@ -157,8 +157,8 @@ TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uin
 }  // namespace
 
 TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, const GoOn& go_on) {
-  require(point_of_vertex.empty() || point_of_vertex.size() == mesh.n_vertices(),
-          "report: expected a point for each vertex");
+  if (!point_of_vertex.empty())
+    require_one_each("report", point_of_vertex.size(), "points", mesh.n_vertices(), "vertices");
   Steps step(go_on);
   if (has_several_fans_anywhere(mesh, step)) return report_of_fans(mesh, point_of_vertex, go_on);
   return MeshReporter(mesh, point_of_vertex, step)();

@@ -16,7 +16,7 @@
 namespace meshops {
 
 enum class SoupDefectKind {
-  corner_out_of_range,       ///< a corner is no point of the soup
+  corner_out_of_range,       ///< a corner is not a point of the soup
   degenerate_face,           ///< fewer than three corners, or one point twice
   duplicate_face,            ///< the same cycle of corners as an earlier face, in either direction
   non_manifold_edge,         ///< more than two faces meet in an edge

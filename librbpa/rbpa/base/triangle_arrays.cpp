@@ -30,8 +30,7 @@ bool is_triangle(const Triangle& corners, std::size_t points) {
 }  // namespace
 
 void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on) {
-  meshops::require(arrays.triangles.size() == arrays.neighbors.size(),
-                   "triangles and neighbors differ in length, expected a row of neighbors for each triangle");
+  meshops::require_one_each("neighbors", arrays.neighbors.size(), "rows", arrays.triangles.size(), "triangles");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
     if (t % 65536 == 0 && go_on && !go_on()) throw Cancelled();
     if (!is_triangle(arrays.triangles[t], points))

@@ -80,7 +80,8 @@ class Boundary {
       const End &leaving = ends[k], &coming = ends[(k + 1) % ends.size()];
       if (leaving.leaves == coming.leaves)
         throw InvalidInput(
-            "a polygon: found rings that cross, expected a valid polygon whose shell turns counter-clockwise");
+            "a polygon: found rings that cross or have the wrong orientation, expected a valid polygon with "
+            "a counter-clockwise shell");
       if (leaving.leaves) next[coming.edge] = leaving.edge;
     }
   }
@@ -117,15 +118,17 @@ class LeftRings {
   LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
       : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end), boundary_(points) {}
 
-  std::vector<Ring> find(const std::vector<Corners>& rings) {
+  /// Returns the rings. Messages call the line x = `line`.
+  std::vector<Ring> find(const std::vector<Corners>& rings, double line) {
     for (const Corners& ring : rings) take(ring);
     // Along the line from below, a part on its left begins at the end of a chain and ends where the next chain begins.
     std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
     Corners next(chains_.size());
     for (std::size_t i = 0; i < ends_.size(); i += 2) {
       if (!ends_[i].is_last || ends_[i + 1].is_last)
-        throw InvalidInput("a polygon at x = " + std::to_string(x_) +
-                           ": found rings that cross, expected a valid polygon whose shell turns counter-clockwise");
+        throw InvalidInput("a polygon at x = " + std::to_string(line) +
+                           ": found rings that cross or have the wrong orientation, expected a valid polygon with a "
+                           "counter-clockwise shell");
       next[ends_[i].chain] = ends_[i + 1].chain;
     }
     std::vector<bool> done(chains_.size(), false);
@@ -238,12 +241,12 @@ PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double 
   for (const Ring& hole : polygon.holes) take(hole);
 
   const auto given = static_cast<std::uint32_t>(points.size());
-  cut.left = polygons_on(cut.points, LeftRings(cut.points, x, given, right_end).find(rings));
+  cut.left = polygons_on(cut.points, LeftRings(cut.points, x, given, right_end).find(rings, x));
   // The part right of the line is left of it in a mirror, where rings have the opposite orientation.
   std::vector<Point> mirrored = cut.points;
   for (Point& p : mirrored) p.x = -p.x;
   for (Corners& ring : rings) std::reverse(ring.begin(), ring.end());
-  cut.right = polygons_on(cut.points, LeftRings(mirrored, -x, given, left_end).find(rings));
+  cut.right = polygons_on(cut.points, LeftRings(mirrored, -x, given, left_end).find(rings, x));
   return cut;
 }
 

@@ -8,6 +8,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/filtration/ascending.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
@@ -19,8 +20,8 @@ namespace rbpa {
 namespace {
 
 void check(const Covering& covering) {
-  meshops::require(covering.share > 0 && covering.share <= 1,
-                   "smallest_covering: expected a share above 0, and at most 1");
+  if (!(covering.share > 0 && covering.share <= 1))
+    throw meshops::ContractViolation("share is " + text(covering.share) + ", expected a number above 0 and at most 1");
 }
 
 /// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(covered points, sizes

@@ -117,11 +117,12 @@ TEST_SUITE("merge_points") {
   TEST_CASE("wrong calls are refused") {
     const PolygonSoup s = soup(4, {{0, 1, 2}, {0, 2, 3}});
     CHECK_THROWS_AS(merge_points(s, std::vector<std::uint32_t>{0, 1, 2}), ContractViolation);
-    CHECK_THROWS_WITH(merge_points(s, std::vector<std::uint32_t>{0, 2, 2, 3}),
-                      "merge_points: point 1 becomes one with point 2, which is not the least of them");
+    CHECK_THROWS_WITH(
+        merge_points(s, std::vector<std::uint32_t>{0, 2, 2, 3}),
+        "merge_points: least[1] is 2, expected the lowest index of the points that are merged with point 1");
     CHECK_THROWS_AS(merge_points(s, std::vector<std::uint32_t>{0, 0, 1, 3}), ContractViolation);
     CHECK_THROWS_WITH(merge_points(soup(2, {{0, 1, 2}}), std::vector<std::uint32_t>{0, 1}),
-                      "merge_points: a corner of face 0 is no point");
+                      "merge_points: a corner of face 0 is not a point");
   }
 }
 
@@ -154,7 +155,7 @@ TEST_SUITE("keep_faces") {
 
   TEST_CASE("wrong calls are refused") {
     CHECK_THROWS_AS(keep_faces(soup(3, {{0, 1, 2}}), {}), ContractViolation);
-    CHECK_THROWS_WITH(keep_faces(soup(3, {{0, 1, 3}}), {true}), "keep_faces: a corner of face 0 is no point");
+    CHECK_THROWS_WITH(keep_faces(soup(3, {{0, 1, 3}}), {true}), "keep_faces: a corner of face 0 is not a point");
     CHECK(keep_faces(soup(3, {{0, 1, 3}}), {false}).soup.points == 0);
   }
 }

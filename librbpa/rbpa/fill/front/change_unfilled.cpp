@@ -212,7 +212,7 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
       continue;
     }
     const auto partner = border_.find(key_of(to(side), from(side)));
-    meshops::require(partner != border_.end(), "fill: beyond a triangle that goes there is no front");
+    meshops::require(partner != border_.end(), "fill: a side of a removed triangle is not an edge of the front");
     link(side, partner->second);
     border_.erase(partner);
   }

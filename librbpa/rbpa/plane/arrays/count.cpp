@@ -37,8 +37,9 @@ using Side = std::array<std::uint32_t, 2>;
 
 std::vector<Side> boundary_of(const AlphaComplex& complex, Steps& step) {
   if (!complex.boundary.empty()) return complex.boundary;
-  meshops::require(complex.neighbors.size() == complex.triangles.size(),
-                   "count: the complex has no boundary, expected it, or the neighbors of every triangle");
+  meshops::require(
+      complex.neighbors.size() == complex.triangles.size(),
+      "count: the complex has neither a boundary nor neighbors of every triangle (compute one of the two)");
   return boundary_sides(complex, [&] { step(); });
 }
 
@@ -76,9 +77,9 @@ class BoundarySides {
 
  private:
   static void require_closed(bool is_closed) {
-    meshops::require(
-        is_closed,
-        "count: the boundary is not closed, expected at each point as many sides that begin there as that end there");
+    meshops::require(is_closed,
+                     "count: the boundary is not closed: the sides that begin and that end at a point do not alternate "
+                     "around that point");
   }
 
   /// A boundary side at a point: its number, the point at its other end, and whether it leaves the point.

@@ -18,7 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void expect(bool holds, const char* what) {
   if (!holds)
-    throw InvalidInput(std::string("partial result: found bytes that to_bytes() does not write, expected ") + what);
+    throw InvalidInput(std::string("partial result: found bytes that to_bytes() never writes, expected ") + what +
+                       " (compute the partial result again)");
 }
 
 /// Returns whether each item comes before the next.

@@ -169,7 +169,7 @@ std::vector<double> outside_of_balls(const Complex& of, const space::Parts& part
 PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
                                    ComplexKind walls, unsigned wanted, const GoOn& go_on) {
   const std::size_t all = delaunay.simplices.size();
-  meshops::require(radii.size() == all, "periodic_topology: expected a radius for each tetrahedron");
+  meshops::require_one_each("periodic_topology", radii.size(), "radii", all, "tetrahedra");
   meshops::require(delaunay.neighbors.size() == all, "periodic_topology: the triangulation has no neighbors");
   for (const auto& row : delaunay.neighbors)
     for (const std::uint32_t n : row)

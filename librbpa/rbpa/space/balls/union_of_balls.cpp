@@ -153,7 +153,7 @@ void check_radius(double radius) {
 BallUnion union_of_balls(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                          double radius, unsigned wanted) {
   check_radius(radius);
-  meshops::require(radii.size() == delaunay.simplices.size(), "union_of_balls: expected a radius for each tetrahedron");
+  meshops::require_one_each("union_of_balls", radii.size(), "radii", delaunay.simplices.size(), "tetrahedra");
   meshops::require(delaunay.neighbors.size() == radii.size() && !radii.empty(),
                    "union_of_balls: the triangulation has no tetrahedra or no neighbors");
   Threads threads = threads_for(points.size(), wanted);

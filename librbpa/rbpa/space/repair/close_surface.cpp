@@ -48,7 +48,7 @@ std::vector<bool> touching_points(std::span<const Point3> points, const Surface&
   std::vector<bool> touching(points.size(), false);
   const std::vector<std::uint32_t> fans = split_fans(surface, go_on).point;  // ascending
   meshops::require(fans.empty() || fans.back() < points.size(),
-                   "touching_points: the surface has a corner that is no point");
+                   "touching_points: the surface has a corner that is not a point");
   for (auto at = fans.begin(); (at = std::adjacent_find(at, fans.end())) != fans.end(); ++at) touching[*at] = true;
   return touching;
 }

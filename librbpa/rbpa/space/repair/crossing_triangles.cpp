@@ -19,7 +19,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_triangles(
   space::check_points(points);
   for (const std::array<std::uint32_t, 3>& t : triangles)
     for (const std::uint32_t vertex : t)
-      meshops::require(vertex < points.size(), "crossing_triangles: a triangle has a corner that is no point");
+      meshops::require(vertex < points.size(), "crossing_triangles: a triangle has a corner that is not a point");
   std::vector<space::Corners> corners;
   std::vector<space::Box> boxes;
   std::vector<std::uint32_t> number;

@@ -57,7 +57,7 @@ class Fans {
   Fans(std::span<const Point3> points, const Surface& surface, const GoOn& go_on)
       : surface_(surface), fans_(split_fans(surface, go_on)) {
     for (const std::uint32_t point : fans_.point) {
-      meshops::require(point < points.size(), "refine_filling: the surface has a corner that is no point");
+      meshops::require(point < points.size(), "refine_filling: the surface has a corner that is not a point");
       places_.push_back(points[point]);
     }
     at_ = TrianglesAt(fans_.triangles, size());

@@ -224,7 +224,7 @@ std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid) {
 }
 
 PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, double alpha) {
-  meshops::require(radii.size() == solid.simplices.size(), "radii: expected one for each tetrahedron");
+  meshops::require_one_each("radii", radii.size(), "values", solid.simplices.size(), "tetrahedra");
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   PeriodicSolid part{.box = solid.box,
                      .vertices = solid.vertices,

@@ -133,7 +133,7 @@ BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary
   if (boundary.triangles.empty()) return {};
   for (const Triangle& t : boundary.triangles)
     meshops::require(std::max({t[0], t[1], t[2]}) < points.size(),
-                     "measure: a triangle of the boundary has a corner that is no point");
+                     "measure: a triangle of the boundary has a corner that is not a point");
   std::vector<std::uint32_t> all(boundary.triangles.size());
   std::iota(all.begin(), all.end(), std::uint32_t{0});
   const space::ClosedMeasures of = space::Measures(points).of(boundary.triangles, all);

@@ -32,7 +32,7 @@ struct SolidLocator::Walk {
 SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                            std::span<const std::array<std::uint32_t, 4>> neighbors)
     : points_(points), simplices_(simplices), neighbors_(neighbors) {
-  meshops::require(simplices.size() == neighbors.size(), "SolidLocator: expected neighbors for each tetrahedron");
+  meshops::require_one_each("SolidLocator", neighbors.size(), "rows of neighbors", simplices.size(), "tetrahedra");
   for (std::size_t t = 0; t < simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k)
       meshops::require(

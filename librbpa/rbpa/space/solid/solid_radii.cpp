@@ -27,11 +27,12 @@ using Row = std::array<std::uint32_t, 4>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void require_radii(const Solid& solid, std::span<const double> radii) {
-  meshops::require(radii.size() == solid.simplices.size(), "radii: expected one for each tetrahedron");
+  meshops::require_one_each("radii", radii.size(), "values", solid.simplices.size(), "tetrahedra");
 }
 
 void require_share(double share) {
-  meshops::require(share > 0 && share <= 1, "min_alpha, auto_alpha: expected a share above 0, and at most 1");
+  if (!(share > 0 && share <= 1))
+    throw meshops::ContractViolation("share is " + text(share) + ", expected a number above 0 and at most 1");
 }
 
 /// Returns the least count with count / all ≥ share, divided in double.

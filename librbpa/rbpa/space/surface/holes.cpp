@@ -136,8 +136,8 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   space::check_points(points);
   space::check_normals(points, normals);
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
-  meshops::require(surface.levels.size() == surface.triangles.size() || (surface.levels.empty() && radii.size() == 1),
-                   "holes: expected a level for each triangle");
+  if (!surface.levels.empty() || radii.size() != 1)
+    meshops::require_one_each("holes", surface.levels.size(), "levels", surface.triangles.size(), "triangles");
   const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   std::vector<Hole> curves = surface_curves(points, surface, go_on);
   Steps step(go_on);

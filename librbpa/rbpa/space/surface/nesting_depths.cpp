@@ -120,7 +120,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
     for (const Triangle& triangle : surfaces[s]) {
       step();
       for (const std::uint32_t corner : triangle) {
-        meshops::require(corner < points.size(), "nesting_depths: a triangle has a corner that is no point");
+        meshops::require(corner < points.size(), "nesting_depths: a triangle has a corner that is not a point");
         corners[s].push_back(corner);
       }
     }

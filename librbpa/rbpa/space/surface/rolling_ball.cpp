@@ -1,6 +1,7 @@
 #include "rbpa/space/surface/rolling_ball.h"
 
 #include <algorithm>
+#include <string>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/duplicate.h"
@@ -45,7 +46,7 @@ class RollingBall::Inside {
     return fits_double_ ? rolls<double>(a, b) : rolls<long double>(a, b);
   }
   std::vector<Triangle> triangles_from(std::uint32_t first) const {
-    meshops::require(first < points_.size(), "RollingBall: no such point");
+    require_point(first);
     const space::Site v = site(first);
     if (v == no_site) return {};
     space::Rings rings;
@@ -64,11 +65,16 @@ class RollingBall::Inside {
     return found;
   }
   bool agrees(const Triangle& triangle) const {
-    for (const std::uint32_t corner : triangle) meshops::require(corner < points_.size(), "RollingBall: no such point");
+    for (const std::uint32_t corner : triangle) require_point(corner);
     return agreement_(triangle[0], triangle[1], triangle[2]);
   }
 
  private:
+  void require_point(std::uint32_t i) const {
+    if (i >= points_.size())
+      throw meshops::ContractViolation("RollingBall: found point " + std::to_string(i) + ", expected one of " +
+                                       std::to_string(points_.size()) + " points");
+  }
   Inside(std::span<const Point3> points, std::span<const Point3> normals, const space::ScaledPoints& scaled)
       : points_(points.begin(), points.end()),
         normals_(normals.begin(), normals.end()),

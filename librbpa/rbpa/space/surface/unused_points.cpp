@@ -26,7 +26,7 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   std::vector<std::uint8_t> is_used(points, 0);
   for (const auto& triangle : surface.triangles)
     for (const std::uint32_t corner : triangle) {
-      meshops::require(corner < points, "unused_points: a triangle has a corner that is no point");
+      meshops::require(corner < points, "unused_points: a triangle has a corner that is not a point");
       is_used[corner] = 1;
     }
   std::vector<UnusedPoint> unused;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -92,7 +93,9 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
       meshops::require(side != sides.end() && find(sides, from, to) == sides.end(),
                        "fill_holes: a loop has an edge that is not a boundary side with its triangle to the right");
       const auto number = static_cast<std::size_t>(side - sides.begin());
-      meshops::require(!is_used[number], "fill_holes: loops pass a boundary side twice, expected once");
+      if (is_used[number])
+        throw meshops::ContractViolation("fill_holes: the loops pass the edge from vertex " + std::to_string(from) +
+                                         " to vertex " + std::to_string(to) + " twice, expected once");
       is_used[number] = true;
       across.push_back(side->across);
     }

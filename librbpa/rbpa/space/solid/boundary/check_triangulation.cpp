@@ -9,12 +9,11 @@ namespace rbpa::space {
 
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii) {
-  meshops::require(radii.size() == delaunay.simplices.size(),
-                   (function + ": expected a radius for each tetrahedron").c_str());
+  meshops::require_one_each(function, radii.size(), "radii", delaunay.simplices.size(), "tetrahedra");
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    (function + ": the triangulation has no neighbors").c_str());
   meshops::require(corner_bound<4>(delaunay.simplices) <= points.size(),
-                   (function + ": a tetrahedron has a corner that is no point").c_str());
+                   (function + ": a tetrahedron has a corner that is not a point").c_str());
 }
 
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
