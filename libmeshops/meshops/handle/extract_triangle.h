@@ -1,5 +1,6 @@
 // What:   removes a triangle from a mesh as one step: the inverse of insert_triangle().
-// Law:    leaves the same mesh as remove_triangle(), without making and deleting the elements that unglue() would.
+// Law:    leaves the same edges and faces as remove_triangle(), without making and deleting the elements that unglue()
+//         would. A corner without other faces stays, as an isolated vertex.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003).
 #pragma once
 

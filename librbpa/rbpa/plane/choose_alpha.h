@@ -15,7 +15,7 @@
 namespace rbpa {
 
 struct ChosenAlpha {
-  std::optional<double> alpha = std::nullopt;  ///< absent: the points have no triangle at any radius
+  std::optional<double> alpha = std::nullopt;  ///< absent: the rule finds no radius, as on a line
   std::vector<Plateau> plateaus = {};          ///< all of them, the best first, if the rule is `plateau`
 };
 
