@@ -160,7 +160,7 @@ int main() {
   const std::vector<Loop> loops = short_loops(mesh);
   std::printf("loops: %zu, of %zu edges\n", loops.size(), loops.front().size());
 
-  // Cut open, the sheet is a disc; glued back, it is as it was before.
+  // Cut open, the sheet is a disc; glued back, it is restored.
   const std::vector<UnglueEffect> cuts = cut_open(mesh, homology(mesh));
   print("cut open", mesh);
   glue_back(mesh, cuts);

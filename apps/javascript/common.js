@@ -37,7 +37,7 @@ export class InvalidInput extends Error {
   name = "InvalidInput";
 }
 
-/** Returns the coordinates of points as flat numbers; a typed array is used as it is. */
+/** Returns the coordinates of points as flat numbers; a typed array is used unchanged. */
 function flat(points, dimension, name) {
   if (points == null || typeof points.length !== "number")
     throw new InvalidInput(`${name}: found ${points}, expected an array of points or of numbers`);

@@ -74,7 +74,7 @@ std::string roff(const std::string& text) {
   return shown;
 }
 
-/// Converts text to roff. Indented lines are kept as they are, others become paragraphs.
+/// Converts text to roff. Indented lines stay unchanged, others become paragraphs.
 std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string shown;

@@ -138,7 +138,7 @@ TEST_SUITE("bad input") {
 }
 
 TEST_SUITE("wrong usage") {
-  TEST_CASE("an alpha that is no radius is refused") {
+  TEST_CASE("an alpha that is not a radius is refused") {
     const Folder folder;
     folder.file("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})

@@ -39,7 +39,7 @@ bool has_ended(pid_t process) {
   return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == process;
 }
 
-/// Runs `rbpa info` on a large file, and `change(path)` once it has read a part. Returns the message.
+/// Runs `rbpa info` on a large file, and `change(path)` after it has read a part. Returns the message.
 std::string message_after(const std::function<void(const std::string&)>& change, Ending& ending) {
   const Folder folder;
   const std::string path = folder.file("p.f64xy", ""), errors = folder.file("errors", "");

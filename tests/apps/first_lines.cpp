@@ -48,7 +48,7 @@ CloudRequest where(const std::string& condition) { return {.where = Condition(co
 }  // namespace
 
 TEST_SUITE("first lines") {
-  TEST_CASE("text that is nearly a number is no name") {
+  TEST_CASE("text that is nearly a number is not a name") {
     for (const std::string field : {"1", "-1.5", "1.0D0",
                                     "\xE2\x88\x92"
                                     "1",
@@ -280,9 +280,9 @@ TEST_SUITE("first lines") {
     CHECK(frames.warnings ==
           std::vector<std::string>{
               "the atoms are the 1 that line 1 counts, of the first frame; what follows them is left out"});
-    // A count before x, y, z and an intensity is no number of atoms.
+    // A count before x, y, z and an intensity is not a number of atoms.
     CHECK(plane("2\n10.5 0 1 5\n1 0 2 5\n", {}, "m.xyz").points == Points{{10.5, 0}, {1, 0}});
-    // Without a sign that these are atoms, numbers of elements are no coordinates.
+    // Without a sign that these are atoms, numbers of elements are not coordinates.
     const std::string bare = "6 0.5 0 1\n7 1 0 2\n8 0 1.5 3\n";
     CHECK(refusal([&] { plane(bare, {}, "m.xyz"); }).find("--columns 2,3 reads atoms") != std::string::npos);
     CHECK(refusal([&] { space(bare, {}, Format::text, "m.xyz"); }).find("--columns 2,3,4 reads atoms") !=

@@ -362,7 +362,7 @@ TEST_SUITE("full complex") {
             "m.points.npy: found the file of points, expected another file to write to");
   }
 
-  TEST_CASE("files beside an array take its name without its ending") {
+  TEST_CASE("files that accompany an array take its name without its ending") {
     const Folder folder;
     folder.file("p.xy", small);
     CHECK(folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o a.v1 -o b.NPY --output-format npy -q").code == 0);

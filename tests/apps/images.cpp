@@ -1,4 +1,4 @@
-// The figure of an image is the same set of points for every kind of file, and files that are no image are refused.
+// The figure of an image is the same set of points for every kind of file, and files that are not images are refused.
 #include <doctest/doctest.h>
 
 #include <algorithm>

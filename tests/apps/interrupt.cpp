@@ -64,7 +64,7 @@ double seconds_of_children() {
   getrusage(RUSAGE_CHILDREN, &usage);
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
-/// Returns the processor time of a running process; nothing once it has ended.
+/// Returns the processor time of a running process; nothing after it has ended.
 std::optional<double> seconds_of(pid_t id) {
   std::ifstream file("/proc/" + std::to_string(id) + "/stat");
   std::stringstream text;

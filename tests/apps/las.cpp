@@ -1,4 +1,4 @@
-// LAS byte by byte as its specification says: every version, point format and field; and files that are no LAS.
+// LAS byte by byte as its specification says: every version, point format and field; and files that are not LAS.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -290,7 +290,7 @@ TEST_SUITE("las") {
       std::string bytes = bytes_of(las);
       return bytes.replace(247, 8, little(count, 8)).replace(107, 4, little(count, 4));
     };
-    // Records after the points are no points.
+    // Records after the points are not points.
     CHECK(read(file(20)).points.size() == 20);
     CHECK(refusal(file(7)) ==
           "p.las: found 20 whole records of 30 bytes, expected 7 as the header says (--skip-invalid reads as many as "

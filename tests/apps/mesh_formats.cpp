@@ -45,7 +45,7 @@ void is_pyramid(const MeshFile& mesh) {
 }  // namespace
 
 TEST_SUITE("mesh formats") {
-  TEST_CASE("OFF is read with prefixes, comments, blank lines, counts beside the word, normals and colors") {
+  TEST_CASE("OFF is read with prefixes, comments, blank lines, counts next to the word, normals and colors") {
     is_pyramid(read(pyramid_off, Format::off));
     is_pyramid(
         read("OFF 5 5 0 # counts\n\n0 0 0\n1 0 0 # here\n1 1 0\n0 1 0\n0.5 0.5 1\n"

@@ -372,7 +372,7 @@ TEST_SUITE("meshtopo --repair") {
       }
   }
 
-  TEST_CASE("a mesh without defects comes back as it was") {
+  TEST_CASE("a mesh without defects is written unchanged") {
     const Folder folder;
     const std::string path = (rbpa_test::bundled_data() / "m3_bob.off").string();
     REQUIRE(folder.meshtopo("'" + path + "' --repair -o bob.ply -q").code == 0);
@@ -452,7 +452,7 @@ TEST_SUITE("meshtopo --generators") {
     CHECK(json::parse(folder.content("l.json"))[0]["kind"] == "unknown");
   }
 
-  TEST_CASE("a mesh that is no surface is refused, and its repair is taken instead") {
+  TEST_CASE("a mesh that is not a surface is refused, and its repair is taken instead") {
     const Folder folder;
     folder.file("m.off", broken);
     const Outcome outcome = folder.meshtopo("m.off --generators l.obj");

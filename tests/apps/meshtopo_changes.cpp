@@ -63,7 +63,7 @@ TEST_SUITE("meshtopo --weld") {
     }
   }
 
-  TEST_CASE("clusters far from each other are welded, also by a distance that is tiny beside the box") {
+  TEST_CASE("clusters far from each other are welded, also by a distance that is tiny compared to the box") {
     Positions positions;
     for (const double far : {0.0, 1e300, -1e300})
       for (int i = 0; i < 5; ++i) positions.push_back({far, static_cast<double>(i), 0});
@@ -183,7 +183,7 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
         "OFF\n8 8 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n5 5 5\n-1 0 0\n0 -1 0\n9 9 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
         "3 1 2 4\n3 0 5 6\n3 0 1 2\n3 7 7 4\n");
     const json r = changed(folder, "m.off --keep-largest 1 -o k.off --check closed,manifold,oriented,components=1");
-    CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces beside the fin are connected through the others
+    CHECK(r["result"]["faces"] == 4);  // the tetrahedron: its faces next to the fin are connected through the others
   }
 
   TEST_CASE("the options take the same words as those of rbpa surface") {
@@ -248,8 +248,8 @@ TEST_SUITE("meshtopo --orient") {
   TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
     std::mt19937 random(57);
     for (int trial = 0; trial < 40; ++trial) {
-      // Boxes in boxes, or beside them: the position of each in its parent is known, and its corners and sides may
-      // touch those of the parent.
+      // Boxes inside or outside of each other: the position of each in its parent is known, and its corners and sides
+      // may touch those of the parent.
       struct Box {
         std::array<double, 3> low, high;
         std::size_t depth;
@@ -309,7 +309,7 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(of_other["changes"]["orient"]["faces_reversed"] == 0);
     CHECK(of_other["volume"] == 7);
     CHECK(of_other["result"]["volume"] == 7);
-    // The shell of a sphere's points has a void, whose wall the program writes as it is.
+    // The shell of a sphere's points has a void. The program writes the wall of the void unchanged.
     std::string points;
     for (int i = 0; i < 400; ++i) {
       const double h = 1 - (2.0 * i + 1) / 400, s = std::sqrt(1 - h * h), a = 2.39996322972865332 * i;
@@ -325,7 +325,7 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(solid["volume"] == solid["result"]["volume"]);
   }
 
-  TEST_CASE("a non-orientable component is reported by its first face and left as it is; open ones are oriented") {
+  TEST_CASE("a non-orientable component is reported by its first face and stays unchanged; open ones are oriented") {
     const Folder folder;
     folder.file("m.off",
                 "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n8 0 0\n9 0 0\n9 1 0\n8 1 0\n3 5 6 7\n3 5 7 8\n3 6 5 5\n"

@@ -38,7 +38,7 @@ Mesh sheet(std::uint32_t n) {
 }  // namespace
 
 TEST_SUITE("meshtopo --fill-holes") {
-  TEST_CASE("a box without faces is whole again; the faces that were there are as they were, in any order") {
+  TEST_CASE("a box without faces is whole again; the given faces are unchanged, in any order") {
     std::mt19937 random(61);
     const Folder folder;
     for (const std::vector<std::size_t>& without : {std::vector<std::size_t>{5}, {0, 1}, {0, 2}, {0, 2, 4}}) {
@@ -125,7 +125,7 @@ TEST_SUITE("meshtopo --fill-holes") {
     CHECK(changed(folder, "m.off -o w.off --fill-holes all --check closed")["result"]["components"] == 2);
   }
 
-  TEST_CASE("vertices at which fans of faces meet are not split, and those at one place along a hole become one") {
+  TEST_CASE("vertices at which fans of faces meet are not split, and those at one place along a hole are merged") {
     const Folder folder;
     // Two tetrahedra with an open face each, and a common vertex.
     folder.file("p.off",
@@ -153,7 +153,7 @@ TEST_SUITE("meshtopo --fill-holes") {
           "3 1 6 5\n3 2 7 4\n3 2 5 7\n");
   }
 
-  TEST_CASE("a filled mesh is a surface: where vertices become one, edges of more than two faces are cut") {
+  TEST_CASE("a filled mesh is a surface: where vertices are merged, edges of more than two faces are cut") {
     for (const std::string name : {"plate.off", "box.off"}) {
       const Folder folder;
       CAPTURE(name);

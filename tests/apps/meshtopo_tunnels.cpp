@@ -130,7 +130,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
     CHECK(r["changes"]["tunnels"]["closed"] == 0);
     CHECK(r["changes"]["tunnels"]["left"].get<int>() >= 1);
     CHECK(folder.content("w.off") == folder.content("m.off"));
-    // A square with a hole: a loop generates its homology, and is no tunnel.
+    // A square with a hole: a loop generates its homology, and is not a tunnel.
     folder.file("s.off",
                 "OFF\n8 4 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n"
                 "4 3 0 4 7\n");

@@ -96,7 +96,7 @@ TEST_SUITE("molecules") {
     CHECK(read(cif, Format::cif, "name == 'N A'").points.size() == 1);
     CHECK(count("altloc in ('', 'A')") == 3);
     CHECK(count("element == 'X' and name < 3") ==
-          0);  // a field that is no number is not read if the first condition decides
+          0);  // a field that is not a number is not read if the first condition decides
     CHECK_THROWS_WITH(read(pdb, Format::pdb, "element == 'N' and name < 3 or name < 3"),
                       "m:3: found 'N' as name, expected a number, as --where compares the column with numbers (== "
                       "\"...\" compares it with a text)");

@@ -110,7 +110,7 @@ class Texts {
     }
     return text;
   }
-  /// A number half way between two doubles, or one unit of its last place beside it.
+  /// A number half way between two doubles, or one unit of its last place next to it.
   std::string halfway() {
     std::uint64_t w = std::uint64_t{1} << 54U | below(std::uint64_t{1} << 53U) << 1U | 1U;
     const std::uint64_t places = below(4);

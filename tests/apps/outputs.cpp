@@ -61,7 +61,7 @@ TEST_SUITE("outputs") {
     CHECK(nlohmann::json::parse(folder.content("s.json"))["alpha"] == "inf");
   }
 
-  TEST_CASE("choosing alpha by a rule has a time of its own, beside that of building") {
+  TEST_CASE("choosing alpha by a rule and building have separate times") {
     const Folder folder;
     for (const std::string verb : {"mesh ", "shape "})
       for (const auto& [alpha, chosen] : {std::pair{"auto", true}, {"min", true}, {"0.02", false}}) {

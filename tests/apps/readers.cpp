@@ -1,4 +1,4 @@
-// Every reader of files: its result is the same for names that are no UTF-8, and for pipes.
+// Every reader of files: its result is the same for names that are not UTF-8, and for pipes.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 

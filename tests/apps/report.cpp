@@ -236,7 +236,7 @@ TEST_SUITE("report") {
     CHECK(page.starts_with("<!DOCTYPE html>\n"));
     CHECK(page.ends_with("</html>\n"));
     CHECK(page.find("content=\"default-src 'none';") != std::string::npos);
-    // A name space is no request.
+    // A name space is not a request.
     const std::string without = std::regex_replace(page, std::regex("http://www\\.w3\\.org/2000/svg"), "");
     for (const char* reference :
          {"http:", "https:", "src=", "@import", "url(", "fetch(", "XMLHttpRequest", "<link", "import("})

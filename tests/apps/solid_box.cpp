@@ -101,8 +101,8 @@ TEST_SUITE("solid box") {
   }
 
   TEST_CASE("a zeolite lets a sphere of 4.15 pass, and has a closed void in each cage above") {
-    // LTA, 2 × 2 × 2 cells: a window of 8 oxygens, at alpha = 1.35 + 4.15 / 2, is the way from cage to cage; beside
-    // each cage there is a small one.
+    // LTA, 2 × 2 × 2 cells: a window of 8 oxygens, at alpha = 1.35 + 4.15 / 2, is the way from cage to cage; next
+    // to each cage there is a small one.
     const Folder folder;
     const std::string oxygens = "'" RBPA_TEST_DATA "/findings/mol_03_zeolite_window/lta_O_2x2x2.xyz' --box 23.838 ";
     const auto voids = [&](const std::string& options) {

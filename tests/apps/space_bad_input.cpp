@@ -127,7 +127,7 @@ TEST_SUITE("bad points of space") {
     CHECK(table("", "1,2,0") == "--columns: found '0', expected a column number from 1 or a column name");
   }
 
-  TEST_CASE("a field that is no finite number is refused") {
+  TEST_CASE("a field that is not a finite number is refused") {
     CHECK(table("0 0 0\n# x\n1 2 abc\n") == "p:3: found 'abc', expected a number");
     CHECK(table("0 0 0\n1 2 3x\n") == "p:2: found '3x', expected a number");
     CHECK(table("0 0 0\n1 nan 3\n") == "p:2: found 'nan', expected a finite number" + skip);

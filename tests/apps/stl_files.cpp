@@ -83,7 +83,7 @@ TEST_SUITE("STL: after the last facet") {
     const Outcome outcome = folder.meshtopo("m.stl --check closed,vertices=5,faces=6");
     CHECK(outcome.code == 0);
     CHECK(outcome.err == "meshtopo: m.stl: 15 bytes of attributes are left out\n");
-    // A color in the attributes is no length.
+    // A color in the attributes is not a length.
     std::string colored = plain;
     colored[84 + 48] = '\x05';
     folder.file("c.stl", colored);
@@ -185,8 +185,8 @@ TEST_SUITE("single precision") {
   }
 
   TEST_CASE("STL of every verb passes the promised check, near and far from the origin") {
-    // A shift of whole numbers changes nothing; beside a map's coordinates the sphere has some hundred places in single
-    // precision.
+    // A shift of whole numbers changes nothing; far from the origin, at a map's coordinates, single precision has
+    // some hundred places across the sphere.
     for (const double far : {0.0, 100.0, 500000.0, 3e7}) {
       const Folder folder;
       CAPTURE(far);

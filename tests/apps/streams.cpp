@@ -116,7 +116,7 @@ TEST_SUITE("messages") {
     CHECK(printable("\xE2\x80\xA6") == "\xE2\x80\xA6");     // three dots
   }
 
-  TEST_CASE("bytes that are no UTF-8 are escaped one by one") {
+  TEST_CASE("bytes that are not UTF-8 are escaped one by one") {
     CHECK(printable("\xFF"
                     "a\x80") == "\\xffa\\x80");
     CHECK(printable("\xC3") == "\\xc3");  // cut off

@@ -117,7 +117,7 @@ TEST_SUITE("surface") {
     CHECK(lines.ends_with(loop));
   }
 
-  TEST_CASE("--stats and --json agree, and unused points are listed beside their number") {
+  TEST_CASE("--stats and --json agree, and unused points are listed with their number") {
     const Folder folder;
     folder.file("s.xyz", "9 9 9 0 0 1\n" + sphere(500, 0.7) + "5 5 5 0 0 1\n");
     const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --json --stats s.json");

@@ -203,7 +203,7 @@ TEST_SUITE("systems of coordinates") {
     }
   }
 
-  TEST_CASE("a code in meters beside feet gives a warning with the codes to give") {
+  TEST_CASE("a code in meters together with feet gives a warning with the codes to give") {
     const Folder folder;
     const auto warning = [&](const LasRecord& one) {
       folder.file("p.las", las({one}));

@@ -40,7 +40,7 @@ const CloudRequest skipping{.skip_invalid = true};
 }  // namespace
 
 TEST_SUITE("tables of people") {
-  TEST_CASE("columns are found by their names, in any order and beside any others") {
+  TEST_CASE("columns are found by their names, in any order and among any others") {
     struct Names {
       std::string x, y;
       bool degrees;
@@ -226,7 +226,7 @@ TEST_SUITE("tables of people") {
     CHECK(refused("grp == 'A").find("expected a number or the name of a column") != std::string::npos);
   }
 
-  TEST_CASE("geometries are preferred to coordinates beside them, with a message") {
+  TEST_CASE("geometries are preferred to coordinates in the same table, with a message") {
     const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
     const PointFile file = read(lines);
     CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});

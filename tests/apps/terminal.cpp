@@ -30,7 +30,7 @@ std::string seen_on_terminal(const Child::Command& command, bool output_too = fa
   });
   std::string text;
   char buffer[4096];
-  // Reading fails once the child has closed the terminal, and also before it has opened it.
+  // Reading fails after the child has closed the terminal, and also before it has opened it.
   for (bool ended = false; !ended;) {
     ended = child.has_ended();
     for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;) text.append(buffer, static_cast<std::size_t>(n));

@@ -54,7 +54,7 @@ TEST_SUITE("well-known text in") {
     CHECK(vertices_of("MULTIPOLYGON (((0 0, 1 0, 0 0)), EMPTY, ((1 1, 0 1, 1 1)))") == square);
     CHECK(vertices_of("TRIANGLE ((0 0, 1 0, 1 1, 0 0)) POINT (0 1)") == square);
     CHECK(vertices_of("TIN (((0 0, 1 0, 1 1, 0 0)), ((0 1, 0 1)))") == square);
-    CHECK(vertices_of("LINESTRING (0 0, 1 0, 0 0)").size() == 3);  // a line that comes back is no ring
+    CHECK(vertices_of("LINESTRING (0 0, 1 0, 0 0)").size() == 3);  // a line that comes back is not a ring
   }
 
   TEST_CASE("every double is read to the last bit") {

@@ -26,7 +26,7 @@ struct Column {
   Method method;
 };
 
-/// File with one curve for each method, written beside its target and renamed when everything is measured.
+/// File with one curve for each method, written in the folder of its target and renamed when everything is measured.
 class CurveFile {
  public:
   /// Starts a file whose first column is `x`; the number of points is another column, unless it is `x`.

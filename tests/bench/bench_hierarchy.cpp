@@ -1,4 +1,4 @@
-// Measures hrbpa() beside rbpa() and CGAL, in turn on the same points, one thread (docs/explanation/plane.md,
+// Measures hrbpa(), rbpa() and CGAL, in turn on the same points, one thread (docs/explanation/plane.md,
 // section 17).
 //   bench_hierarchy [--runs=N] [--points=N]      5 runs of each in turn, on 1,000,000 points
 #include <cmath>

@@ -1,5 +1,5 @@
-// Measures small sets one after the other in one process, beside CGAL; the first call of a process; many groups in one
-// call.
+// Measures small sets one after the other in one process, compared with CGAL; the first call of a process; many groups
+// in one call.
 //   bench_small [--runs=N] [--points=N]      9 rounds; 200,000 points in each size, 30 times as many in groups
 #include <array>
 #include <cmath>

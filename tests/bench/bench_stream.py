@@ -1,4 +1,4 @@
-"""Measures points that do not fit into memory: `rbpa stream` on files made for it, beside reading the input twice,
+"""Measures points that do not fit into memory: `rbpa stream` on files made for it, next to reading the input twice,
 writing the output once, and computing in memory, on the same machine at the same time. Prints the tables of
 docs/how_to/more_points_than_memory.md, section 2, as Markdown.
 

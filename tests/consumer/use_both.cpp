@@ -51,7 +51,7 @@ int main() {
   expect(rbpa::count(complex).boundary_curves == 1, "the square has one boundary");
   try {
     rbpa::rbpa(points, std::numeric_limits<double>::quiet_NaN());
-    expect(false, "a radius that is no number is refused");
+    expect(false, "a radius that is not a number is refused");
   } catch (const rbpa::InvalidInput&) {
   }
   return failures;

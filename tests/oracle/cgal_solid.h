@@ -15,7 +15,7 @@ struct CgalSolid {
   bool bounds_a_volume = false;
 };
 
-/// Reads an OFF file, without any repair. Throws std::runtime_error when its faces are no oriented manifold.
+/// Reads an OFF file, without any repair. Throws std::runtime_error when its faces are not an oriented manifold.
 CgalSolid cgal_solid(const std::string& path);
 
 }  // namespace rbpa_test

@@ -13,7 +13,7 @@ namespace rbpa_test {
 
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
-/// Tetrahedra by the lowest indices at their corners, positively oriented, the two least corners first, sorted; and the
+/// Tetrahedra, sorted: each with the lowest indices of its corners, positively oriented, the two lowest first; and the
 /// tetrahedra across from their corners, or 0xffffffff.
 struct TetrahedraByCgal {
   std::vector<Tetrahedron> simplices, neighbors;
@@ -31,7 +31,7 @@ class DelaunayByCgal {
   std::vector<Tetrahedron> cells_, neighbors_;
 };
 
-/// Puts the two least corners first, by an even permutation, and permutes `beside` in the same way.
+/// Puts the two corners of lowest index first, by an even permutation, and permutes `beside` in the same way.
 void make_canonical(Tetrahedron& corners, Tetrahedron& beside);
 
 }  // namespace rbpa_test

@@ -77,7 +77,7 @@ TEST_CASE("both kernels of CGAL agree if both can be used") {
   }
 }
 
-TEST_CASE("a circumradius equal to alpha is within it, and the doubles beside alpha distinguish that") {
+TEST_CASE("a circumradius equal to alpha is within it, and the doubles next to alpha distinguish that") {
   for (const int exponent : {0, 1000, -1000, 300, -300}) {
     CAPTURE(exponent);
     const auto times = [&](double value) { return std::ldexp(value, exponent); };

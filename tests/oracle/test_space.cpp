@@ -270,7 +270,7 @@ TEST_CASE("cubes, slabs, tori and thin plates have CGAL's surface, at radii from
   for (const double thickness : {0.0, 1e-6, 0.01, 0.1}) check_radii(plate(count, thickness));
 }
 
-TEST_CASE("boxes of integer points with duplicates have CGAL's surface, at critical radii and beside them") {
+TEST_CASE("boxes of integer points with duplicates have CGAL's surface, at critical radii and next to them") {
   const Samples box = box_of_integers(6, 4, 3);
   for (const double radius : {0.5, std::sqrt(0.5), 1.0, 1.5, 2.0, 2.5, 3.0, 4.5})
     for (const double r : {radius, std::nextafter(radius, 0), std::nextafter(radius, 9)})

@@ -1,4 +1,4 @@
-"""Pictures: dense data are no blot, sparse data are visible, and axes are labeled."""
+"""Pictures: dense data remain distinct, sparse data are visible, and axes are labeled."""
 
 import math
 

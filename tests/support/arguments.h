@@ -1,4 +1,4 @@
-// What: reads numbers given to a test executable as --name=value, beside doctest's own options.
+// What: reads numbers given to a test executable as --name=value, in addition to doctest's own options.
 #pragma once
 
 #include <cstdint>

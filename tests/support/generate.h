@@ -75,7 +75,7 @@ Points triangles_3_4_5(int each, int scales);
 /// `count` points from (0, 0) in steps of (dx, dy) with gaps, shuffled.
 Points collinear_run(int count, double dx, double dy, std::uint64_t seed);
 
-/// The run with `off` points beside it.
+/// The run together with `off` points that are not on its line.
 Points collinear_run_with_points_off(int count, double dx, double dy, int off, std::uint64_t seed);
 
 /// Several runs that cross.
@@ -135,8 +135,8 @@ Points corners_of_range();
 /// Clusters of width 1e-300 at points 1e300 apart.
 Points far_and_tiny(std::size_t each, std::uint64_t seed);
 
-/// Uniform points, and `strangers` that no power of two makes fit beside them: far away on all sides, or among them but
-/// finer than anything there; some of them twice.
+/// Uniform points, and `strangers` that no power of two makes fit together with them: far away on all sides, or among
+/// them but finer than anything there; some of them twice.
 Points with_strangers(std::size_t count, std::size_t strangers, std::uint64_t seed);
 
 }  // namespace rbpa_test

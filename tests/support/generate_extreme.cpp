@@ -50,7 +50,7 @@ Points corners_of_range() {
 Points far_and_tiny(std::size_t each, std::uint64_t seed) {
   Random random(seed);
   Points points;
-  // Only near an axis can a tiny coordinate be beside a huge one.
+  // Only near an axis can a point have a tiny and a huge coordinate.
   for (const rbpa::Point& at :
        {rbpa::Point{0, 0}, rbpa::Point{1e300, 0}, rbpa::Point{0, 1e300}, rbpa::Point{-1e300, 0}})
     for (std::size_t i = 0; i < each; ++i) {

@@ -12,9 +12,10 @@
 namespace rbpa_test {
 
 /// Returns the first broken law of polygons that were not filtered, "" when there is none. A law is broken when
-///   a ring is too short, passes a point twice, does not begin with its least point; rings or polygons are out of
-///   order; a boundary edge of the triangles is not on one ring, in its direction, or a ring has another edge; a
-///   polygon is not the boundary of one solid component, or has not one hole for each of that component's.
+///   a ring is too short, passes a point twice, does not begin with its lexicographically least point; rings or
+///   polygons are out of order; a boundary edge of the triangles is not on one ring, in its direction, or a ring has
+///   another edge; a polygon is not the boundary of one solid component, or has not one hole for each of that
+///   component's.
 std::string wrong_with_polygons(const std::vector<rbpa::Polygon>& polygons, const std::vector<Triangle>& triangles,
                                 std::span<const rbpa::Point> points);
 

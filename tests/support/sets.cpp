@@ -8,7 +8,7 @@
 namespace rbpa_test {
 namespace {
 
-/// Returns the radius of a tie, and the doubles beside it.
+/// Returns the radius of a tie, and the doubles next to it.
 std::vector<double> around(double alpha) {
   return {std::nextafter(alpha, 0.0), alpha, std::nextafter(alpha, std::numeric_limits<double>::infinity())};
 }

@@ -22,7 +22,7 @@ enum class SpaceKind {
   plane,         ///< exactly on a plane that contains no axis
   plane_grid,    ///< on an integer grid in an axis plane
   line,          ///< exactly on a line
-  line_and_few,  ///< points on a line, and some beside it
+  line_and_few,  ///< points on a line, and some off it
   plate,         ///< two sheets nearer to each other than the points on them
   noisy_sphere,  ///< points of a sphere, with noise
   clusters,      ///< clusters whose sizes differ by powers of ten

@@ -11,7 +11,7 @@ namespace rbpa::app {
 
 /// The way to read a file that begins like a gzip file.
 struct Decompression {
-  bool is_wanted = true;     ///< false: the file is read as it is
+  bool is_wanted = true;     ///< false: the file is read unchanged
   bool is_of_text = false;   ///< refuse zero bytes, of which a few kilobytes would become a line of gigabytes
   std::string way_out = {};  ///< end of the message that the limit is exceeded
 };

@@ -36,7 +36,7 @@ class OutputFile {
   }
   void write_number(double value);         ///< the shortest text that reads back to it
   void write_number(std::uint64_t value);  ///< decimal text
-  /// Writes texts as they are, and numbers as write_number() does.
+  /// Writes texts unchanged, and numbers as write_number() does.
   template <typename... Parts>
   void write_all(const Parts&... parts) {
     (write_part(parts), ...);

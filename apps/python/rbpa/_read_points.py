@@ -90,7 +90,7 @@ def read_points(
 
 
 def _field(values: Any) -> Any:
-    """Returns numbers as they are, and texts by their numbers."""
+    """Returns numbers unchanged, and texts by their numbers."""
     if not isinstance(values, tuple):
         return values
     numbers, texts = values

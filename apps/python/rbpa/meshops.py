@@ -90,7 +90,7 @@ class Repair(NamedTuple):
 
 
 def repair(faces: Faces, points: Optional[int] = None) -> Repair:
-    """Makes an oriented manifold of any faces, and lists the changes. Faces without a defect stay as they are.
+    """Makes an oriented manifold of any faces, and lists the changes. Faces without a defect stay unchanged.
 
     Parameters are those of `Mesh`, which takes the result: ``Mesh(r.faces, len(r.stands_on))``.
     """

@@ -67,7 +67,7 @@ class Scene {
     });
   }
 
-  /// The law: a run that reports a failure has left everything as it was, and one that reports success has made all
+  /// The law: a run that reports a failure has changed nothing, and one that reports success has made all
   /// files. `heard`: its messages have a place to go to.
   void check(const Ending& ending, const Reference& reference, bool heard = true) const {
     CAPTURE(ending.code);

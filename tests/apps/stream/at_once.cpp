@@ -44,7 +44,7 @@ pid_t dead_process() {
 
 }  // namespace
 
-TEST_CASE("twelve runs at once in one folder, beside the leftovers of dead ones, all finish and leave nothing") {
+TEST_CASE("twelve runs at once in one folder, next to the leftovers of dead ones, all finish and leave nothing") {
   const Folder folder;
   make_input(folder, 2000);
   Child alone(command(folder, "t.npy"));

@@ -146,7 +146,7 @@ TEST_CASE("a signal ends a run at once; its scratch stays only if it was named")
     }
 }
 
-TEST_CASE("the next run removes the leftovers of a killed one beside its target") {
+TEST_CASE("the next run removes the leftovers of a killed one next to its target") {
   const Folder folder;
   make_input(folder, 10 * some);
   Child child(command(folder, {}));

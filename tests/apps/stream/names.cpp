@@ -68,7 +68,7 @@ TEST_CASE("inputs, targets and scratch may have names in Latin-1") {
   CHECK(name.err.find("--resume: found the input ") != std::string::npos);
 }
 
-TEST_CASE("a pipe or a device is refused at once, before anything is made of files beside it") {
+TEST_CASE("a pipe or a device is refused at once, before anything is made of the other files") {
   const Folder folder;
   folder.file("p.xy", points());
   for (const char* name : {"f.npy", "f.xy", "f.las", "f.csv.gz"}) {

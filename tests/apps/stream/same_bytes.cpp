@@ -21,7 +21,7 @@ namespace {
 
 void check_all_tiles(const Points& points, double alpha, const std::vector<std::uint64_t>& sizes) {
   CAPTURE(alpha);
-  if (alpha == 0) return;  // half of the least double is no radius
+  if (alpha == 0) return;  // half of the least double is not a radius
   const Folder folder;
   folder.file("p.f64xy", raw(points));
   const Made expected = wanted(folder, "p.f64xy", alpha);
@@ -39,7 +39,7 @@ TEST_CASE("generated sets have the same bytes in tiles of a few points and of mo
     if (robustness::moments() <= 8 && number++ % 3 != 0) continue;
     CAPTURE(set.name);
     const Points points = set.make();
-    if (points.empty()) continue;  // no bytes are no file of points
+    if (points.empty()) continue;  // an empty file is not a file of points
     const double spacing = rbpa_test::mean_spacing(points);
     std::vector<double> alphas = set.alphas;
     alphas.push_back(spacing);

@@ -1,4 +1,4 @@
-// A program that runs beside the test, which can watch, hinder and end it.
+// A program that runs at the same time as the test, which can watch, hinder and end it.
 #pragma once
 
 #include <sys/types.h>

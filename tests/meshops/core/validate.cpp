@@ -32,7 +32,7 @@ struct Pair {
 TEST_SUITE("validate") {
   TEST_CASE_FIXTURE(Pair, "a sound mesh has no defect") { CHECK(validate(mesh).empty()); }
 
-  TEST_CASE_FIXTURE(Pair, "isolated vertices are no defects") {
+  TEST_CASE_FIXTURE(Pair, "isolated vertices are not defects") {
     mesh.new_vertex();
     CHECK(validate(mesh).empty());
   }

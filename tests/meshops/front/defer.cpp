@@ -232,8 +232,8 @@ TEST_SUITE("defer") {
     CHECK(policy.proposed_for == first + second + first);
   }
 
-  TEST_CASE("a polygon is cut into ears from any edge: an edge that is no ear yet waits until it is") {
-    // A comb of unit squares on integer sites: most corners are no ears at first.
+  TEST_CASE("a polygon is cut into ears from any edge: an edge that is not an ear yet waits until it is") {
+    // A comb of unit squares on integer sites: most corners are not ears at first.
     std::vector<std::array<int, 2>> at;
     const int teeth = 12;
     for (int i = 0; i < teeth; ++i) at.insert(at.end(), {{4 * i, 0}, {4 * i + 2, 0}});

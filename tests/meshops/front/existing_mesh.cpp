@@ -118,7 +118,7 @@ TEST_SUITE("front") {
     CHECK(on_vertices.sites() == 6);
   }
 
-  TEST_CASE("an isolated vertex of the mesh waits for a triangle on its site; a deleted one is no site") {
+  TEST_CASE("an isolated vertex of the mesh waits for a triangle on its site; a deleted one is not a site") {
     TestMesh mesh;
     for (int i = 0; i < 6; ++i) mesh.new_vertex();
     mesh.status(Vertex(4)).set_deleted(true);
@@ -139,7 +139,7 @@ TEST_SUITE("front") {
     CHECK(other.n_vertices() == 4);
     CHECK(other.is_isolated(Vertex(3)));
     check_sound(other);
-    // A deleted vertex is no vertex of its site.
+    // A deleted vertex is not a vertex of its site.
     TestMesh dead;
     for (int i = 0; i < 3; ++i) dead.new_vertex();
     dead.status(Vertex(1)).set_deleted(true);

@@ -149,7 +149,7 @@ TEST_SUITE("front") {
     CHECK(front.from_site(front.pop()) == 0);  // the third side of the seed
   }
 
-  TEST_CASE("sites can be added during a run, and have a vertex once they are used") {
+  TEST_CASE("sites can be added during a run, and have a vertex when they are used") {
     TestMesh mesh;
     Front front(mesh, 3);
     front.create(0, 1, 2);
@@ -175,7 +175,7 @@ TEST_SUITE("front") {
     front.create(0, 3, 4);  // a second fan on 0: vertex 5
     const Site added = front.add_site();
     front.attach(boundary(front, 2, 1), added);  // vertex 6 on the added site
-    front.attach(boundary(front, 0, 2), 3);      // the fans on 0 become one: vertex 5 is left over
+    front.attach(boundary(front, 0, 2), 3);      // the fans on 0 are merged: vertex 5 is left over
     front.attach(boundary(front, 4, 3), added);  // a second fan on the added site gets vertex 5
     int fans = 0;
     front.for_each_fan(added, [&](Vertex v) {

@@ -125,7 +125,7 @@ struct CurvesClosed : Follows {
 struct NoEvent : FrontVisitor {
   void when_frozen(const Front&, Halfedge) {}
 };
-struct BothAtOnce : Plain, Frozen {};  // `seed` of a policy is no event
+struct BothAtOnce : Plain, Frozen {};  // `seed` of a policy is not an event
 struct HasHelper : Frozen {
   void freeze() {}
 };

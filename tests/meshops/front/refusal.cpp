@@ -44,7 +44,7 @@ void check_create(Closed& on, const std::array<Site, 3>& c, const Refusal& expec
 }  // namespace
 
 TEST_SUITE("front") {
-  TEST_CASE("an apex that is no site is refused, and the next new number is a site") {
+  TEST_CASE("an apex that is not a site is refused, and the next new number is a site") {
     Closed on;
     const Halfedge h = on.at(2, 1);
     check_attach(on, h, 77, {RefusalKind::no_such_site, 77});

@@ -70,7 +70,7 @@ void check_seed(const Seed& seed, RefusalKind expected) {
 }  // namespace
 
 TEST_SUITE("wrong policies") {
-  TEST_CASE("an apex that is no site is refused at every edge, and the edges are frozen") {
+  TEST_CASE("an apex that is not a site is refused at every edge, and the edges are frozen") {
     check_answer([](const Front&, Halfedge) { return Site{77}; }, RefusalKind::no_such_site);
     check_answer([](const Front&, Halfedge) { return minus_one; }, RefusalKind::no_such_site);
     check_answer([](const Front& front, Halfedge) { return static_cast<Site>(front.sites() + 1); },

@@ -21,7 +21,7 @@ void for_each_specimen(Visit visit) {
       TestMesh mesh;
       specimen.build(mesh);
       if (with_gaps) {
-        // Two fans at one vertex are no sound mesh: a face is deleted only if that does not happen.
+        // Two fans at one vertex are not a sound mesh: a face is deleted only if that does not happen.
         std::mt19937 random(5);
         for (int i = 0; i < static_cast<int>(mesh.n_faces()); ++i) {
           if (random() % 5 != 0 || mesh.status(Face(i)).deleted()) continue;

@@ -61,7 +61,7 @@ std::vector<double> distances(const Graph& g, Weight weight) {
 
 }  // namespace
 
-TEST_SUITE("graph views beside CGAL") {
+TEST_SUITE("graph views together with CGAL") {
   TEST_CASE("an algorithm through CGAL's traits and through the views gives the same") {
     const Mesh mesh = squares(4, 3);
     const meshops::PrimalGraph primal(mesh);

@@ -150,7 +150,7 @@ TEST_SUITE("collapse") {
     CHECK(refused > 1000);
   }
 
-  TEST_CASE("the faces of the vertex may have any number of sides, except those beside the edge") {
+  TEST_CASE("the faces of the vertex may have any number of sides, except those of the edge") {
     // A square and two triangles around vertex 0; they are 0 1 2, 0 2 3 and 0 3 4 1.
     TestMesh mesh;
     for (int i = 0; i < 5; ++i) mesh.new_vertex();

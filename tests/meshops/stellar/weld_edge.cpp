@@ -71,7 +71,7 @@ TEST_SUITE("weld_edge") {
     house.add_face({Vertex(1), Vertex(0), Vertex(4)});
     CHECK(*weld_edge_blocker(house, house.find_halfedge(Vertex(0), Vertex(4))) == "a face is not a triangle");
     CHECK(*weld_edge_blocker(house, house.find_halfedge(Vertex(0), Vertex(3))) == "a face is not a triangle");
-    // A boundary curve of three edges: two of them cannot become one beside the third.
+    // A boundary curve of three edges: two of them cannot be merged, as the third joins their ends.
     TestMesh cone;
     add_triangles(cone, 4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
     CHECK(*weld_edge_blocker(cone, cone.find_halfedge(Vertex(1), Vertex(2))) ==

@@ -220,7 +220,7 @@ PolygonSoup random_soup(std::mt19937& random) {
   PolygonSoup made;
   made.points = random() % 9;
   const std::size_t faces = random() % 13;
-  const unsigned wild = below(random, 4);  // share of lists that are no faces
+  const unsigned wild = below(random, 4);  // share of lists that are not faces
   for (std::size_t f = 0; f < faces; ++f) {
     FaceCorners face;
     if (f > 0 && random() % 8 < wild) {

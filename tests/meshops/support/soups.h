@@ -28,7 +28,7 @@ PolygonSoup klein_bottle();
 /// Returns both soups, side by side; the points and faces of `b` get the numbers after those of `a`.
 PolygonSoup beside(const PolygonSoup& a, const PolygonSoup& b);
 
-/// Returns up to a dozen triangles, polygons and lists that are no faces, on few points; some repeat others.
+/// Returns up to a dozen triangles, polygons and lists that are not faces, on few points; some repeat others.
 PolygonSoup random_soup(std::mt19937& random);
 
 /// Returns a surface of some dozen triangles in which points have been merged, and faces reversed and left out, at

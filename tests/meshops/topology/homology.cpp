@@ -234,7 +234,7 @@ TEST_SUITE("homology") {
     });
   }
 
-  TEST_CASE("the checks detect a set of loops that is no basis") {
+  TEST_CASE("the checks detect a set of loops that is not a basis") {
     TestMesh mesh;
     corpus()[8].build(mesh);
     REQUIRE(corpus()[8].name == "double torus");
@@ -332,7 +332,8 @@ TEST_SUITE("homology") {
       if (mesh.n_faces() > 200) return;
       CAPTURE(specimen.name);
       const std::vector<double> lengths = random_lengths(mesh, 17);
-      // Distances from the least vertex of each component by relaxing all edges, and the edges on shortest paths.
+      // Distances from the vertex of lowest index of each component by relaxing all edges, and the edges on shortest
+      // paths.
       Classes component = components(mesh);
       std::map<std::size_t, Vertex> root;
       for_each_vertex(mesh, [&](Vertex v) { root.try_emplace(component.find(index(v)), v); });

@@ -1,5 +1,5 @@
-// What: random walks over all calls of a front, right and wrong, beside its model. Every step equals that of the model,
-//       or is refused for a reason that the model has too, with no bit of the mesh changed.
+// What: random walks over all calls of a front, right and wrong, together with its model. Every step equals that of the
+//       model, or is refused for a reason that the model has too, with no bit of the mesh changed.
 #pragma once
 
 #include <array>

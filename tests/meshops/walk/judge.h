@@ -24,7 +24,7 @@ struct WalkFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reasons for which an operator may refuse, besides its own cases.
+/// Reasons for which an operator may refuse, in addition to its own cases.
 struct Rules {
   Keep keep = Keep::manifold;
   std::vector<int> one_fan = {};  ///< vertices that must have one fan

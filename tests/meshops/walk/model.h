@@ -56,7 +56,7 @@ class Model {
   Delta counts() const;
   /// Returns the number of fans minus the number of vertices that have some.
   int excess_fans() const;
-  /// Returns why this is no manifold, apart from fans; "" when it is one.
+  /// Returns why this is not a manifold, apart from fans; "" when it is one.
   std::string broken() const;
   /// Returns the number of pairs of edges with the same ends, and of triangles with the same corners. With `at`, only
   /// those at a vertex.

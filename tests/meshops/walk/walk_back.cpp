@@ -1,4 +1,4 @@
-// The steps that undo, by effects as they were returned, effects from another state of the mesh, or made-up ones.
+// The steps that undo: by unchanged effects, by effects from another state of the mesh, and by made-up ones.
 #include <algorithm>
 #include <cstdint>
 

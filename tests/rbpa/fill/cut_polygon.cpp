@@ -91,7 +91,7 @@ TEST_SUITE("cut polygon") {
     CHECK(several > 100);
   }
 
-  TEST_CASE("a line beside the polygon, or through one corner, leaves it whole") {
+  TEST_CASE("a line that misses the polygon, or passes through one corner, leaves it whole") {
     const std::vector<Point> points = {{0, 0}, {2, 1}, {0, 2}};
     const Polygon triangle{.shell = {{0, 1, 2}}, .holes = {}, .area = 2};
     for (const double x : {-1.0, 0.0}) {

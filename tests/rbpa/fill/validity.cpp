@@ -32,7 +32,7 @@ TEST_CASE("rings that share a vertex may touch there, from outside or inside, se
   CHECK_FALSE(meet({upper, {{0, 3, 4}}}));                            // from inside
   CHECK_FALSE(meet({upper, {{0, 5, 6}}}));                            // from outside
   CHECK_FALSE(meet({upper, {{0, 3, 4}}, {{0, 5, 8}}, {{0, 7, 6}}}));  // four
-  // Two kites with common tips. Each edge lies beside one of the other kite, so that edges meet only in the tips.
+  // Two kites with common tips. Each edge lies next to one of the other kite, so that edges meet only in the tips.
   const Points crossed = {{0, 0}, {4, 0}, {2, 3}, {2, 1}, {2, -1}, {2, -3}};
   const auto cross = rbpa::nest_rings(crossed, std::vector<Ring>{{{0, 2, 1, 4}}, {{0, 3, 1, 5}}}).meet;
   REQUIRE(cross);

@@ -37,7 +37,7 @@ int check_pivots(const Points& points, double alpha) {
   for (Site a = 0; a < points.size(); ++a)
     for (Site b = 0; b < points.size(); ++b) {
       if (a == b) continue;
-      // The ball must reach both ends. Pairs that are farther apart are no edge of a complex, and any answer is
+      // The ball must reach both ends. Pairs that are farther apart are not an edge of a complex, and any answer is
       // allowed.
       if (!std::isinf(alpha) && exact::compare_to_diameter(points[a], points[b], alpha) > 0) continue;
       CAPTURE(a);

@@ -183,7 +183,8 @@ void check_full(const Points& points, double alpha) {
 
 }  // namespace
 
-TEST_CASE("the full complex has, besides triangles, the empty edges within alpha, and the points that are left") {
+TEST_CASE(
+    "the full complex has, in addition to triangles, the empty edges within alpha, and the points that are left") {
   for (const Points& points : {uniform(60, 4), perfect_grid(7, 1), integer_circle(65), collinear_run(20, 2, 5, 5),
                                star(65), chain_of_triangles(6), duplicates(20, 3, 6), with_strangers(40, 6, 7),
                                mixed_exponents(8, 8), Points{{0, 0}, {1, 0}}})

@@ -23,7 +23,7 @@ TEST_SUITE_BEGIN("filtration");
 
 namespace {
 
-/// Returns the message when the triangulation is claimed to be one of these points.
+/// Returns the message that refuses `triangulation` as the Delaunay triangulation of `points`.
 std::string refusal(const AlphaComplex& triangulation, std::span<const rbpa::Point> points) {
   try {
     const Delaunay unexpected(triangulation, points, {}, "who asks");

@@ -64,7 +64,7 @@ void fill_limits(std::span<Point> points, Random& random) {
              sign(random) * (largest - std::ldexp(random.integer(0, 3), 97))};
       }
       return;
-    case 3:  // tiny beside huge: slivers with the largest circumradii
+    case 3:  // tiny and huge: slivers with the largest circumradii
       for (Point& p : points) {
         const bool far = random.chance(0.5);
         p = {far ? sign(random) * std::ldexp(random.integer(1, 3), 147) : std::ldexp(random.integer(-2, 2), -150),
@@ -127,7 +127,7 @@ double jiggled(double value, int most, Random& random) {
   for (int steps = random.integer(-most, most); steps != 0; steps += steps < 0 ? 1 : -1)
     value = std::nextafter(
         value, steps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity());
-  // Near zero the next doubles are denormals, which are no small change.
+  // Near zero the next doubles are denormals, which are not a small change.
   return std::abs(value) < 1e-300 && most > 0 ? 0 : value;
 }
 

@@ -1,4 +1,4 @@
-// What: point sets that are hard for tiles: crowds beside empty land, lattices and points just off one, ties.
+// What: point sets that are hard for tiles: crowds next to empty land, lattices and points just off one, ties.
 // Law:  a function of the arguments alone; every set fits double.
 #pragma once
 
@@ -29,8 +29,8 @@ Points nearly_a_lattice(int columns, double kept, double moved, Random& random);
 /// point has a column of its own, or a row as well: no other point has a coordinate that distinguishes them.
 Points lattice_around_a_stranger(Random& random);
 
-/// Returns the Delaunay triangles, without ties because of the perturbation, in canonical order, by the winner among
-/// all points. Requires: distinct points that fit double.
+/// Returns the Delaunay triangles, without ties because of the perturbation, in canonical order: for each edge, tests
+/// all points as the apex. Requires: distinct points that fit double.
 /// Cost: quadratic.
 std::vector<Triangle> delaunay_by_winners(const Points& points);
 

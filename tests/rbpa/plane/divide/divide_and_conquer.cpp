@@ -142,7 +142,7 @@ TEST_CASE("every triangle is the winner's at its sides and none is missing, on s
   for (const TileSet& set : tile_sets()) check(set.name, distinct(set.points));
 }
 
-TEST_CASE("points on a line have no triangle, and one point beside it makes a triangle for each pair of neighbors") {
+TEST_CASE("points on a line have no triangle, and one point off the line makes a triangle for each pair of neighbors") {
   const double steps[][2] = {{1, 0}, {0, 1}, {3, -7}, {0.5, 0.25}, {-1, -1}};
   for (const auto& step : steps)
     for (const int count : {0, 1, 2, 3, 4, 5, 100, 1000}) {

@@ -31,7 +31,7 @@ Square textbook(Square square, const Point& p, int depth) {
   return square;
 }
 
-/// Returns a corner of one of the squares, or a point beside it by the last bit.
+/// Returns a corner of one of the squares, or a point that differs from it in the last bits.
 Point near_a_corner(Random& random, const Square& all, int depth) {
   Square square = all;
   for (; depth > 0; --depth)
@@ -46,7 +46,7 @@ Point near_a_corner(Random& random, const Square& all, int depth) {
 
 }  // namespace
 
-TEST_CASE("a point lies in the square that repeated cuts find, also on cuts and beside them by the last bit") {
+TEST_CASE("a point lies in the square that repeated cuts find, also on cuts and a last bit away from them") {
   Random random(41);
   for (int number = 0; number < 300; ++number) {
     const Square all{random.between(-3, 3), random.between(-3, 3), random.between(0.1, 2)};

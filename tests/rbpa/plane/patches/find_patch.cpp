@@ -85,7 +85,7 @@ TEST_CASE("the results of a tile are true and equal on every vector unit, for fe
   }
 }
 
-TEST_CASE("the results of a tile are true and equal on every vector unit, beside unknown crowds") {
+TEST_CASE("the results of a tile are true and equal on every vector unit, next to unknown crowds") {
   Random random(6);
   for (int round = 0; round < 150; ++round) {
     CAPTURE(round);

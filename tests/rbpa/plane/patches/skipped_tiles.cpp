@@ -56,7 +56,7 @@ TEST_CASE("tiles without sites do not cause skipping") {
   CHECK_FALSE(skipped.contains(10));
 }
 
-TEST_CASE("a cloud beside a curve has the same mesh by any number of threads, with the triangles of the arrays") {
+TEST_CASE("a cloud next to a curve has the same mesh by any number of threads, with the triangles of the arrays") {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     Points points = along_a_curve(60000);
     for (const rbpa::Point& p : uniform(60000, seed + 7)) points.push_back({p.x + 2, p.y});

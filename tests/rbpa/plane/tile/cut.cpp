@@ -139,7 +139,7 @@ TEST_CASE("a tile does not exceed its greatest number of points: its surrounding
   CHECK(check_tiles(uniform(31000, 4), Tile::max_points) > 0);
 }
 
-TEST_CASE("a tile in a grid of its own has the points beyond or lists the gaps, for a crowd beside a crowd") {
+TEST_CASE("a tile in a grid of its own has the points beyond or lists the gaps, for a crowd next to a crowd") {
   Random random(5);
   int with_unknown = 0;
   for (int round = 0; round < 40; ++round) {

@@ -115,8 +115,8 @@ Model model_of(const PeriodicSolid& solid, const std::vector<std::vector<Periodi
   return model;
 }
 
-/// Returns the simplices without tetrahedra of the full complex of 27 images of all points whose least corner is in the
-/// box. Simplices near the sides of the images, some of which are wrong, have no such corner.
+/// Returns the dangling simplices of the full complex of 27 images of all points that have their first corner in the
+/// box. Simplices near the outer sides of the images, some of which are wrong, have no corner in the box.
 std::vector<std::vector<PeriodicVertex>> dangling_by_images(const Points3& in_box, const Point3& box, double alpha) {
   const AllImages all = all_images(in_box, box);
   const rbpa::Solid delaunay = rbpa::solid(all.positions, infinity);

@@ -71,7 +71,7 @@ TEST_CASE("islands are dropped, holes are closed, and the result is that of the 
   CHECK(found.holes == closed.holes);
 }
 
-TEST_CASE("components that may not stay are dropped besides islands") {
+TEST_CASE("components that may not stay are dropped in addition to islands") {
   Scan scan;
   scan.add_sphere(0, 900);
   scan.add_sphere(9, 600);

@@ -286,7 +286,7 @@ TEST_CASE("shuffled points have the same boundary, volume and area, to the last 
   }
 }
 
-TEST_CASE("a solid of the usual size is measured equally with a far point beside it") {
+TEST_CASE("a solid of the usual size is measured equally if a far point is added") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const double far : {0x1p300, 0x1p900, 0x1p1020})
     for (const double size : {1.0, 0x1p-300}) {

@@ -303,11 +303,11 @@ TEST_CASE("the front has the same surface by several radii in any order of the p
   CHECK(triangles > 500);
 }
 
-TEST_CASE("a point that hangs over an edge separates the triangles beside it, which makes a slit") {
+TEST_CASE("a point that hangs over an edge separates the triangles on both sides, which makes a slit") {
   Points3 points;
   for (int x = 0; x < 6; ++x)
     for (int y = 0; y < 6; ++y) points.push_back({double(x), double(y), 0});
-  points.push_back({2.5, 2, 1.1});  // the ball fits beside it, and not under it
+  points.push_back({2.5, 2, 1.1});  // the ball fits next to it, and not under it
   Points3 normals(points.size(), {0, 0, 1});
   normals.back() = {0, 0, -1};
   const Surface expected = rbpa::surface(points, normals, 0.75);

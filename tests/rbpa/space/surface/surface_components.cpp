@@ -189,7 +189,7 @@ TEST_CASE("kept components are glued as before, and others are removed") {
   CHECK(dropped > 100);
 }
 
-TEST_CASE("some triangles stay glued among each other, and have boundary beside removed ones") {
+TEST_CASE("some triangles stay glued among each other, and have boundary next to removed ones") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Surface surface = rbpa::exposed_triangles(points, 10);
   REQUIRE(surface.triangles.size() == 4);

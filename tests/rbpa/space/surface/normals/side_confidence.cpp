@@ -46,7 +46,7 @@ std::vector<double> by_every_cut(const Neighborhoods& near, const Points3& norma
       if (inside[i] == inside[j]) continue;
       const auto c = compare_normals<double>(near.points[i], normals[i], near.points[j], normals[j]);
       double weight = std::max(0.0, std::abs(c.agreement) - c.tilt);
-      if (weight < 0x1p-20) weight = 0;  // a rounding error is no vote
+      if (weight < 0x1p-20) weight = 0;  // a rounding error is not a vote
       sum += c.agreement > 0 ? weight : -weight;
       all += weight;
     }
