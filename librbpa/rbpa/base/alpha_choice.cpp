@@ -35,6 +35,7 @@ std::string name_of(const AlphaChoice& choice) {
 }
 
 void require_rank(const AlphaChoice& choice, std::size_t plateaus) {
+  if (choice.rank == 0) throw InvalidInput("alpha " + name_of(choice) + ": expected a rank of at least 1");
   if (choice.rank <= plateaus) return;
   throw InvalidInput(
       "alpha " + name_of(choice) +

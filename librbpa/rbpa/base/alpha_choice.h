@@ -42,7 +42,9 @@ RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
 /// Returns "given", "auto", "min", "plateau" or "plateau:2".
 RBPA_API std::string name_of(const AlphaChoice& choice);
 
-/// Throws: InvalidInput "alpha plateau:4: there are only 3 plateaus" when the rank is above the number of plateaus.
+/// Refuses a rank that no plateau has.
+/// Throws: InvalidInput when the rank is 0, or, as "alpha plateau:4: there are only 3 plateaus", when it is above the
+///         number of plateaus.
 RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
 
 /// Returns the radius of the plateau of this rank, the best first; nothing if there is no plateau.

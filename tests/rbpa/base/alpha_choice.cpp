@@ -43,9 +43,11 @@ TEST_CASE("each rule takes its own options") {
   CHECK(!rbpa::takes_components(AlphaRule::given));
 }
 
-TEST_CASE("a rank above the number of plateaus is refused with that number") {
+TEST_CASE("a rank of 0 is refused, and one above the number of plateaus with that number") {
   const AlphaChoice fourth{.rule = AlphaRule::plateau, .rank = 4};
   CHECK_NOTHROW(rbpa::require_rank(fourth, 4));
+  CHECK_THROWS_WITH_AS(rbpa::require_rank({.rule = AlphaRule::plateau, .rank = 0}, 4),
+                       "alpha plateau:0: expected a rank of at least 1", rbpa::InvalidInput);
   CHECK_THROWS_WITH_AS(rbpa::require_rank(fourth, 3), "alpha plateau:4: there are only 3 plateaus", rbpa::InvalidInput);
   CHECK_THROWS_WITH_AS(rbpa::require_rank(fourth, 1), "alpha plateau:4: there is only 1 plateau", rbpa::InvalidInput);
 }

@@ -22,7 +22,9 @@ namespace rbpa {
 
 struct SurfaceOptions {
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< with the number of exposed triangles so far
+  /// With the number of exposed triangles so far; functions of a given surface pass the number of its triangles, and
+  /// searches among points alone 0.
+  OnProgress progress = {};
 };
 
 /// Oriented triangles, and for each side the triangle on which the ball comes to rest when it rolls over the side.
