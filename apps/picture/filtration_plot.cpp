@@ -95,7 +95,7 @@ void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, con
 void draw_mark(std::string& svg, const Axis& x, const std::optional<double>& alpha, const std::string& name, int y) {
   if (!alpha) return;
   const int at = x.at(std::log10(*alpha));
-  // Below the labels of all marks.
+  // Draw the line below the labels of all marks.
   line(svg, at, curves_top - 10, at, curves_bottom, "stroke=\"#1b2733\" stroke-dasharray=\"5 4\"");
   text(svg, at, y, name + " = " + number(*alpha), at < 200 ? "start" : at > 700 ? "end" : "middle");
 }
@@ -186,7 +186,7 @@ FiltrationPlot plot_of(std::span<const SolidPair> pairs) {
   FiltrationPlot plot{.alpha = {},
                       .curves = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}},
                       .dimensions = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}}};
-  // Radius, dimension, and whether the count rises or falls.
+  // List the changes of counts: the radius, the dimension, and whether the count rises.
   std::vector<std::pair<double, std::pair<std::size_t, bool>>> changes;
   std::array<std::size_t, 3> count = {0, 0, 0};
   for (const SolidPair& pair : pairs) {

@@ -133,7 +133,7 @@ void write_png(OutputFile& file, int width, int height, const std::vector<std::u
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<char> encoded(size);
-  // Encoded in memory, as exceptions of our file must not pass through libpng.
+  // Encode in memory: exceptions of the output file must not pass through libpng.
   if (png_image_write_to_memory(&image, encoded.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
     throw Failure(file.name() + ": cannot encode the picture: " + image.message);
   file.write({encoded.data(), size});

@@ -57,7 +57,7 @@ Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
 /// Returns the view of points, with rows as with_upright(). The viewer is at least 45 degrees from the axis before the
 /// turn, so it stays at least 25 from it.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
-  // Sorted, as sums of floating-point numbers depend on their order.
+  // Sort, as sums of floating-point numbers depend on their order.
   std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });

@@ -27,7 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 def version() -> str:
     found = re.search(r"^project\(rbpa VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)
     if not found:
-        raise SystemExit("CMakeLists.txt: expected project(rbpa VERSION ...)")
+        raise SystemExit("CMakeLists.txt: found no project(rbpa VERSION ...), expected one")
     return found[1]
 
 

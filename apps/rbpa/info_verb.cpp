@@ -46,7 +46,7 @@ Info examine(std::vector<Point> points, const RunOptions& run) {
            {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
   }
   info.box = box;
-  // Half the width, and roots before products: nothing overflows.
+  // Halve the width and take roots before products, so that nothing overflows.
   const double half_width = box.greatest.x / 2 - box.least.x / 2, half_height = box.greatest.y / 2 - box.least.y / 2;
   const double spacing =
       2 * std::sqrt(half_width) * (std::sqrt(half_height) / std::sqrt(static_cast<double>(info.distinct)));

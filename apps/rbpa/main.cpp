@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Memory may run out while options are declared.
+  // Declare options within run(), as memory may run out there.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

@@ -93,8 +93,7 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
     state.polygons = {log("polygons"), log("holes")};
     return state;
   } catch (const std::exception& error) {
-    begin_anew(scratch.progress(),
-               "no progress of rbpa stream (" + std::string(error.what()) + "), expected its progress",
+    begin_anew(scratch.progress(), "no progress of rbpa stream (" + std::string(error.what()) + "), expected one",
                scratch.folder());
   }
 }

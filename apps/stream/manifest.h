@@ -58,7 +58,7 @@ struct Manifest {
   unsigned workers = 1;
   Pass pass = Pass::count;
 
-  // Filled in from `cut` on.
+  // Filled in from Pass::cut on.
   std::uint64_t points = 0;
   PointsFacts facts = {};
   TileTree tree = {};

@@ -196,7 +196,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
       begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
-    // Few indices are the least of a triangle: a counter for each would be a waste.
+    // Sort the rows if few indices are the first of a triangle: a counter for each index would be a waste.
     if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);

@@ -68,7 +68,7 @@ std::vector<Index> by_shells(const SurfaceComponents& components) {
   for (std::size_t t = triangles; t-- > 0;) first[components.number[t]] = t;
   const auto diagonal = [](const SurfaceComponent& component) {
     const Point3 &low = component.low, &high = component.high;
-    // Halved first, so that extreme coordinates do not overflow.
+    // Halve first, so that extreme coordinates do not overflow.
     return std::hypot(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2);
   };
   std::vector<Index> order(components.all.size()), rank(components.all.size());

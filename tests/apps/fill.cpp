@@ -262,7 +262,7 @@ TEST_SUITE("fill") {
             "bad.txt:2: found 2 values, expected three: x, y and size");
     folder.file("bad.txt", "0 0 0.1\n1 2 -3\n");
     refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3,
-            "bad.txt:2: found the size -3, expected one above 0");
+            "bad.txt:2: found the size -3, expected a size above 0");
     folder.file("bad.txt", "0 0 0.1\n1 b 3\n");
     refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3, "bad.txt:2: found 'b', expected a number");
     folder.file("bad.txt", "x y size\n");

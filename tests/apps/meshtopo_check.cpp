@@ -206,7 +206,7 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(refused("whole.off open.off bad.off --generators l.obj") ==
           "meshtopo: --generators: found 3 meshes, expected one\n");
     CHECK(refused("whole.off open.off --weld 0 -o w.off") == "meshtopo: -o: found 2 meshes, expected one\n");
-    CHECK(refused("- - --format off") == "meshtopo: -: found standard input twice, expected it once\n");
+    CHECK(refused("- - --format off") == "meshtopo: -: found standard input twice, expected once\n");
     CHECK(refused("whole.off open.foo").starts_with("meshtopo: open.foo: found the ending 'foo', expected one of"));
     CHECK(
         refused("whole.off open.off -o ./open.off --json") ==

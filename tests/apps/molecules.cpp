@@ -145,7 +145,7 @@ TEST_SUITE("molecules") {
     CHECK(refusal("data_x\n_struct.title\n;1\n", Format::cif) ==
           "m:3: found a text of lines that does not end, expected a later line that begins with ';'");
     CHECK(refusal(cif + cif.substr(cif.find("loop_\n_atom_site.")), Format::cif) ==
-          "m:40: found a second loop of _atom_site in a block of data, expected one");
+          "m:40: found a second loop of _atom_site in a block of data, expected one loop in each block");
     std::string without = cif;
     without.replace(without.find("Cartn_z"), 7, "Cartn_w");
     CHECK(refusal(without, Format::cif) ==

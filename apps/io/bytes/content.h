@@ -28,7 +28,7 @@ class Content {
   Content& operator=(Content&&) noexcept;
   ~Content();
 
-  /// Returns the same content at its beginning.
+  /// Returns another reader of this content, at its beginning.
   Content again() const;
 
   /// Returns the next `size` bytes or more, fewer at the end only, and does not skip them. The view is valid until the

@@ -59,7 +59,7 @@ const char* expected_instead(NumberFault fault) {
     case NumberFault::out_of_range:
       return "a number within the range of a double (up to 1.8e308)";
     case NumberFault::rounded_integer:
-      return "an integer that a double holds, as it does all up to 2^53";
+      return "an integer that a double holds exactly, such as all up to 2^53";
     default:
       return "a number";
   }

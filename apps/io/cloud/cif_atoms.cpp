@@ -145,7 +145,7 @@ class CifAtoms final : public AtomSource {
     if (first_block_ == 0) {
       first_block_ = block_;
     } else if (block_ == first_block_) {
-      bad_input(at_line(name_, line), "a second loop of _atom_site in a block of data", "one");
+      bad_input(at_line(name_, line), "a second loop of _atom_site in a block of data", "one loop in each block");
     } else {
       blocks_ += block_ == last_block_ ? 0 : 1;
     }

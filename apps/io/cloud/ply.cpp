@@ -45,7 +45,7 @@ class HeaderReader {
         refuse("a PLY header line");
       }
     }
-    if (!format_seen) bad_input(name_, "a header without a format line", "one");
+    if (!format_seen) bad_input(name_, "a header without a format line", "a line that begins with format");
     header_.lines = lines_.number();
     header_.data = lines_.rest();
     return std::move(header_);
@@ -166,7 +166,8 @@ void PlyBinary::pass_any(const PlyProperty& property, const PlyElement& element,
     take(size_of(*property.count_type), element, index);
     const double count = load_number(*property.count_type, length, order_);
     if (count < 0)
-      bad_input(name_ + ": " + shown(element.name) + " " + std::to_string(index), "a negative list length", "none");
+      bad_input(name_ + ": " + shown(element.name) + " " + std::to_string(index), "a negative list length",
+                "a length of 0 or more");
     values = count > static_cast<double>(left()) ? left() + 1 : static_cast<std::size_t>(count);
   }
   take(values * size_of(property.type), element, index);

@@ -115,7 +115,7 @@ class PolyReader {
   }
   std::size_t vertex() {
     const std::size_t number_of = whole("a vertex", first_ + ends_.size() - 1);
-    if (number_of < first_) refuse("vertex 0", "a number from 1, as that of the first vertex");
+    if (number_of < first_) refuse("vertex 0", "a number from 1, the number of the first vertex");
     return number_of - first_;
   }
   void join(std::size_t v, std::size_t other) {

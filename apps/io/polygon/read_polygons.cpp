@@ -72,7 +72,7 @@ std::vector<SizeAt> read_sizes(const std::string& path) {
       if (number.fault != NumberFault::none) bad_input(where, in_quotes(words[i]), expected_instead(number.fault));
       value[i] = number.value;
     }
-    if (!(value[2] > 0)) bad_input(where, "the size " + std::string(words[2]), "one above 0");
+    if (!(value[2] > 0)) bad_input(where, "the size " + std::string(words[2]), "a size above 0");
     sizes.push_back({{value[0], value[1]}, value[2]});
   }
   if (sizes.empty()) bad_input(input.name(), "no size", "lines of x, y and size");

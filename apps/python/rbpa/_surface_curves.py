@@ -59,7 +59,7 @@ class SurfaceHole:
         freeze(self.edges)
 
     def _renumbered(self, place: Indices) -> SurfaceHole:
-        """Returns the same curve with triangle t renumbered as place[t]."""
+        """Returns this curve with triangle t renumbered as place[t]."""
         other = copy.copy(self)
         other.triangles = place[self.triangles]
         freeze(other.triangles)
