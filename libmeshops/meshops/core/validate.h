@@ -27,8 +27,8 @@ enum class DefectKind {
   dangling_edge,              ///< an edge has no face on either side
   vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts at another vertex
   vertex_halfedge_inner,      ///< a vertex lies on the boundary but its halfedge does not (OpenMesh's convention)
-  /// The faces at a vertex do not form one fan, so that the mesh is no manifold there. They are in several rings, or in
-  /// one ring that passes several gaps, as OpenMesh's add_face() links them (a bowtie).
+  /// The faces at a vertex do not form one fan, so that the mesh is not a manifold there. They are in several rings, or
+  /// in one ring that passes several gaps, as OpenMesh's add_face() links them (a bowtie).
   vertex_has_several_fans
 };
 

@@ -63,7 +63,8 @@ class MESHOPS_API BoundaryCurve {
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Returns whether a boundary halfedge is on this curve. Throws ContractViolation when `h` is no boundary halfedge.
+  /// Returns whether a boundary halfedge is on this curve. Throws ContractViolation when `h` is not a boundary
+  /// halfedge.
   /// Cost: the shorter way to it; the shorter of the two curves when it is on another.
   bool contains(Halfedge h) const;
 

@@ -119,7 +119,7 @@ class GraphView {
   const Connectivity* mesh_;
 };
 
-/// Returns the same graph with both halfedges of an edge as edges, as maximum flow requires it.
+/// Returns the graph in which both halfedges of each edge are edges, as maximum flow requires it.
 template <typename Kind>
 GraphView<Kind, boost::bidirectional_tag> directed(GraphView<Kind, boost::undirected_tag> view) {
   return GraphView<Kind, boost::bidirectional_tag>(view.mesh());

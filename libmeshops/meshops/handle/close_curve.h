@@ -23,8 +23,8 @@ struct OpenCurveEffect {
   Delta delta() const { return delta_of_open_curve(); }
 };
 
-/// Returns why the curve through `h` cannot be closed, or nothing when it can. The reasons: there is no such halfedge,
-/// it is not on the boundary, the curve has two edges (use glue()), or a vertex on the curve has several fans
+/// Returns why the curve through `h` cannot be closed, or nothing when it can. The reasons: the halfedge does not
+/// exist, it is not on the boundary, the curve has two edges (use glue()), or a vertex on the curve has several fans
 /// (core/fans.h).
 /// Cost:     the degrees of the vertices on the curve.
 MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h);

@@ -13,7 +13,7 @@ namespace meshops::detail {
 /// memory.)
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);
-/// Returns why two vertices cannot become one, or nullptr when they can. They are given by the boundary halfedges that
+/// Returns why two vertices cannot be merged, or nullptr when they can. They are given by the boundary halfedges that
 /// leave them; equal halfedges stand for one vertex, which stays.
 /// Cost: the degrees.
 const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out);

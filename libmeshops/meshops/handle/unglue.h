@@ -21,11 +21,11 @@ struct UnglueEffect {
   Halfedge first{};    ///< the given halfedge, now on the boundary, with the face beyond its edge
   Halfedge second{};   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
   Vertex new_start{};  ///< second vertex where `first` starts; an invalid handle when that end was inner
-  Vertex new_end{};    ///< second vertex where `first` ends; likewise
+  Vertex new_end{};    ///< second vertex where `first` ends; an invalid handle when that end was inner
   Delta delta() const { return -delta_of(what); }
 };
 
-/// Returns why the edge of `h` cannot be unglued, or nothing when it can. The reasons: there is no such halfedge, its
+/// Returns why the edge of `h` cannot be unglued, or nothing when it can. The reasons: the halfedge does not exist, its
 /// edge is on the boundary, or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends that are on the boundary.
 MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h);

@@ -22,7 +22,7 @@
 
 namespace meshops {
 
-/// Builds a mesh of patches. Patches are laid beside each other, in any order; an open side is glued to the side of
+/// Builds a mesh of patches. Patches are laid next to each other, in any order; an open side is glued to the side of
 /// another patch on the same sites.
 /// Requires: the triangles of all patches form a complex; a site around which triangles close has no other fan, as is
 ///           always the case in the plane. Not checked.

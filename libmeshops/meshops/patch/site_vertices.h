@@ -43,7 +43,7 @@ class MESHOPS_API SiteVertices {
   /// Removes all sites and frees the memory.
   void clear();
 
-  /// Returns the site of a vertex. Throws ContractViolation when there is no such vertex.
+  /// Returns the site of a vertex. Throws ContractViolation when the vertex does not exist.
   Site site(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
     if (i < first_) return static_cast<Site>(i);
@@ -51,14 +51,14 @@ class MESHOPS_API SiteVertices {
     return further_[i - first_].site;
   }
 
-  /// Returns whether no fan is on this site. Throws ContractViolation when there is no such site.
+  /// Returns whether no fan is on this site. Throws ContractViolation when the site does not exist.
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
     require(s < sites(), "Front: the site does not exist");
     return first_listed(s) < 0;
   }
 
-  /// Calls visit(Vertex) for each fan on the site. Throws ContractViolation when there is no such site.
+  /// Calls visit(Vertex) for each fan on the site. Throws ContractViolation when the site does not exist.
   template <typename Visit>
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);

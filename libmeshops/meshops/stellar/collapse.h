@@ -15,7 +15,7 @@
 
 namespace meshops {
 
-/// Returns why h cannot be collapsed, or nothing when it can. The reasons: there is no such halfedge; a face beside it
+/// Returns why h cannot be collapsed, or nothing when it can. The reasons: h does not exist or is deleted; a face at it
 /// is not a triangle; its edge is an inner one between boundary vertices (they would become a pinch); another edge
 /// joins its vertices (it would become a loop); only an edge would be left; with Keep::simplicial, the link condition
 /// fails, i.e. the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron; the
@@ -23,8 +23,8 @@ namespace meshops {
 MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
                                                         Keep keep = Keep::simplicial);
 
-/// Merges the vertex v of h = v→w into w, which takes over the fan of v; the triangles beside h close.
-/// Effect:      v, the edge of h, the edges from v to the apexes, and the faces beside h are marked deleted. Every
+/// Merges the vertex v of h = v→w into w, which takes over the fan of v; the triangles at h close.
+/// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted. Every
 ///              other halfedge from or to v becomes one from or to w. The edges from w to the apexes survive, except
 ///              if v is an inner vertex with only two edges: both apexes are one vertex, two edges join it to w, and
 ///              only the one on the right of h survives.

@@ -21,9 +21,9 @@ struct FlipEffect {
   constexpr Delta delta() const { return {}; }
 };
 
-/// Returns why the edge cannot be flipped, or nothing when it can. The reasons: there is no such edge, it is on the
-/// boundary, a face beside it is not a triangle, both triangles have the same apex (the edge would become a loop), or,
-/// with Keep::simplicial, an edge joins the two apexes.
+/// Returns why the edge cannot be flipped, or nothing when it can. The reasons: the edge does not exist or is deleted,
+/// it is on the boundary, a face at it is not a triangle, both triangles have the same apex (the edge would become a
+/// loop), or, with Keep::simplicial, an edge joins the two apexes.
 MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.

@@ -19,7 +19,7 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 
 /// Puts a new vertex into a triangle and joins it to the three corners.
 /// Effect:      let mesh.halfedge_handle(f) leave the corner w. The old face stays at the side that does not touch w;
-///              the two faces beside the new edge to w are new. New elements have default values of all properties. A
+///              the two faces at the new edge to w are new. New elements have default values of all properties. A
 ///              default point is unspecified, because OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_face_blocker() is empty.
@@ -31,7 +31,7 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 MESHOPS_API SplitFaceEffect split_face(Connectivity& mesh, Face f);
 
 /// Splits the face and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: also what the hook throws; the mesh is then unchanged.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then unchanged.
 template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook>
 SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook) {
   return detail::with_hook(mesh, split_face(static_cast<Connectivity&>(mesh), f), hook);

@@ -24,7 +24,7 @@ MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mes
                                                          Keep keep = Keep::simplicial);
 
 /// Removes an inner vertex of degree three; its three triangles become one.
-/// Effect:      the vertex, its edges, and the two faces beside the edge of mesh.halfedge_handle(v) are marked deleted;
+/// Effect:      the vertex, its edges, and the two faces at the edge of mesh.halfedge_handle(v) are marked deleted;
 ///              the third face becomes the triangle.
 /// Requires:    weld_face_blocker() is empty; the mesh has status.
 /// Throws:      ContractViolation; the mesh is then unchanged.

@@ -1,4 +1,4 @@
-// What: merges points of a soup into one, and drops the faces that become degenerate or duplicate.
+// What: merges points of a soup, and drops the faces that become degenerate or duplicate.
 // Law:  no remaining face is degenerate or repeats another; without merged points, only faces that are degenerate or
 //       duplicate already are dropped.
 // Cost: linear, plus a hash of the faces.

@@ -8,7 +8,7 @@ namespace rbpa {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the same triangle, with the same orientation, from its least corner on.
+/// Returns the triangle with its lowest corner first, in the same orientation.
 inline Triangle from_least(const Triangle& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};

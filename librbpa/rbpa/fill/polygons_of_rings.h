@@ -21,7 +21,8 @@ RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, s
 
 /// Returns the polygons of rings whose holes are marked by points in them, as in files of Shewchuk's Triangle: each
 /// hole contains one or more.
-/// Throws: also InvalidInput when a point is in no hole, or a hole has no point.
+/// Throws: what polygons_of_rings(points, rings) throws; InvalidInput when a point is in no hole, or a hole has no
+///         point.
 RBPA_API std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                                 std::span<const Point> in_holes, const GoOn& go_on = {});
 

@@ -49,7 +49,7 @@ struct SeenFrom {
 
 using Areas = std::array<double, 3>;
 
-/// Returns the areas, calling cross(i, j) for the corners beside each corner.
+/// Returns the areas, calling cross(i, j) for the two corners next to each corner.
 template <typename Cross>
 Areas areas(Cross cross) {
   return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};

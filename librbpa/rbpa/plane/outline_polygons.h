@@ -54,8 +54,9 @@ struct PolygonFilter {
 RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
                                                const GoOn& go_on = {});
 
-/// Returns the same for a solid complex in arrays, with neighbors, on these points.
-/// Throws: also ContractViolation as require_linked(), or when the points are visibly others.
+/// Returns the outline polygons of a solid complex in arrays, with neighbors; its corners are indices into `points`.
+/// Throws: InvalidInput when a bound of the filter is negative or not a number; ContractViolation when require_linked()
+///         throws it, or when the points are visibly others; Cancelled.
 RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
                                                const PolygonFilter& filter = {}, const GoOn& go_on = {});
 

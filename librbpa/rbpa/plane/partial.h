@@ -115,7 +115,7 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them, sorted as by comes_before(); counts do not change. A
-/// polygon that touches an unfinished one is finished once it is certain which of them counts the common points.
+/// polygon that touches an unfinished one is finished when it is certain which of them counts the common points.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 struct TakenHoles {

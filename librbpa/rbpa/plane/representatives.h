@@ -40,12 +40,13 @@ RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, c
                                                      ComplexKind kind = ComplexKind::solid,
                                                      const PairChoice& choice = {}, const GoOn& go_on = {});
 
-/// Returns the same for the complexes of the given radii only, such as the levels of hrbpa(). A pair is born at the
-/// first radius at which it exists, and dies at the first later one at which it does not, if there is one; a pair that
-/// exists at none of the radii is left out. A hole is a polygon at the first and at the last of the radii at which it
-/// exists.
-/// Requires: radii above 0, ascending, none twice.
-/// Throws:   also ContractViolation on others.
+/// Returns representatives in the complexes of the given radii only, such as the levels of hrbpa(). A pair is born at
+/// the first radius at which it exists, and dies at the first later one at which it does not, if there is one; a pair
+/// that exists at none of the radii is left out. A hole is a polygon at the first and at the last of the radii at which
+/// it exists.
+/// Requires: what representatives() requires; radii above 0, ascending, none twice.
+/// Throws:   ContractViolation if the radii are not such, or the filtration is visibly of another triangulation;
+///           Cancelled.
 RBPA_API std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                            std::span<const double> levels,
                                                            ComplexKind kind = ComplexKind::solid,

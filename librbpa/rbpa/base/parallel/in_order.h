@@ -1,6 +1,6 @@
 // What: work on many items whose results are joined in their order.
 // Law:  join(i) is called once for each i, ascending, one at a time; so its result does not depend on the threads.
-// Cost: a few microseconds an item beside the work; as many workspaces as items are in progress.
+// Cost: a few microseconds an item in addition to the work; as many workspaces as items are in progress.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 //           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
 //
 //       In the end each bucket, which fits a cache, is sorted there and appended to the one before.
-// Cost: linear; as much memory as the triangles take, beside the result.
+// Cost: linear; as much memory as the triangles take, in addition to the result.
 #pragma once
 
 #include <cstddef>
@@ -73,7 +73,8 @@ class CanonicalOrder {
   /// Returns all triangles in order. Nothing may be added afterwards. `rank`, if any, gets the new place of each
   /// number. Calls `checkpoint`, if any, after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Checkpoint& checkpoint = {});
-  /// Returns the same for numbers that are not places: `numbers` gets the number of each triangle, in their order.
+  /// Returns all triangles in order if their numbers are not places: `numbers` gets the number of each triangle, in
+  /// that order.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const Checkpoint& checkpoint = {});
   /// Frees the memory.

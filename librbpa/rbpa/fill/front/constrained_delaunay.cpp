@@ -72,7 +72,7 @@ class Constrained {
     const Triangle& corner = corners_[side.triangle];
     return {corner[after(side.k)], corner[before(side.k)]};
   }
-  /// Returns the same edge as a side of the triangle beyond.
+  /// Returns `side` as a side of the triangle across it.
   Side beyond(const Side& side) const {
     const std::uint32_t other = across_[side.triangle][side.k];
     if (other == no_index) return {};

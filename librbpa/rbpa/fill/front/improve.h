@@ -13,7 +13,7 @@
 
 namespace rbpa {
 
-/// Improves a mesh. Vertices from number `fixed` on are inner ones, and may move. Calls `checkpoint` now and then;
+/// Improves a mesh. Vertices from number `fixed` on are inner ones, and may move. Calls `checkpoint` repeatedly;
 /// it may throw.
 /// Requires: triangles that are counter-clockwise and do not overlap, z = 0.
 void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Checkpoint& checkpoint);

@@ -40,7 +40,7 @@ class LinkedTriangles {
 
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// Returns the triangles; called once, after all patches. Calls `checkpoint`, if any, now and then, one call at a
+  /// Returns the triangles; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call at a
   /// time; it may throw.
   OwnedTriangles sorted(Threads& threads, const Checkpoint& checkpoint = {});
 

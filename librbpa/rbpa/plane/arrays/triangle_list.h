@@ -35,7 +35,7 @@ class TriangleList {
 
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// Returns the triangles in order; called once, after all patches. Calls `checkpoint`, if any, now and then, one call
+  /// Returns the triangles in order; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call
   /// at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {}) {
     return order_.sorted(threads, nullptr, checkpoint);

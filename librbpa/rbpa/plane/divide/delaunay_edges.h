@@ -59,7 +59,7 @@ class DelaunayEdges {
 
  public:
   /// Puts the places into another order; corners of edges are positions in it. Without threads the calling one does all
-  /// the work. Calls working(), if any, now and then, in any thread and one at a time; it may throw.
+  /// the work. Calls working(), if any, repeatedly, in any thread and one at a time; it may throw.
   /// Requires: at least two distinct points, as divide_and_conquer() does.
   DelaunayEdges(std::span<SitePoint> places, Threads* threads, const Checkpoint& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {

@@ -19,13 +19,13 @@
 
 namespace rbpa {
 
-/// The fate of a triangle: 0 if it is kept; otherwise the number that the patch stores for the triangles beside it.
+/// The fate of a triangle: 0 if it is kept; otherwise the number that the patch stores for its neighbors.
 /// Called in any thread, several at a time. Without a function all triangles are kept.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// Returns the kept triangles, counter-clockwise, with sites for corners; `nothing` lies across the sides of the hull.
 /// There is no triangle if all points are on a line. Puts the places into another order. `outline`, if given, becomes
-/// that of the patch. Calls working() now and then, in any thread and one at a time; it may throw to end the run.
+/// that of the patch. Calls working() repeatedly, in any thread and one at a time; it may throw to end the run.
 /// Requires: distinct points, at most as many as rbpa() accepts, that the predicates of `Real` can decide: double if
 ///           they fit (fits_double()), long double for any.
 template <typename Real>

@@ -20,7 +20,7 @@ namespace rbpa {
 
 class Sites {
  public:
-  /// Sorts the points. Calls `checkpoint`, if any, now and then; it may throw.
+  /// Sorts the points. Calls `checkpoint`, if any, repeatedly; it may throw.
   Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }

@@ -38,7 +38,7 @@ class LevelledTriangles {
 
   std::size_t size() const { return size_; }
   /// Returns the triangles in order; called once, after all patches. `numbers` becomes the levels of the triangles, in
-  /// the same order. Calls `checkpoint`, if any, now and then, one call at a time; it may throw.
+  /// the same order. Calls `checkpoint`, if any, repeatedly, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers,
                                const Checkpoint& checkpoint = {}) {
     numbers.resize(size_);

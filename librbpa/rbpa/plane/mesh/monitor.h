@@ -1,4 +1,4 @@
-// What: the visitor of every run. It calls the caller's progress function now and then, which may cancel the run. In
+// What: the visitor of every run. It repeatedly calls the caller's progress function, which may cancel the run. In
 //       the debug build it validates the mesh: after every triangle while the mesh is small, then each time it has
 //       grown by a sixteenth.
 #pragma once

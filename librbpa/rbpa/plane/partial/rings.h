@@ -25,7 +25,7 @@ CornerPolygon polygon_of(OpenComponent&& component);
 /// component, under that name.
 std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
-/// Adds the sums of removed holes when two components become one.
+/// Adds the sums of removed holes when two components are merged.
 void add_taken(OpenComponent& to, OpenComponent&& from);
 
 }  // namespace rbpa

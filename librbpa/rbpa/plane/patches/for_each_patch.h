@@ -26,7 +26,7 @@ namespace rbpa {
 /// The receiver of patches. For each patch, these functions are called in this order, with one Share that belongs to
 /// the patch until fill() returns and is then used again: prepare(tile, share) in any thread; place(tile, share), one
 /// patch after another, in their order; fill(tile, share) in any thread. worked() is called after each place(), one
-/// call at a time, and now and then in the remainder. Each of them may throw, which ends the run.
+/// call at a time, and repeatedly in the remainder. Each of them may throw, which ends the run.
 template <typename Sink>
 concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::Share& share) {
   sink.prepare(tile, share);

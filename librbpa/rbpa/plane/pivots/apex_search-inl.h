@@ -54,7 +54,7 @@ class ApexSearch {
   std::size_t work() const { return work_; }
 
   /// Finds the apexes of the first `size` edges, at least one:
-  ///   1. open a window of cells beside each edge;
+  ///   1. open a window of cells at each edge;
   ///   2. bound what rounding can do there;
   ///   3. find the winner among the window's points, edge by edge;
   ///   4. verify that the winner's circle lies in the window;

@@ -119,7 +119,7 @@ class Predicates {
       return difference > 0 ? 1 : -1;
     return compare_to_close_alpha(a, b, c, alpha);
   }
-  /// Returns the same, faster for an alpha so close that the filter would not decide.
+  /// Compares the circumradius with alpha without the filter: faster for an alpha that the filter would not decide.
   static int compare_to_close_alpha(const Point& a, const Point& b, const Point& c, double alpha) {
     if (const int finer = compare_circumradius_finely(a, b, c, alpha); finer != 0) return finer;
     return exact_integer::compare_circumradius(a, b, c, alpha);

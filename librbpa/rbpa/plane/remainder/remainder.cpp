@@ -8,7 +8,7 @@
 namespace rbpa {
 namespace {
 
-/// Returns the same triangle, from its least site on.
+/// Returns the triangle with its lowest site first, in the same orientation.
 std::array<meshops::Site, 3> from_least(const std::array<meshops::Site, 3>& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? std::array{t[1], t[2], t[0]} : std::array{t[2], t[0], t[1]};

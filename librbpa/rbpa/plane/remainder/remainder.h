@@ -34,7 +34,7 @@ class Remainder {
   std::vector<std::uint32_t> not_done() const;
 
   /// Returns in `rest` the triangles of the complex that are in no patch, on the sites, and their outline if wanted;
-  /// the other members of `rest` are undefined. Called after all tiles. Calls working() now and then, in any thread and
+  /// the other members of `rest` are undefined. Called after all tiles. Calls working() repeatedly, in any thread and
   /// one at a time; it may throw to end the run.
   void complete(Threads& threads, const Checkpoint& working, TilePatch& rest) const;
 

@@ -32,7 +32,7 @@ void for_each_grid(const Level& level, std::uint32_t merged, std::uint32_t first
     if (points_in(level, child->cell) > merged) visit(child->cell);
 }
 
-/// Limit on owned plus ghost points. A tile beside dense cells leaves theirs to others.
+/// Limit on owned plus ghost points. A tile next to dense cells leaves their points to others.
 std::size_t max_points_around(std::size_t owned) { return std::min(Tile::max_points, 8 * owned + 1024); }
 
 std::uint32_t points_of(const Level& level, const Block& block) {

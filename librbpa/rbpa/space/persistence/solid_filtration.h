@@ -35,7 +35,7 @@ struct SolidFiltration {
 
   /// For each tetrahedron, its triangles across from each corner.
   std::vector<std::array<std::uint32_t, 4>> triangles_of;
-  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each triangle, its edges likewise
+  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each triangle, its edges across from each corner
 };
 
 /// Computes the filtration. Options are as in solid(); neighbors are always computed. `progress` is called with all

@@ -63,7 +63,7 @@ RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Closes the given boundary loops. A loop that passes the same point several times is closed part by part there. If it
-/// passes the point at different vertices, these become one, the least, in all triangles.
+/// passes the point at different vertices, all triangles use the lowest of these vertices instead.
 /// Requires: finite points; loops of these triangles, as boundary_loops() returns them. Triangles of no area cross
 ///           nothing.
 /// Throws:   InvalidInput when a point is not finite; ContractViolation; Cancelled.

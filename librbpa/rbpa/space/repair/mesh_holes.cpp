@@ -47,7 +47,7 @@ std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const mesh
   return loop;
 }
 
-/// Glues boundary halfedges that lie on each other where vertices on one site become one: a slit.
+/// Glues boundary halfedges that lie on each other where vertices on one site are merged: a slit.
 void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
   std::map<std::pair<meshops::Site, meshops::Site>, meshops::Halfedge> open;
   const auto site = [&](meshops::Vertex v) { return site_of[static_cast<std::size_t>(v.idx())]; };

@@ -56,8 +56,8 @@ struct PeriodicSolid {
 RBPA_API PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, double alpha,
                                       const SolidOptions& options = {});
 
-/// Returns the same tetrahedra by their points alone, without offsets. It serves functions that need neighbors and
-/// radii, but no positions: min_alpha(), auto_alpha().
+/// Returns the tetrahedra of `solid` with points as corners, without offsets. It serves functions that need neighbors
+/// and radii, but no positions: min_alpha(), auto_alpha().
 RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 
 /// Returns the triangles that have a tetrahedron on one side only, each at the place of that tetrahedron; corners are

@@ -30,9 +30,9 @@ struct SolidBoundary {
 /// Throws:   ContractViolation when neighbors are missing, or those around an edge of the boundary do not share a face.
 RBPA_API SolidBoundary solid_boundary(const Solid& solid);
 
-/// Returns the same triangles glued through the outside: where several wedges of tetrahedra meet at an edge, a triangle
-/// is the neighbor of the next one around the edge across the empty space in front of it. Voids are then closed
-/// surfaces, and bodies that touch along an edge are one.
+/// Returns the triangles of a boundary, glued through the outside: where several wedges of tetrahedra meet at an edge,
+/// a triangle is the neighbor of the next one around the edge across the empty space in front of it. Voids are then
+/// closed surfaces, and bodies that touch along an edge are one.
 /// Requires: the boundary of a solid of these points.
 /// Throws:   ContractViolation on others.
 /// Cost:     linear, and a sort at such edges.

@@ -65,7 +65,7 @@ void shoot(Query& query, std::uint32_t surface, const Point3& p, const std::arra
   const std::array sides = {space::orientation_along(t[0], t[1], p, 0), space::orientation_along(t[1], t[2], p, 0),
                             space::orientation_along(t[2], t[0], p, 0)};
   const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
-  if (*low < 0 && *high > 0) return;  // the ray passes beside it
+  if (*low < 0 && *high > 0) return;  // the ray misses it
   const bool is_seen_from_its_side = *low == 0 && *high == 0;
   const int above = is_seen_from_its_side ? 0 : space::orientation(t[0], t[1], t[2], p);
   if (above == 0) {

@@ -37,7 +37,7 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
                                                  const GoOn& go_on = {});
-/// Returns the same for each component of a surface; 0 for components that are not closed.
+/// Returns for each closed component of a surface in how many others it lies; 0 for components that are not closed.
 /// Requires: a surface of these points, and its components.
 /// Throws:   as outer_shells().
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,

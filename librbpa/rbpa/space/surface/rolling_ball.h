@@ -26,7 +26,7 @@ class RBPA_API RollingBall {
 
   /// Copies the points.
   /// Requires: as surface(); without normals as exposed_triangles().
-  /// Throws:   likewise.
+  /// Throws:   what these functions throw.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
   RollingBall(std::span<const Point3> points, double radius);
   RollingBall(RollingBall&&) noexcept;
@@ -50,14 +50,14 @@ class RBPA_API RollingBall {
   /// exposed triangles with a side between a and b. Empty when an index is that of no point or of a duplicate.
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
-  /// Returns the exposed triangles whose least corner is `first`, in lexicographic order. Over all points, each
+  /// Returns the exposed triangles with the lowest corner `first`, in lexicographic order. Over all points, each
   /// triangle is returned once.
-  /// Throws: ContractViolation when there is no such point.
+  /// Throws: ContractViolation when `first` is not the index of a point.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
   /// Returns whether the triangle's own normal has a positive product with the normals of all points at its corners;
   /// true without normals.
-  /// Throws: ContractViolation when there are no such points.
+  /// Throws: ContractViolation when a corner is not the index of a point.
   bool agrees(const Triangle& triangle) const;
 
  private:

@@ -24,10 +24,10 @@ struct SplitFans {
 /// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled.
 RBPA_API SplitFans split_fans(const Surface& surface, const GoOn& go_on = {});
 
-/// Returns the same triangles, glued so that vertex indices determine the gluing: in split_fans() of the result, every
-/// pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that reaches an edge twice, as
-/// where bodies touch along an edge or on both sides of a sheet, is cut there. Each part is closed if its ends meet at
-/// both vertices; otherwise the edge becomes boundary.
+/// Returns the triangles of a surface, glued so that vertex indices determine the gluing: in split_fans() of the
+/// result, every pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that reaches an edge
+/// twice, as where bodies touch along an edge or on both sides of a sheet, is cut there. Each part is closed if its
+/// ends meet at both vertices; otherwise the edge becomes boundary.
 /// Requires: as split_fans().
 /// Throws:   as split_fans().
 /// Cost:     that of split_fans(), and a sort of the sides.

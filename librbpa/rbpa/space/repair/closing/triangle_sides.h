@@ -29,7 +29,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
 /// The triangles at the edges of given boundary loops.
 class BoundarySides {
  public:
-  /// Throws: ContractViolation where an edge of a loop is no boundary side; Cancelled.
+  /// Throws: ContractViolation where an edge of a loop is not a boundary side; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 

@@ -298,7 +298,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   return false;
 }
 
-/// Links the tetrahedra, once all have a number.
+/// Links the tetrahedra. Requires: all have a number.
 void StarSearch::link() {
   found_->neighbors.resize(found_->tetrahedra.size());
   number_[nobody / 4] = none;
