@@ -158,7 +158,7 @@ Scratch::Scratch(const StreamRequest& request)
       throw;
     }
   }
-  throw Failure(folder_ + ": the folder is removed again and again");
+  throw Failure(folder_ + ": other processes remove the folder again and again");
 }
 
 bool Scratch::make(const StreamRequest& request) {

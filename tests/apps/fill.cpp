@@ -243,7 +243,7 @@ TEST_SUITE("fill") {
     refuses(folder, "p.wkt --size 0 -o m.off", 2,
             "--size: found '0', expected inf or a length in units of the polygons: a number above 0");
     refuses(folder, "p.wkt --size inf --grade 1 -o m.off", 2,
-            "--size inf cannot be combined with --grade, as it adds no point");
+            "--size inf adds no point and cannot be combined with --grade");
     refuses(folder, "p.wkt --size 1 --grade x -o m.off", 2,
             "--grade: found 'x', expected how much sizes grow for each unit of distance: a number above 0");
     refuses(folder, "p.off --size 1 -o m.off", 2,

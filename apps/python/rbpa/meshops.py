@@ -125,8 +125,9 @@ def _soup(faces: Faces, points: Optional[int]) -> tuple[Indices, Integers, int]:
         corners = faces.reshape(-1)
     else:
         cycles = [np.asarray(cycle) for cycle in faces]
-        if any(cycle.ndim != 1 for cycle in cycles):
-            raise InvalidInput("faces: expected cycles of corners, each a sequence of whole numbers")
+        wrong = [f for f, cycle in enumerate(cycles) if cycle.ndim != 1]
+        if wrong:
+            raise InvalidInput(f"faces: found shape {cycles[wrong[0]].shape} at face {wrong[0]}, expected cycles of corners, sequences of whole numbers")
         begin = np.cumsum([0, *(len(cycle) for cycle in cycles)], dtype=np.int64)
         corners = np.concatenate([cycle for cycle in cycles if len(cycle)]) if begin[-1] else np.empty(0, np.int32)
     if corners.size and corners.dtype.kind not in "iu":

@@ -58,8 +58,8 @@ FillRequest parse(const FillArguments& arguments) {
   if (arguments.grade)
     request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
-    throw WrongUsage("--size inf cannot be combined with " + std::string(arguments.grade ? "--grade" : "--size-at") +
-                     ", as it adds no point");
+    throw WrongUsage("--size inf adds no point and cannot be combined with " +
+                     std::string(arguments.grade ? "--grade" : "--size-at"));
   request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
   if (request.size_at) {
     if (*request.size_at == "-" && request.path == "-")

@@ -114,7 +114,7 @@ std::size_t calls(const Points& points) {
 
 }  // namespace
 
-TEST_CASE("every triangle is the winner's at its sides and none is missing, on all subsets of small grids") {
+TEST_CASE("each side of each triangle has the right apex and no triangle is missing, on all subsets of small grids") {
   const double even[] = {0, 1, 2, 3}, stretched[] = {0, 1, 4, 20};
   for (const auto& x : {even, stretched}) {
     Points grid;
@@ -129,7 +129,7 @@ TEST_CASE("every triangle is the winner's at its sides and none is missing, on a
   }
 }
 
-TEST_CASE("every triangle is the winner's at its sides and none is missing, on few points") {
+TEST_CASE("each side of each triangle has the right apex and no triangle is missing, on few points") {
   Random random(1);
   for (int round = 0; round < trials(3000); ++round) {
     CAPTURE(round);
@@ -138,7 +138,7 @@ TEST_CASE("every triangle is the winner's at its sides and none is missing, on f
   }
 }
 
-TEST_CASE("every triangle is the winner's at its sides and none is missing, on sets that are hard for tiles") {
+TEST_CASE("each side of each triangle has the right apex and no triangle is missing, on sets that are hard for tiles") {
   for (const TileSet& set : tile_sets()) check(set.name, distinct(set.points));
 }
 

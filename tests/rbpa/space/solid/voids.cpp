@@ -249,7 +249,7 @@ TEST_CASE("chambers with a floating cube in each are voids with islands, also wh
   CHECK(open > 0);
 }
 
-TEST_CASE("a box in a box in a box floats in the inner void, not in the outer, in any order") {
+TEST_CASE("a box in a box in a box lies in the inner void, not in the outer, in any order") {
   Random random(420);
   Points3 points = grid(11, 11, 11);
   for (int trial = 0; trial < 4; ++trial) {
