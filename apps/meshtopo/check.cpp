@@ -63,7 +63,7 @@ std::optional<long> count_of(std::string_view name, const Examined& mesh) {
       std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& n) { return n.first == name; })->second);
 }
 
-/// Returns "2 non-manifold edges and 1 pinch"; an empty text if there is no defect of these kinds.
+/// Returns "2 non-manifold edges and 1 pinch"; an empty text if there is no defect of `kinds`.
 std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefectKind> kinds) {
   std::vector<std::string> parts;
   for (const SoupDefectKind kind : kinds) {

@@ -47,7 +47,7 @@ class Numbering {
 };
 
 /// Returns the steps of the slider: the radii that have a name or belong to a shown pair, and radii in even ratios from
-/// the least edge to 1.2 times the largest of these. The complex at each step is exact.
+/// the least edge to 1.2 times the largest of the named and shown radii. The complex at each step is exact.
 std::vector<double> steps_of(const SpaceReport& report) {
   constexpr std::size_t even_steps = 600;
   std::vector<double> steps;

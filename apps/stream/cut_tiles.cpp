@@ -39,7 +39,7 @@ class Cutter {
   void resume(const std::vector<TileSummary>& tiles) {
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) writers_[tile].resume(tiles[tile]);
   }
-  /// Makes add() write only the points of this tile.
+  /// Makes add() write only the points of `tile`.
   void want_only(std::uint32_t tile) { wanted_ = tile; }
 
   void add(const std::vector<Point>& points, std::uint64_t first) {

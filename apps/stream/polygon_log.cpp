@@ -30,7 +30,7 @@ struct PolygonHead {
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
 
 /// The head of a hole's record. The points of the hole follow, or, if `points` is 0, the key of the polygon that has
-/// holes of this name.
+/// the holes of `name`.
 struct HoleHead {
   std::uint64_t points;
   ComponentName name;

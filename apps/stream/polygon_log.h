@@ -35,7 +35,7 @@ class PolygonLog {
   /// Resumes the files from a state. Throws BadInput if there is less in them.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
-  /// Adds holes of polygons that will be added later, with the names of these.
+  /// Adds holes, with the names of their polygons, which will be added later.
   void add(std::span<const TakenHoles> holes);
   /// Writes everything that was added to the files, and returns their state.
   LogState flush();

@@ -32,7 +32,7 @@ struct FillingCounts {
 /// Returns the counts. They do not depend on the order of the holes.
 FillingCounts count(std::span<const HoleFill> holes);
 
-/// Counts refined fillings instead: their triangles, the area of these, and the added points.
+/// Replaces the counts of triangles and added points, and the area, by those of refined fillings.
 void count_refined(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                    const std::vector<bool>& is_new, const AddedPoints& added, FillingCounts& counts);
 

@@ -53,7 +53,7 @@ TemporaryFile::TemporaryFile(const std::string& path) : path_(path) {
   for (int attempt = 0; !create(name_beside(path, attempt)); ++attempt) continue;
 }
 
-/// Creates and locks the file, or returns false if there is already one of this name.
+/// Creates and locks the file, or returns false if a file called `name` exists.
 bool TemporaryFile::create(const std::string& name) {
   const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == EEXIST) return false;

@@ -42,7 +42,7 @@ class AlternateLocations {
  private:
   std::unordered_map<std::string, std::size_t> places_ = {};  // of each atom with a letter of an alternate location
   std::size_t count_ = 0;
-  std::string first_ = {};  // the first of these letters
+  std::string first_ = {};  // the first letter of an alternate location
 };
 
 class MoleculeCloud final : public Cloud {

@@ -17,9 +17,9 @@ namespace rbpa::app {
 struct SeparatorChoice {
   char separator = blanks;
   std::size_t lines = 0;                               ///< of data with that separator; 0: only the first line decided
-  FieldCount fields = {};                              ///< of these lines
+  FieldCount fields = {};                              ///< of each of `lines`
   bool first_fits = true;                              ///< the first line has as many fields
-  std::optional<std::size_t> geometry = std::nullopt;  ///< the field of these lines that is a geometry
+  std::optional<std::size_t> geometry = std::nullopt;  ///< the field of each of `lines` that is a geometry
   bool begin_with_atoms = false;                       ///< the first field of each may be the number of an element
 };
 

@@ -68,7 +68,7 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 /// binary file (counted from 0).
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 
-/// Returns the mesh that read_stl_mesh() would read from a file of these triangles.
+/// Returns the mesh that read_stl_mesh() would read from a file of `triangles`.
 MeshFile as_stl_mesh(const SinglePositions& positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace rbpa::app

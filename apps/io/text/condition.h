@@ -45,7 +45,7 @@ struct GroupColumns {
 /// A compiled condition: comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or
 /// `field in (2, 6)`, or a field alone, which holds if it is not 0; joined by not, and, or (also ! && ||) and brackets.
 /// Case does not matter. If fields may be texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind;
-/// the case of these texts matters.
+/// the case of texts in quotes matters.
 class Condition {
  public:
   /// Parses a condition. Throws WrongUsage with the part that is not understood.

@@ -117,9 +117,9 @@ class LineSelection {
   std::optional<Condition> where_;
   bool skip_invalid_;
   std::vector<std::size_t> places_ = {};   // columns of the table for the condition's fields and its texts
-  std::vector<Fields> found_ = {};         // the current line at each of these columns
+  std::vector<Fields> found_ = {};         // the current line at each of `places_`
   std::vector<Kind> kinds_ = {};           // of the condition's columns
-  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of these
+  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of the condition's columns
   std::optional<Selection> selection_ = std::nullopt;
   std::string room_ = {};
   std::size_t skipped_ = 0;

@@ -13,7 +13,7 @@
 namespace rbpa::app {
 
 /// Returns "1.2 M triangles, 3.4 M/s, at most 2 s left" after `seconds`. The time left is a bound, as a point has at
-/// most two triangles; it is shown after two seconds and a hundredth of these triangles.
+/// most two triangles; it is shown after two seconds and a hundredth of that number of triangles.
 std::string progress_text(const Progress& progress, double seconds);
 /// Returns "1.2 M triangles".
 std::string triangles_text(const Progress& progress, double seconds);

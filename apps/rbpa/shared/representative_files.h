@@ -24,9 +24,9 @@ namespace rbpa::app {
 struct RepresentativeRequest {
   Target target;
   PairChoice choice;
-  /// Pairs present at one of these radii only, or at one of the radii of hrbpa with this capacity of leaves.
-  std::optional<std::vector<double>> levels;
-  std::optional<std::size_t> leaf_capacity;
+  std::optional<std::vector<double>> levels;  ///< radii: only pairs that are present at one are written
+  std::optional<std::size_t> leaf_capacity;   ///< of hrbpa: only pairs that are present at one of its levels
+                                              ///< are written
 };
 
 /// Parses the options; nothing if no representatives are requested. Throws WrongUsage that names the option.

@@ -20,7 +20,7 @@ Regions grid_cut(const Points& points, std::size_t lines, Random& random);
 Regions halving_cut(const Points& points, std::size_t cuts, Random& random);
 /// Quarters squares while they have more than `most` points.
 Regions quartering_cut(const Points& points, std::size_t most);
-/// Cuts in one of these ways.
+/// Cuts by grid_cut(), halving_cut() or quartering_cut().
 Regions any_cut(const Points& points, std::size_t regions, Random& random);
 
 /// Points of a region and its halo, with their indices; in random order when `shuffled`.

@@ -96,7 +96,7 @@ struct Model {
   std::array<std::size_t, 4> counts, betti;
 };
 
-/// Returns the model of these tetrahedra and of the additional simplices.
+/// Returns the model of the tetrahedra of `solid` and of the simplices `more`.
 Model model_of(const PeriodicSolid& solid, const std::vector<std::vector<PeriodicVertex>>& more = {}) {
   Chains chains;
   for (const auto& row : rows_of(solid)) {
