@@ -74,8 +74,8 @@ class Scale {
     for (Point& p : outline.places) {
       const Point scaled{in(p.x), in(p.y)};
       if (out(scaled) != p)
-        throw InvalidInput("coordinates: found " + place_of(p) + " beside a coordinate of " + text(largest) +
-                           ", expected them closer in magnitude");
+        throw InvalidInput("coordinates: found " + place_of(p) + " together with a coordinate of " + text(largest) +
+                           ", expected coordinates closer in magnitude");
       p = scaled;
     }
   }

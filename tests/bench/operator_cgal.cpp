@@ -78,7 +78,7 @@ void split_edge(SurfaceMesh& mesh, Halfedge h) {
   if (!mesh.is_border(o)) Euler::split_face(o, mesh.next(mesh.opposite(to_new)), mesh);
 }
 
-/// The two faces beside the new edge have four sides until they are split.
+/// The two faces at the new edge have four sides until they are split.
 void split_vertex(SurfaceMesh& mesh, const std::pair<Halfedge, Halfedge>& from_right_to_left) {
   const Halfedge h = Euler::split_vertex(from_right_to_left.first, from_right_to_left.second, mesh);
   const Halfedge o = mesh.opposite(h);

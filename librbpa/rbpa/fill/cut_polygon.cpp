@@ -200,7 +200,7 @@ class LeftRings {
   Boundary boundary_;
 };
 
-/// Returns the polygons of rings, each ring from its least point on.
+/// Returns the polygons of rings, each ring from its lexicographically least point on.
 std::vector<Polygon> polygons_on(std::span<const Point> points, const std::vector<Ring>& rings) {
   std::vector<Polygon> polygons = polygons_of_rings(points, rings);
   const auto begin_at_least = [&](Ring& ring) {

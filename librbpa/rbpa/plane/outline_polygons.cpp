@@ -30,7 +30,8 @@ class Order {
     const auto less = [&](std::uint32_t p, std::uint32_t q) { return points_[p] < points_[q]; };
     std::rotate(ring.points.begin(), std::min_element(ring.points.begin(), ring.points.end(), less), ring.points.end());
   }
-  /// Returns whether a ring that begins with its least point, at which it always turns, is counter-clockwise.
+  /// Returns whether a ring that begins with its lexicographically least point, at which it always turns, is
+  /// counter-clockwise.
   bool is_counter_clockwise(const Ring& ring) const {
     return Predicates<long double>::orientation(points_[ring.points.back()], points_[ring.points[0]],
                                                 points_[ring.points[1]]) > 0;
@@ -83,8 +84,8 @@ std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex,
   return rings.take();
 }
 
-/// Returns the polygon of rings. One of them is counter-clockwise. It has the least point of all, perhaps with holes
-/// that touch it there.
+/// Returns the polygon of rings. One of them is counter-clockwise. It has the lexicographically least point of all,
+/// perhaps with holes that touch it there.
 Polygon polygon_of(std::vector<Ring> rings, const Order& order, Steps& step) {
   for (Ring& ring : rings) {
     step(ring.points.size());

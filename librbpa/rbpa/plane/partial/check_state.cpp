@@ -42,7 +42,7 @@ void check_rings(const std::vector<CornerRing>& rings) {
   for (const CornerRing& ring : rings) {
     check_path(ring);
     expect(std::all_of(ring.begin() + 1, ring.end(), [&](const Corner& c) { return ring[0].at < c.at; }),
-           "rings that each begin with their least point");
+           "the lexicographically least point first in each ring");
   }
   expect(ascends(rings, ring_before), "rings in ascending order");
 }

@@ -31,7 +31,7 @@ void add_edges(BoundaryMeasure& boundary, const CornerRing& ring) {
   for (const Corner& to : ring) boundary.add_edge(std::exchange(from, &to)->at, to.at);
 }
 
-/// Returns whether a ring is a shell. A ring always turns at its least point.
+/// Returns whether a ring is a shell. A ring always turns at its lexicographically least point.
 bool is_shell(const CornerRing& ring) {
   return Predicates<long double>::orientation(ring.back().at, ring[0].at, ring[1].at) > 0;
 }

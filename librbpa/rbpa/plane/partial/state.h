@@ -40,7 +40,7 @@ struct OpenComponent {
   /// Number of the group: components that are connected through points have the same one.
   std::uint32_t group = 0;
   std::uint64_t points = 0;  // points that count in it in any case
-  /// The least point of its chains and rings; at infinity if there are none.
+  /// The lexicographically least point of its chains and rings; at infinity if there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};
   std::vector<HoleSums> taken = {};  // none or one: sums are large

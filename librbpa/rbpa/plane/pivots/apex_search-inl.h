@@ -56,8 +56,8 @@ class ApexSearch {
   /// Finds the apexes of the first `size` edges, at least one:
   ///   1. open a window of cells at each edge;
   ///   2. bound what rounding can do there;
-  ///   3. find the winner among the window's points, edge by edge;
-  ///   4. verify that the winner's circle lies in the window;
+  ///   3. find the apex among the window's points, edge by edge;
+  ///   4. verify that the apex's circle lies in the window;
   ///   5. search on, from near to far, for the edges where it does not.
   /// Vectors of four to sixteen lanes cover a batch so:
   ///
@@ -163,7 +163,7 @@ class ApexSearch {
     return ends;
   }
 
-  /// Returns the winner among the points of at most three short rows; none: search again. Every point has a bit:
+  /// Returns the apex among the points of at most three short rows; none: search again. Every point has a bit:
   ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
@@ -242,7 +242,7 @@ class ApexSearch {
     }
   }
 
-  /// The winner among the points of some cells, with an upper bound of how far left of the chord's middle its circle's
+  /// The apex among the points of some cells, with an upper bound of how far left of the chord's middle its circle's
   /// center is.
   struct Winner {
     Index point;

@@ -29,7 +29,7 @@ struct EdgeBatch {
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 
   /// The distance left of the chord's middle, in half-chords, up to which centers of circles are of interest; an upper
-  /// bound of the winner's, infinite without one; and whether no other point can win.
+  /// bound of the apex's, infinite without an apex; and whether no other point can win.
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];
 

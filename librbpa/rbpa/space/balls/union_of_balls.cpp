@@ -62,7 +62,7 @@ class Union {
  private:
   using Row = std::array<std::uint32_t, 4>;
 
-  /// Adds the terms of a point, and of the edges, triangles and tetrahedra of which it is the least corner.
+  /// Adds the terms of a point, and of the edges, triangles and tetrahedra of which it is the corner of lowest index.
   void add_star(std::uint32_t a, std::vector<space::EdgeEnd>& ends, Sum& sum) const {
     const auto star = stars_[a];
     if (star.empty()) return;  // the point is a duplicate

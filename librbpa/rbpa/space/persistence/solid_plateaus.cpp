@@ -81,7 +81,7 @@ class Parts {
   }
 
   meshops::DisjointSets sets_;
-  std::vector<std::uint32_t> size_;  // for each set, at its least point
+  std::vector<std::uint32_t> size_;  // for each set, at the lowest index of its points
 };
 
 /// Returns, for each tetrahedron, the radius from which it is in the complex or in a void of it.

@@ -115,7 +115,7 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
                    "nodes_of: the tetrahedra, radii and nodes differ in number, expected those that made the tree");
   // One triangle of each void, turned outward from the tetrahedron in it, as boundaries are seen from within voids.
   std::map<Triangle, std::size_t> void_at;
-  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the least corner of such a triangle
+  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the lowest corner of such a triangle
   for (std::size_t i = 0; i < voids.size(); ++i) {
     const auto& [a, b, c] = boundary.triangles[voids[i].triangles.front()];
     const Triangle face = from_least({a, c, b});

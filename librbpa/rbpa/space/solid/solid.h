@@ -37,7 +37,7 @@ struct Solid {
   static constexpr std::uint32_t none = 0xffffffff;
 
   /// The tetrahedra. Each is positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d; a is the
-  /// least corner, b the second least. Rows are in lexicographic order.
+  /// corner of lowest index, b that of second lowest index. Rows are in lexicographic order.
   std::vector<std::array<std::uint32_t, 4>> simplices;
   /// The tetrahedron across from each corner, or none. Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;

@@ -1,8 +1,8 @@
 // What: the voids of a solid: the bounded components of the complement, each with its volume and its walls.
 // Law:  which regions are voids, and their boundary, are exact; a function of the set of points and alpha, down to the
-//       last bit of the measures. The volume of a void is that within its boundary, minus the islands that float in it;
+//       last bit of the measures. The volume of a void is that within its boundary, minus the islands in it;
 //       no tetrahedra of a larger radius are needed. docs/explanation/space.md, section 18.
-// Cost: that of count(), and the measures of the voids' boundary; if islands float in voids, also a search among their
+// Cost: that of count(), and the measures of the voids' boundary; if voids contain islands, also a search among their
 //       components for each triangle of such a void.
 #pragma once
 
@@ -24,7 +24,7 @@ namespace rbpa {
 struct SolidVoid {
   std::vector<std::uint32_t> triangles;  ///< numbers of the boundary triangles that bound it; ascending
   std::vector<std::uint32_t> points;     ///< their corners; ascending
-  std::size_t islands = 0;               ///< components of the solid that float in it
+  std::size_t islands = 0;               ///< components of the solid that lie in it
   double volume = 0;  ///< of its tetrahedra, between the points; with the accuracy of measure() of a boundary
   /// The volume of the points in it that are at least alpha from every input point: the possible centers of a ball.
   /// Present for voids of the full complex.

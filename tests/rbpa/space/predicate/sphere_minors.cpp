@@ -22,7 +22,7 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 /// Returns a vector of any direction, with a length from 1 to 2^−70, or rounded to a grid. It has few bits, so that
-/// sums of products are exact now and then.
+/// sums of products are sometimes exact.
 Point3 vector_of(Random& random) {
   const double length = std::ldexp(1.0, -static_cast<int>(random.below(random.below(2) == 0 ? 3 : 70)));
   const auto coordinate = [&] {

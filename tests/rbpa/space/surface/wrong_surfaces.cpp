@@ -50,7 +50,7 @@ std::vector<std::pair<const char*, Surface>> broken_surfaces() {
   };
   add("a triangle without neighbors", [](Surface& s) { s.neighbors.pop_back(); });
   add("neighbors without a triangle", [](Surface& s) { s.triangles.pop_back(); });
-  add("a corner that is no point", [](Surface& s) { s.triangles[1][1] = 4; });
+  add("a corner that is not a point", [](Surface& s) { s.triangles[1][1] = 4; });
   add("a corner far away", [](Surface& s) { s.triangles[0][2] = none; });
   add("a corner twice", [](Surface& s) { s.triangles[0][2] = s.triangles[0][1]; });
   add("a neighbor that does not exist", [](Surface& s) { s.neighbors[0][0] = 2; });
@@ -118,7 +118,7 @@ TEST_CASE("every function of surfaces refuses invalid ones, and takes one withou
       const auto& called = call;
       const bool has_no_points = std::string(name) == "split_fans" || std::string(name) == "indexable_surface" ||
                                  std::string(name) == "genus_of";
-      if (has_no_points && std::string(what) == "a corner that is no point") continue;
+      if (has_no_points && std::string(what) == "a corner that is not a point") continue;
       CHECK(end_of([&] { called(given); }) == "refused");
     }
     const auto& called = call;

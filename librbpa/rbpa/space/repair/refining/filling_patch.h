@@ -26,8 +26,8 @@ struct FillingRim {
   /// For each vertex: twice the mean curvature in the two rings of vertices next to it outside; none where no vertex
   /// there has only triangles outside of the patch around it.
   std::vector<std::optional<double>> bend;
-  std::vector<bool> is_inner;                               ///< for each vertex: whether triangles are all around it
-  Surface triangles;                                        ///< corners are vertices; glued; least corner first, sorted
+  std::vector<bool> is_inner;  ///< for each vertex: whether triangles are all around it
+  Surface triangles;           ///< corners are vertices; glued; lowest corner first, sorted
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< between vertices, outside of the patch; low < high
 };
 

@@ -19,7 +19,7 @@ struct ClosedMeasures {
   double volume = 0;  ///< negative where the triangles face what they enclose
   double area = 0;
   Point3 low, high;  ///< opposite corners of the box
-  /// The least triangle by coordinates, from its least corner on: independent of any numbering
+  /// The least triangle by coordinates, from its lexicographically least corner on: independent of any numbering
   std::array<Point3, 3> least{};
 };
 

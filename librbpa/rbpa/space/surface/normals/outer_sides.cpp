@@ -26,7 +26,7 @@ constexpr double most_contradicted = 0.05;  // of pairs of neighbors
 constexpr double nearly_all = 0.7;          // of points
 constexpr double most_opposed = 0.02;       // of the points of a component: then the normals given are kept
 
-/// Returns, for each point, the least point connected with it through nearest ones.
+/// Returns, for each point, the lowest index of the points connected with it through nearest ones.
 std::vector<Number> components_of(const Neighborhoods& near) {
   meshops::DisjointSets sets(near.points.size());
   for (Number i = 0; i < near.points.size(); ++i)
@@ -89,7 +89,7 @@ struct Verdict {
 
 std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> normals,
                            const std::vector<Number>& component, const Seen& seen) {
-  std::vector<Verdict> verdicts(near.points.size());  // of a component, at its least point
+  std::vector<Verdict> verdicts(near.points.size());  // of a component, at the lowest index of its points
   for (Number i = 0; i < near.points.size(); ++i) {
     Verdict& verdict = verdicts[component[i]];
     ++verdict.points;
