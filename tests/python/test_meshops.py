@@ -209,7 +209,7 @@ def test_refusals_say_why_and_leave_the_mesh_as_it_was():
             getattr(mesh, operator)(argument)
     for query in ("from_vertex", "next", "face", "halfedge_of_vertex", "halfedge_of_face", "face_vertices"):
         for nothing in (-1, 1000):
-            with pytest.raises(rbpa.ContractViolation, match=f"there is no .* {nothing}"):
+            with pytest.raises(rbpa.ContractViolation, match=f" {nothing} does not exist or is deleted"):
                 getattr(mesh, query)(nothing)
         for wrong in (None, 1.5, "a", 2**40):
             with pytest.raises(TypeError):
