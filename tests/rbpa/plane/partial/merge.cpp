@@ -286,8 +286,10 @@ TEST_CASE("different radii and overlapping regions are not merged") {
 TEST_CASE("a refusal names the missing region") {
   const Points points = uniform(400, 1);
   const auto part = [&](const Region& region) { return rbpa::partial(region, given(region, points, 1), 1); };
-  CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }), "none contains the area with the lower left corner (10, -inf)"));
-  CHECK(says(refusal([] { rbpa::finish(Partial()); }), "none contains the area with the lower left corner (-inf, -inf)"));
+  CHECK(says(refusal([&] { rbpa::finish(part(halves[0])); }),
+             "none contains the area with the lower left corner (10, -inf)"));
+  CHECK(
+      says(refusal([] { rbpa::finish(Partial()); }), "none contains the area with the lower left corner (-inf, -inf)"));
   CHECK(refusal([&] { rbpa::finish(rbpa::merge(part(halves[0]), part(halves[1]))); }).empty());
 }
 
