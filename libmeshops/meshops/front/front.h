@@ -131,7 +131,7 @@ class MESHOPS_API Front {
   /// Returns the number of transfers to a next level so far.
   std::size_t level() const { return levels_.count(); }
   /// Returns the value of level() when a face was inserted; 0 for faces with which the front began. Allowed after
-  /// finish() and for detached faces. Throws ContractViolation when there is no such face.
+  /// finish() and for detached faces. Throws ContractViolation when the face does not exist.
   /// Cost: the logarithm of the number of levels.
   std::size_t level(Face f) const;
 
@@ -177,7 +177,7 @@ class MESHOPS_API Front {
   ///           ContractViolation; the mesh is then unchanged.
   InsertedTriangle insert(const Fit& fit);
 
-  /// Returns why detach() would refuse, or nothing when it would not. The reasons: there is no such face, it is not a
+  /// Returns why detach() would refuse, or nothing when it would not. The reasons: the face does not exist, it is not a
   /// triangle, none of its sides is on the boundary, or the mesh has no status.
   std::optional<Refusal> detach_blocker(Face f) const;
   /// Detaches a triangle at the front. The triangle is marked deleted, and so are its edges without another face; its

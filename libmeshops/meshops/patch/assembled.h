@@ -23,7 +23,7 @@ class MESHOPS_API AssembledPatches {
   std::size_t sites() const { return vertices_.sites(); }
   /// Returns whether no triangle has a corner on this site.
   bool is_free(Site s) const { return vertices_.is_free(s); }
-  /// Returns the site on which a vertex stands. Throws ContractViolation when there is no such vertex.
+  /// Returns the site on which a vertex stands. Throws ContractViolation when the vertex does not exist.
   Site site(Vertex v) const { return vertices_.site(v); }
 
   /// Removes the vertices without triangles and renumbers the others, keeping their order.

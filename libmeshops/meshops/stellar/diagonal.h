@@ -48,7 +48,7 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
-/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: there is no such halfedge, its
+/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: the halfedge does not exist, its
 /// edge is on the boundary, or one face lies on both sides of the edge. The result is a mesh of polygons; two faces
 /// with several common edges become one face that touches itself.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);

@@ -13,8 +13,8 @@
 
 namespace meshops {
 
-/// Returns why the vertex cannot be removed, or nothing when it can. The reasons: the mesh has no status, there is
-/// no such vertex, it is isolated, or no neighbor can take over its fan; in the last case the reason is that of the
+/// Returns why the vertex cannot be removed, or nothing when it can. The reasons: the mesh has no status, the
+/// vertex does not exist, it is isolated, or no edge at it can be collapsed; in the last case the reason is that of the
 /// first halfedge.
 MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
                                                              Keep keep = Keep::simplicial);

@@ -13,7 +13,7 @@
 
 namespace meshops {
 
-/// Returns why the face cannot be split, or nothing when it can. The reasons: there is no such face, or it is not a
+/// Returns why the face cannot be split, or nothing when it can. The reasons: the face does not exist, or it is not a
 /// triangle. A simplicial mesh always stays simplicial.
 MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f);
 

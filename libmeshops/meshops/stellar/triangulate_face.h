@@ -47,7 +47,7 @@ class MESHOPS_API Polygon {
  public:
   Polygon(const Connectivity& mesh, Face face, Keep keep);
 
-  /// Returns the number of corners; 0 when there is no such face, or it cannot be triangulated.
+  /// Returns the number of corners; 0 when the face does not exist, or it cannot be triangulated.
   std::size_t size() const { return sides_.size(); }
   /// Returns why there is no triangulation.
   const char* reason() const { return reason_; }
@@ -97,7 +97,7 @@ std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& pol
 
 }  // namespace detail
 
-/// Returns why the face cannot be triangulated, or nothing when it can. The reasons: there is no such face; every
+/// Returns why the face cannot be triangulated, or nothing when it can. The reasons: the face does not exist; every
 /// triangulation has an edge with one vertex at both ends; with Keep::simplicial, every triangulation has an edge
 /// between vertices that an edge joins already, or the face passes a vertex twice.
 /// Cost: O(k³) time and O(k²) memory for k sides.

@@ -17,8 +17,8 @@ struct WeldFaceEffect : WeldEffect {
   Face face{};  ///< the triangle that replaces the three
 };
 
-/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: there is no such vertex,
-/// it is isolated or on the boundary, it does not have three edges, a face at it is not a triangle, or, with
+/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: the vertex does not
+/// exist, it is isolated or on the boundary, it does not have three edges, a face at it is not a triangle, or, with
 /// Keep::simplicial, a triangle with these corners exists already.
 MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
                                                          Keep keep = Keep::simplicial);

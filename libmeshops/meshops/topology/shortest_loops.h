@@ -28,7 +28,7 @@ struct HomologySignature {
   std::size_t words = 0;             ///< number of words per edge
   std::vector<std::uint64_t> edges;  ///< `words` for each edge, by edge index
 
-  /// Returns the words of an edge. Throws ContractViolation when there is no such edge.
+  /// Returns the words of an edge. Throws ContractViolation when the edge does not exist.
   std::span<const std::uint64_t> of(Edge e) const {
     require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(),
             "HomologySignature: the edge does not exist or is deleted");

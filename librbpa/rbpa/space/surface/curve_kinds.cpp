@@ -70,7 +70,7 @@ std::vector<bool> islands(const SurfaceComponents& components) {
 
 std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
                                 const HoleChoice& choice) {
-  meshops::require(kinds.size() == curves.size(), "chosen_curves: expected as many kinds as curves");
+  meshops::require_one_each("chosen_curves", kinds.size(), "kinds", curves.size(), "curves");
   std::vector<Hole> chosen;
   for (std::size_t i = 0; i < curves.size(); ++i)
     if (choice.has(curves[i], kinds[i])) chosen.push_back(curves[i]);
