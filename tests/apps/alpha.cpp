@@ -207,7 +207,8 @@ TEST_SUITE("alpha") {
       CHECK(refused.err.find(why) != std::string::npos);
     };
     refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' after 2, expected ascending radii");
-    refuses("--representatives r.geojson --levels all", "--levels: found 'all', expected a radius");
+    refuses("--representatives r.geojson --levels all",
+            "--levels: found 'all', expected numbers above 0 with commas between them, or hrbpa");
     refuses("--levels 1", "--levels requires --representatives");
     const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
     CHECK(wrong.code == 2);

@@ -6,10 +6,12 @@
 
 namespace apps_test {
 
-std::string compressed(const std::string& content) {
+namespace {
+
+std::string compressed_at(int level, const std::string& content) {
   z_stream state{};
   constexpr int widest_window = 15, gzip_only = 16, memory = 8;
-  if (deflateInit2(&state, 1, Z_DEFLATED, widest_window + gzip_only, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&state, level, Z_DEFLATED, widest_window + gzip_only, memory, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("zlib");
   std::string bytes(deflateBound(&state, content.size()), '\0');
   state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));  // which zlib only reads
@@ -23,10 +25,14 @@ std::string compressed(const std::string& content) {
   return bytes;
 }
 
+}  // namespace
+
+std::string compressed(const std::string& content) { return compressed_at(Z_BEST_SPEED, content); }
+
 std::string bomb(const std::string& content, const std::string& filler, std::size_t size) {
   std::string much;
-  while (much.size() < (std::size_t{1} << 20U)) much += filler;
-  const std::string member = compressed(much);  // a gzip file may have several
+  while (much.size() < (std::size_t{16} << 20U)) much += filler;
+  const std::string member = compressed_at(Z_BEST_COMPRESSION, much);  // a gzip file may have several
   std::string bytes = compressed(content);
   for (std::size_t done = 0; done < size; done += much.size()) bytes += member;
   return bytes;
