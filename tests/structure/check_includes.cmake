@@ -98,7 +98,7 @@ set(allowed
     rbpa/space/predicate rbpa/space/surface rbpa/space/surface/pivot"
 
   # Programs: folders of ours first, then what each uses of the libraries.
-  "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa/space/repair
+  "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa/plane rbpa/space/repair
     rbpa/space/surface"
   "apps/io: rbpa/base"
   "apps/io/bytes: apps/io meshops/core"
@@ -134,7 +134,7 @@ function(floor_of folder result)
   if(folder MATCHES "^(meshops|apps|rbpa$)")
     set(room ${CMAKE_MATCH_1})
   else()
-    string(REGEX MATCH "^rbpa/(space/)?[a-z]+" room ${folder})
+    string(REGEX MATCH "^rbpa/(space/)?[a-z_]+" room ${folder})
   endif()
   list(FIND floors "${room}" floor)
   if(floor LESS 0)

@@ -3,6 +3,7 @@ cmake_minimum_required(VERSION 3.22)
 # of code.
 set(checked 0)
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
+list(APPEND pages ${ROOT}/README.md)
 foreach(page ${pages})
   file(READ ${page} text)
   while(TRUE)
