@@ -27,7 +27,8 @@ int report(const std::string& program, const std::string& message, ExitCode code
 /// Writes `text` to standard output. Throws as OutputFile does.
 void print(const std::string& text);
 
-/// Calls `work`. Turns an exception into one line on standard error and an exit code.
+/// Calls `work` and returns the exit code `done`. If it throws, prints one line on standard error (none for ClosedPipe)
+/// and returns the exit code of the exception.
 int run(const std::string& program, const std::function<void()>& work);
 
 }  // namespace rbpa::app

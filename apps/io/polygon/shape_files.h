@@ -1,6 +1,7 @@
-// What: writes a shape for geographic information systems: its polygons, and the points that are in none.
-// Law:  the bytes depend on polygons and points alone; coordinates read back to the same doubles; points are in the
-//       order of the input.
+// What: writes a shape, or the shapes of groups, for geographic information systems: polygons, the points that are in
+//       none, and the polygon of each point.
+// Law:  the bytes are a function of the arguments alone. Coordinates read back to the same doubles, except where
+//       GeoJSON is cut at the antimeridian. Points are in the order of the input.
 #pragma once
 
 #include <cstdint>

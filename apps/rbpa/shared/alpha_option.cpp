@@ -41,7 +41,7 @@ double parse_squared(const std::string& text) {
 double parse_inverse(const std::string& text) {
   const std::optional<double> inverse = parse_size(text);
   if (!inverse || *inverse == infinity)
-    throw WrongUsage("--alpha-inverse: found " + in_quotes(text) + ", expected one over a radius, >= 0");
+    throw WrongUsage("--alpha-inverse: found " + in_quotes(text) + ", expected one over a radius, finite and >= 0");
   return 1 / *inverse;
 }
 

@@ -146,7 +146,7 @@ StreamTarget parse_stream_target(const std::string& path, const std::optional<st
     const std::size_t star = path.rfind('*');
     if (star == std::string::npos || path.find('/', star) != std::string::npos)
       throw WrongUsage(
-          path + ": found a mesh of all tiles, expected a name with a '*' for the number of the tile: 'tiles/*.ply'");
+          path + ": found no '*' in the name of the file, expected one for the number of the tile: 'tiles/*.ply'");
   }
   return {path, *format};
 }

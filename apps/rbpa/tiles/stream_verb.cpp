@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 double parse_finite_alpha(const RadiusArguments& arguments) {
-  const std::string advice = " (rbpa alpha on a sample of the points shows them)";
+  const std::string advice = " (rbpa alpha on a sample of the points shows which radius to choose)";
   const AlphaOption option = parse_alpha(arguments);
   if (option.rule != AlphaRule::given)
     throw WrongUsage("--alpha: found " + in_quotes(*arguments.alpha) +

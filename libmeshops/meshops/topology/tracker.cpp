@@ -159,7 +159,7 @@ void TopologyTracker::put(Vertex v, std::uint32_t node) {
 
 std::uint32_t TopologyTracker::node(Vertex v) const {
   require(v.is_valid() && static_cast<std::size_t>(v.idx()) < node_of_.size(),
-          "TopologyTracker: found a vertex that no note() named");
+          "TopologyTracker: found a vertex that is invalid or unknown (call note() after each operator)");
   return node_of_[static_cast<std::size_t>(v.idx())];
 }
 

@@ -110,8 +110,9 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   return found_;
 }
 
-/// Walks toward the site: if none of the corners passed lies in between, every one lies left of the line from a or
-/// right of that from b.
+/// Walks from the edge (a, b) toward the site. A corner in the triangle of edge and site ends the walk: the triangle is
+/// not empty. Any other corner lies left of the line from a to the site or right of the line from b to the site, which
+/// decides through which side the walk continues.
 bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   const Point &a = places_[edge.from], &b = places_[edge.to], &p = places_[site];
   if (quick_orientation(a, b, p) <= 0) return false;

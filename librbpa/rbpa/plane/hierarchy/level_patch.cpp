@@ -6,8 +6,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the entry of `across` for a side whose triangle has a new number, which is a third of the side's, or is
-/// gone.
+/// Returns the new number of the side `beyond`, or Patch::nothing if its triangle waits; a negative entry of `across`
+/// is returned as it is. `number` has for each triangle the new number of its first side.
 int renumbered(int beyond, const std::vector<int>& number) {
   if (beyond < 0) return beyond;
   const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];

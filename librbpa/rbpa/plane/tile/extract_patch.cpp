@@ -249,7 +249,8 @@ class PatchExtraction {
     return result_.patch.across[s / 3][s % 3];
   }
 
-  /// Lists the surroundings of stars that are not settled, for the remainder.
+  /// Lists what the remainder needs: the pairs of a site whose star is seen and a neighbor whose star is not settled,
+  /// the corners that are ghosts, and the triangles without a settled corner.
   void list_unsettled() {
     const std::uint8_t* const star = workspace_.star.data();
     CountedList<TilePatch::Neighbors> neighbors(workspace_.unsettled_neighbors,

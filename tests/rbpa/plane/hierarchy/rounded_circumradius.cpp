@@ -74,7 +74,7 @@ TEST_CASE("it is the circumradius where the area is hardly rounded") {
 }
 
 TEST_CASE("a triangle so flat that rounding hides its area gets a finite radius, not above the true one") {
-  // Three points at 1/10, 2/10 and 3/10 of a diagonal are nearly on a line.
+  // Points at 0.1, 0.2 and 0.3 of the diagonal x = y; e moves two of them off it.
   for (const double e : {0.0, 0x1p-54, 0x1p-53, 0x1p-50}) {
     const std::array<Point, 3> p{Point{0.1, 0.1}, {0.2, 0.2 + e}, {0.3, 0.3 - e}};
     if (exact::orientation(p[0], p[1], p[2]) == 0) continue;
