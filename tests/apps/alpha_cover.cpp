@@ -113,7 +113,8 @@ TEST_SUITE("alpha cover") {
       refuses("--alpha-squared " + wrong,
               "--alpha-squared: found '" + wrong + "', expected the square of a radius, > 0, or inf");
     for (const std::string wrong : {"-1", "nan", "inf", "auto"})
-      refuses("--alpha-inverse " + wrong, "--alpha-inverse: found '" + wrong + "', expected one over a radius, finite and >= 0");
+      refuses("--alpha-inverse " + wrong,
+              "--alpha-inverse: found '" + wrong + "', expected one over a radius, finite and >= 0");
     for (const std::string two :
          {"--alpha 1 --alpha-squared 1", "--alpha 1 --alpha-inverse 1", "--alpha-squared 1 --alpha-inverse 1"})
       CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg " + two).err ==

@@ -247,7 +247,8 @@ void check_points(std::span<const Point> points, std::span<const Ring> rings, co
     const auto other = std::find_if(ring.begin(), ring.end(), [&](std::uint32_t i) { return points[i] != a; });
     const Point& b = other == ring.end() ? a : points[*other];
     if (std::all_of(ring.begin(), ring.end(), [&](std::uint32_t i) { return plane_orientation(a, b, points[i]) == 0; }))
-      throw InvalidInput(name(r) + " at " + place_of(a) + ": found all points on one line, expected a ring with an area");
+      throw InvalidInput(name(r) + " at " + place_of(a) +
+                         ": found all points on one line, expected a ring with an area");
   }
 }
 

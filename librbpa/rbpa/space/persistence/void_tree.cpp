@@ -111,8 +111,9 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
 
 std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                     double alpha, const Surface& boundary, std::span<const SolidVoid> voids) {
-  meshops::require(radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
-                   "nodes_of: the tetrahedra, radii and tree.node_of differ in number, expected those that made the tree");
+  meshops::require(
+      radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
+      "nodes_of: the tetrahedra, radii and tree.node_of differ in number, expected those that made the tree");
   // One triangle of each void, turned outward from the tetrahedron in it, as boundaries are seen from within voids.
   std::map<Triangle, std::size_t> void_at;
   std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the lowest corner of such a triangle

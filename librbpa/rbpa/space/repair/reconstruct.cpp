@@ -188,7 +188,8 @@ class Reconstructing {
     if (!has_normals && options_.radii.size() > 1)
       throw InvalidInput(std::to_string(options_.radii.size()) + " radii without normals, expected one");
     if (has_normals && options_.components.shell != ShellChoice::all)
-      throw InvalidInput("a choice of shells and normals, expected no normals, as shells are chosen of surfaces without");
+      throw InvalidInput(
+          "a choice of shells and normals, expected no normals, as shells are chosen of surfaces without");
   }
 
   std::span<const Point3> normals() const {
