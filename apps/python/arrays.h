@@ -28,11 +28,14 @@ inline py::arg as_is(const char* name) { return py::arg(name).noconvert(); }
 
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Throws ValueError that names the shape of `array` and the expected one, unless `is_so`.
+/// Throws ValueError that names the shape of `array` and the expected one, unless `is_so`. Calls nothing of Python, so
+/// that threads without its lock may call it.
 inline void require_shape(bool is_so, const py::array& array, const std::string& name, const std::string& expected) {
   if (is_so) return;
-  const std::string found = py::str(array.attr("shape"));
-  throw py::value_error(name + ": found an array of shape " + found + ", expected " + expected);
+  std::string found;
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) found += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+  if (array.ndim() == 1) found += ",";
+  throw py::value_error(name + ": found an array of shape (" + found + "), expected " + expected);
 }
 inline void require_rows(const py::array& array, const std::string& name, int columns) {
   require_shape(array.ndim() == 2 && array.shape(1) == columns, array, name, "(n, " + std::to_string(columns) + ")");

@@ -183,7 +183,8 @@ TEST_CASE("invalid triangulations and radii are refused by name; points in a pla
   const Points3 points = uniform_cube(30, 8);
   const Solid delaunay = rbpa::solid(points, infinity), bare = rbpa::solid(points, infinity, {.neighbors = false});
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
-  CHECK_THROWS_WITH_AS(rbpa::count_full(points, delaunay, {}, 1), doctest::Contains("count_full: expected a radius"),
+  CHECK_THROWS_WITH_AS(rbpa::count_full(points, delaunay, {}, 1),
+                       doctest::Contains("count_full: found 0 radii for 114 tetrahedra, expected one for each"),
                        meshops::ContractViolation);
   CHECK_THROWS_WITH_AS(rbpa::void_space(points, bare, radii, 1), doctest::Contains("void_space: the triangulation has"),
                        meshops::ContractViolation);
