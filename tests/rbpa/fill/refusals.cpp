@@ -60,8 +60,9 @@ TEST_CASE("an invalid polygon is refused, and the message names the place") {
   CHECK(names(refusal(points, {{.shell = {{0, 1, 3, 2}}}}), {"crosses", "(4, 0)", "(0, 4)"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1, 2, 1}}}}), {"passes (4, 0) twice"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1}}}}), {"the shell of polygon 0", "found 2 points"}));
-  CHECK(names(refusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {square()}), {"the shell of polygon 0", "(0, 0)", "no area"}));
-  CHECK(names(refusal({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {square()}), {"no area"}));
+  CHECK(names(refusal({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {square()}),
+              {"the shell of polygon 0", "(0, 0)", "all points on one line"}));
+  CHECK(names(refusal({{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {square()}), {"all points on one line"}));
   CHECK(names(refusal(points, {{.shell = {{0, 1, 9}}}}), {"vertex 2 of the shell of polygon 0", "point 9"}));
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   CHECK(names(refusal(moved(6, {nan, 0}), {with_hole}), {"vertex 2 of hole 0 of polygon 0", "finite"}));
