@@ -1,6 +1,7 @@
 // What: stores triangles in files of scratch by their least index, and reads them sorted.
 // Law:  all added triangles come out in lexicographic order, which is the canonical order of files.
-// Cost: each triangle is written once and read twice; memory of the buffers of all files, at the end of one file.
+// Cost: each triangle is written once. sorted() reads a file once to count, and once for each part of it that fits into
+//       `memory`; a small, sparse file once in all. Memory: the buffers of all files while rows are added.
 #pragma once
 
 #include <array>
@@ -25,20 +26,23 @@ struct RowsState {
 
 class TriangleRows {
  public:
-  /// Takes triangles of `points` points. A file has at most about `file_bytes` bytes, provided that the rows that wait
-  /// to be written take at most a quarter of that.
+  /// Takes triangles of `points` points. A file has about `file_bytes` bytes at most, unless that takes more than 4096
+  /// files, or buffers of more than a quarter of `file_bytes`: then files are larger.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
-  /// Resumes the files from a state. Throws BadInput if they are damaged.
+  /// Resumes the files from a state, and cuts off rows that were written after it. Throws BadInput if there are other
+  /// files, or one is too short; sorted() finds other damage.
   void resume(const RowsState& state);
   /// Adds triangles. Requires: the smallest index of each is first, and all are below the number of points.
   void add(std::span<const TriangleRow> triangles);
   /// Writes everything that was added to the files, and returns their state.
   RowsState flush();
 
+  /// Returns whether an index in a row has 4 bytes; otherwise it has 8.
   bool are_short() const { return short_; }
-  /// Calls write(bytes) with all rows in order, little-endian. Uses about `memory` bytes. Throws BadInput if a file is
-  /// damaged.
+  /// Calls write(bytes) with all rows in order, some at a time, little-endian. Uses about `memory` bytes, and 4 for
+  /// each least index of a file. Requires: flush() after the last add(). Throws BadInput if a file is damaged, perhaps
+  /// after other rows were written.
   void sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const;
 
  private:

@@ -19,12 +19,12 @@ struct Progress {
   std::size_t points;     ///< number of all points; of the distinct ones where duplicates are known
 };
 
-/// Callback that is called every few milliseconds, one call at a time but from any thread of the run. Returning false
-/// ends the run with Cancelled. An empty callback is never called.
+/// Callback that is called every few milliseconds unless a function says otherwise, one call at a time but from any
+/// thread of the run. Returning false ends the run with Cancelled. An empty callback is never called.
 using OnProgress = std::function<bool(const Progress&)>;
 /// OnProgress without its argument, as in libmeshops.
 using meshops::GoOn;
-/// Function that a run calls every few milliseconds. It throws Cancelled to end the run.
+/// Function that a run calls every few milliseconds. It throws Cancelled to end the run. An empty one is never called.
 using Checkpoint = std::function<void()>;
 
 /// Returns a function that calls `progress` with these counts, and returns whether to continue. The result is empty if

@@ -33,7 +33,8 @@ struct Leaf {
 /// Requires: distinct points, at least one; capacity ≥ 1.
 std::vector<Leaf> quadtree(std::span<const Point> points, std::size_t capacity);
 
-/// Returns the minimal radius α₀: half the side of the smallest leaf, as a double above 0.
+/// Returns the minimal radius α₀: half the side of the smallest leaf, empty ones included; the least double above 0 if
+/// that rounds to 0. Requires: at least one leaf.
 double minimal_radius(std::span<const Leaf> leaves);
 
 }  // namespace rbpa::paper

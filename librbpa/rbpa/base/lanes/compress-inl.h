@@ -1,5 +1,5 @@
-// What: moves chosen lanes of several vectors to the front. Compiled once for each kind of vector unit; the only
-//       include guard is the compiler's own per kind.
+// What: moves chosen lanes of several vectors to the front. Compiled once for each kind of
+//       vector unit; HWY_TARGET_TOGGLE is the include guard.
 // Why:  some compilers translate Highway's Compress of 64-bit lanes so that it copies a table to the stack at each
 //       call.
 #if defined(RBPA_BASE_LANES_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)

@@ -1,5 +1,5 @@
 // What:   double-double in the lanes of registers: base/exact/double_double.h for several numbers at a time, with its
-//         bounds. Compiled once for each kind of vector unit; the only include guard is the compiler's own per kind.
+//         bounds. Compiled once for each kind of vector unit; HWY_TARGET_TOGGLE is the include guard.
 // Source: Dekker, A floating-point technique for extending the available precision (1971).
 #if defined(RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_

@@ -1,5 +1,5 @@
-// What: converts a vector's mask to the bits of an integer, and back. Compiled once for each kind of vector unit; the
-//       only include guard is the compiler's own per kind.
+// What: converts a vector's mask to the bits of an integer, and back. Compiled once for each kind of
+//       vector unit; HWY_TARGET_TOGGLE is the include guard.
 #if defined(RBPA_BASE_LANES_MASK_BITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_MASK_BITS_INL_H_
 #undef RBPA_BASE_LANES_MASK_BITS_INL_H_

@@ -1,5 +1,5 @@
 // What: the points that a tile owns, as bits by number and as labels, and the box around them. Compiled once for each
-//       kind of vector unit; the only include guard is the compiler's own per kind.
+//       kind of vector unit; HWY_TARGET_TOGGLE is the include guard.
 #if defined(RBPA_ENUMERATION_OWNED_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_ENUMERATION_OWNED_POINTS_INL_H_
 #undef RBPA_ENUMERATION_OWNED_POINTS_INL_H_
@@ -34,6 +34,7 @@ class OwnedPoints {
 
   explicit OwnedPoints(EnumerationWorkspace& own) : labels_(own.labels), bits_(own.owned_bits) {}
 
+  /// Finds the points that the tile owns. Requires: the coordinates of this tile; fewer than 2³⁰ points.
   void find(const Tile& tile, const TileCoordinates& at) {
     const std::size_t n = tile.points.size();
     if (labels_.size() < n + padding) labels_.resize(n + padding);
@@ -58,9 +59,10 @@ class OwnedPoints {
             hn::GetLane(hn::MinOfLanes(d, y_low)), hn::GetLane(hn::MaxOfLanes(d, y_high))};
   }
 
+  /// Returns their box, in the coordinates of the tile; low = ∞, high = −∞ if there are none.
   const Box& box() const { return box_; }
 
-  /// Returns the owned bits of at least word − 1 points, from `point` on.
+  /// Returns the owned bits of `word` points, from `point` on; 0 after the last.
   HWY_INLINE Bits from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
     return bits_[first] >> skipped | bits_[first + 1] << 1 << (word - 1 - skipped);

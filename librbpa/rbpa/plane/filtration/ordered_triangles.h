@@ -9,12 +9,11 @@
 namespace rbpa {
 
 /// Returns the triangles in a given order: triangle i is number order[i] of the arrays, and neighbors are numbers in
-/// this order. A pass over them then reads memory sequentially, and of two neighbors the one with the smaller number
-/// comes first.
+/// this order. A pass over them then reads memory sequentially. Requires: each triangle once in `order`. Cost: linear.
 OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order);
 
-/// Returns for each point the number of triangles around it, all of which are missing in an empty complex, plus one for
-/// the boundary.
+/// Returns for each point the number of gaps around it before any triangle is there: one for each triangle, and one for
+/// each fan of triangles that ends at the boundary. Cost: linear.
 std::vector<std::uint32_t> gaps_of(const TriangleArrays& arrays, std::size_t points);
 
 }  // namespace rbpa

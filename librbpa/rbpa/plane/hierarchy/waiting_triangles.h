@@ -22,7 +22,7 @@ class WaitingTriangles {
   }
 
   /// Sorts the triangles by level after all have been added; those of a level stay in the order in which they were
-  /// added. No level is above `last`.
+  /// added. Requires: levels from 0 to `last`; one call.
   void sort(int last) {
     start_.assign(static_cast<std::size_t>(last) + 2, 0);
     for (const WaitingTriangle& t : added_) ++start_[static_cast<std::size_t>(t.level) + 1];
@@ -33,6 +33,7 @@ class WaitingTriangles {
     added_ = std::vector<WaitingTriangle>();  // = {} would keep the memory
   }
 
+  /// Returns the triangles of a level. Requires: sort() before; 0 ≤ level ≤ last.
   std::span<const Corners> of_level(int level) const {
     const auto at = static_cast<std::size_t>(level);
     return std::span(corners_).subspan(start_[at], start_[at + 1] - start_[at]);

@@ -3,7 +3,8 @@
 // How:  calls, as far as the options say, solid(), circumradii(), choose_solid_alpha(), within(), solid_boundary(),
 //       measure(), voids(), full_topology(), solid_components() and union_of_balls(), in this order.
 // Law:  a function of the points and options, not of the number of threads.
-// Cost: the sum of the steps. A rule, the full complex and `triangulation` need all tetrahedra of the points.
+// Cost: the sum of the steps. A rule, the full complex and `triangulation` need all tetrahedra of the points; `balls`
+//       computes them once more.
 #pragma once
 
 #include <cstdint>
@@ -40,15 +41,15 @@ struct MeasureSolidOptions {
   bool triangulation = false;  ///< keeps all tetrahedra and their radii even if neither a rule nor `full` needs them
   MaxThreads threads = 0;
   /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Then with 0 triangles: repeatedly
-  /// while the radius is chosen, the full complex is counted and the tetrahedra of the balls are computed; elsewhere
-  /// only between steps. Returning false cancels the run.
+  /// while the radius is chosen, the full complex of points not in a plane is counted and the tetrahedra of the balls
+  /// are computed; elsewhere only between steps. Returning false cancels the run.
   OnProgress progress = {};
   /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(SolidStep)> on_step = {};
 };
 
 struct MeasuredSolid {
-  Solid solid = {};
+  Solid solid = {};                         ///< at `alpha`; with neighbors if a boundary or all tetrahedra were needed
   double alpha = 0;                         ///< given or chosen; infinity if a rule finds no tetrahedron
   std::vector<SolidPlateau> plateaus = {};  ///< all of them, the best first, if the rule is `plateau`
   Solid triangulation = {};                 ///< all tetrahedra of the points, if they were needed

@@ -76,7 +76,7 @@ struct ReconstructionOptions {
   ComponentChoice components = {};        ///< a choice of shells requires the source `none`
   bool manifold = false;                  ///< takes the indexable_surface(), as `filled` and `watertight` do
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
-  bool watertight = false;                ///< makes the kept components watertight, in place of `filled`
+  bool watertight = false;                ///< make_watertight() of the kept components, in place of `filled`
   bool refine = false;                    ///< refines the fillings
   MaxThreads threads = 0;
   /// Called repeatedly, as the functions of the steps do; the number of triangles is that of the step. Returning false
@@ -95,17 +95,18 @@ struct Reconstruction {
   NormalSource source = NormalSource::given;
   std::vector<double> radii;  ///< given or chosen; empty if none could be chosen, as there is no triangle at any radius
   std::size_t distinct = 0;   ///< number of distinct points over which the ball rolled
-  std::size_t scale_space = 0;  ///< number of steps
-  Outliers outliers = {};       ///< points left out
-  std::vector<UnusedPoint> unused = {};
+  std::size_t scale_space = 0;           ///< number of steps
+  Outliers outliers = {};                ///< points left out
+  std::vector<UnusedPoint> unused = {};  ///< with `explain` or `repairs`: before components are dropped
   /// A radius with triangles where the given radii have none; absent: auto_radii() have none either, or it was not
   /// looked for.
   std::optional<double> larger_ball = {};
   /// The components, with measures by `points`. Computed, as are `holes` and `kinds`, only with `explain`, `repairs`,
   /// `manifold`, `filled`, `watertight` or a choice of components.
   SurfaceComponents components = {};
-  /// The boundary curves. Causes are known only with `explain` or `repairs`, and otherwise have their default. Lengths
-  /// are those between the points over which the ball rolled, unless fillings were refined: then by `points`.
+  /// The boundary curves. Causes are known only with `explain` or `repairs`, and without `watertight`; edges that
+  /// became boundary later have none. An edge without a known cause has the default one. Lengths are those between the
+  /// points over which the ball rolled, unless fillings were refined: then by `points`.
   std::vector<Hole> holes = {};
   std::vector<CurveKind> kinds = {};  ///< for each of `holes`
   /// With `repairs`, one entry for each of `holes`; absent if its kind is not `hole`. The repair is of kind `none` also
@@ -114,7 +115,7 @@ struct Reconstruction {
   DroppedComponents dropped = {};       ///< all 0, the totals too, if nothing was dropped, except with `watertight`
   std::vector<HoleFill> fillings = {};  ///< of each hole that was to be filled
   std::vector<bool> filled = {};        ///< for each triangle whether it fills a hole; empty: none does
-  std::size_t given_up = 0;             ///< number of triangles that `watertight` removed
+  std::size_t given_up = 0;             ///< number of triangles removed by `watertight`, islands not counted
   AddedPoints added = {};               ///< points that refining added
   /// With `watertight`, the pairs of triangles that cross, sorted: the first most_crossing_pairs (watertight.h).
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};

@@ -1,5 +1,6 @@
 // What: splits boundary loops into simple loops, which visit no point twice.
-// Law:  a function of the points along each loop; it does not depend on where the loop begins.
+// Law:  the points of the result are a function of the points along each loop, not of where it begins.
+// Cost: n log n for a loop of n edges; quadratic at worst, if points repeat.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace rbpa::space {
 /// Where the two differ, they are at the same point.
 struct LoopCorner {
   std::uint32_t in, out;
-  std::uint32_t edge;  ///< the edge after it, by number in the whole loop
+  std::uint32_t edge;  ///< the edge after it, by number in the whole loop as given
 };
 
 struct SimpleLoop {
@@ -22,7 +23,8 @@ struct SimpleLoop {
   std::vector<LoopCorner> corners;
 };
 
-/// Cuts each loop at points that it visits again: the part in between becomes a loop of its own. Returns the simple
+/// Cuts each loop at points that it visits again: the part in between becomes a loop of its own, perhaps of two
+/// corners. Returns the simple
 /// loops, sorted by number of corners, then by their points.
 std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops);
 
