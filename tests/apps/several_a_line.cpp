@@ -17,7 +17,7 @@ namespace {
 constexpr const char* words[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
 constexpr const char* faces[] = {"3 0 2 1", "3 0 1 3", "3 0 3 2", "3 1 2 3"};
 
-/// Returns strings with a number of them on each line.
+/// Returns the texts as lines, `a_line` of them on each.
 template <std::size_t count>
 std::string rows(const char* const (&texts)[count], std::size_t a_line) {
   std::string result;

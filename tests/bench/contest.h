@@ -34,9 +34,9 @@ Method hrbpa(std::size_t leaf_capacity = rbpa::usual_leaf_capacity);
 Method paper_rbpa();
 Method paper_hrbpa();
 
-/// Return CGAL's Delaunay triangulation with input indices, to a list of index triples; and its best case, the
-/// triangulation of a range of its own points, which it sorts, without indices. With a filter the result is a list of
-/// the triangles of circumradius at most alpha, in plain double arithmetic.
+/// Return CGAL's Delaunay triangulation as methods: of points with input indices, to a list of index triples; and of
+/// points alone, which CGAL sorts itself, its best case. The filtered ones list only triangles of circumradius at most
+/// alpha, compared in plain double arithmetic.
 Method cgal_indices();
 Method cgal_indices_filtered();
 Method cgal_points();

@@ -54,7 +54,7 @@ class Condition {
   /// text selects all points. Requires: no two equal columns. Throws WrongUsage.
   Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
             std::string_view option = "--where");
-  /// Parses a condition, and adds the key and the radius of points in groups, as far as `columns` names them, as
+  /// Parses a condition, and adds the columns for the key and the radius of groups, if `columns` names them, to
   /// columns(). If fields may be texts, keys are texts even if they look like numbers. Throws WrongUsage.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 

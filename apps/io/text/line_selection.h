@@ -69,8 +69,8 @@ class LineSelection {
     return true;
   }
 
-  /// Returns for each of the condition's columns that holds texts the distinct texts, which column_values() numbers
-  /// from 0.
+  /// Returns for each of the condition's columns its distinct texts, in the order of their numbers in column_values();
+  /// nothing for a column of numbers, or one that the file does not have.
   std::vector<std::optional<std::vector<std::string>>> take_texts() {
     std::vector<std::optional<std::vector<std::string>>> all;
     for (std::size_t k = 0; k < kinds_.size(); ++k)

@@ -56,7 +56,7 @@ std::string npy(const std::string& descr, bool columns_first, std::size_t rows, 
                              data);
 }
 
-// More than a block, and more than a piece of text.
+// Number of points: more than a block has, and, written as text, more than one piece of a file.
 constexpr std::size_t many = 150'000;
 
 std::string doubles(std::size_t count) {

@@ -62,7 +62,7 @@ class PointStars {
   TetrahedraAt at_;
 };
 
-/// An end of an edge at a tetrahedron, seen from the other end.
+/// An edge at a given point, in one of its tetrahedra: the point at its other end, and the offset of that end.
 struct EdgeEnd {
   std::uint32_t point;
   std::array<std::int8_t, 3> apart;  // in boxes

@@ -1,4 +1,4 @@
-// What: sides of triangles that share vertices, and their boundary; by sorting the sides.
+// What: the sides of triangles that are given by vertex numbers alone, and the loops of their boundary.
 // Cost: a sort of the sides.
 #pragma once
 
