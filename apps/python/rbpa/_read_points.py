@@ -71,7 +71,7 @@ def read_points(
     >>> trees.points.tolist(), trees.fields["height"].tolist()
     ([[0.0, 1.0], [2.0, 3.0]], [20.0, 17.0])
     """
-    wanted = dict(fields) if isinstance(fields, Mapping) else dict.fromkeys([fields] if isinstance(fields, str) else fields)
+    wanted: dict[str, Any] = dict(fields) if isinstance(fields, Mapping) else dict.fromkeys([fields] if isinstance(fields, str) else fields)
     kinds = {None: "", float: "number", int: "number", str: "text"}
     for name, kind in wanted.items():
         if kind not in kinds:

@@ -91,8 +91,9 @@ def surface(
         vectors = as_points(aligned(normals, index_of(points), "normals"), "normals", columns=3)
     made = _core.reconstruct(array, vectors, estimates, radii, float(max_radius), workers, progress)
     if estimates:
-        vectors = made.pop("normals")
-        freeze(vectors)
+        estimated = made.pop("normals")
+        freeze(estimated)
+        vectors = estimated
     return Surface(array, vectors, made.pop("radii"), made)
 
 
