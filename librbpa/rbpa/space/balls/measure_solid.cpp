@@ -13,11 +13,9 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
   const bool needs_all = options.alpha.rule != AlphaRule::given || options.full || options.triangulation;
   const bool has_boundary = options.boundary || options.counts || options.components;
   const GoOn go_on = go_on_of(options.progress, points.size());
-  const auto check = [&] {
-    if (go_on && !go_on()) throw Cancelled();
-  };
+  const Checkpoint check = checkpoint_of(go_on);
   const auto begin = [&](SolidStep step) {
-    check();
+    if (check) check();
     if (options.on_step) options.on_step(step);
   };
 
@@ -46,7 +44,7 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
     Voids found = voids(points, made.solid, made.boundary);
     made.counts = found.counts;
     made.voids = std::move(found.all);
-    check();
+    if (check) check();
   }
   if (options.full) {
     FullTopology full = full_topology(points, made.triangulation, made.radii, made.alpha, options.threads, go_on);
