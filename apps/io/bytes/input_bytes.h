@@ -21,8 +21,8 @@ class InputBytes {
  public:
   /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file: at most to a fifth of the available
   /// memory, and beyond 64 MiB at most to 500 times its compressed size, which only long runs of one byte exceed. In
-  /// messages, `expected` says what the file should hold. Throws BadInput if there is no such file, if it decompresses
-  /// to more, or if a regular file changes while it is read; Failure if reading fails; Cancelled.
+  /// messages, `expected` is the noun for what the file should contain. Throws BadInput if there is no such file, if it
+  /// decompresses to more, or if a regular file changes while it is read; Failure if reading fails; Cancelled.
   InputBytes(const std::string& name, const std::string& expected, const Decompression& how = {});
 
   std::string_view bytes() const { return {data_.get(), size_}; }

@@ -78,7 +78,7 @@ struct WholeNumbers {
 };
 
 /// Parses the argument of `option`: decimal digits and nothing else, a number within `allowed`. Throws WrongUsage with
-/// the text and the bounds; `things` says what is counted ("points").
+/// the text and the bounds; `things` is the noun for what is counted ("points").
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things = "");
 

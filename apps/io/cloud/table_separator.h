@@ -26,8 +26,8 @@ struct SeparatorChoice {
 /// The size of the text, in bytes, by which the separator is chosen.
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
-/// Returns the separator of the table that begins with `text`, of which the first separator_sample bytes count. `said`:
-/// the separator by "sep="; `by_most`: the first line may be no line of the table.
+/// Returns the separator of the table that begins with `text`. Only the first separator_sample bytes count. `said`: the
+/// separator by "sep="; `by_most`: the first line may be no line of the table.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 

@@ -173,7 +173,7 @@ class Reconstructing {
     return options;
   }
   SurfaceOptions begin(Step step) const { return begin(step, SurfaceOptions()); }
-  /// Begins a step of other work, and returns whether to go on.
+  /// Begins a step of other work, and returns the callback that may cancel it.
   GoOn counting() const {
     if (options_.on_step) options_.on_step(Step::counting);
     return go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size());

@@ -142,8 +142,8 @@ bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals,
 }
 
 /// Returns whether it is worthwhile to compute the sides of all points. A sample over the whole surface finds a wrong
-/// side of solids of any thickness. Open terrain, however, has crests and valleys, each of which the sample sees from
-/// one side; there a smaller ball sees both sides. The sides of a thin sheet contradict each other in any sample, but
+/// side of solids of any thickness. Open terrain, however, has crests and valleys: the sample sees each from one
+/// side, a smaller ball sees both sides. The sides of a thin sheet contradict each other in any sample, but
 /// they are equally far apart only in pieces that contain all points.
 bool is_worth_looking(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options) {
   constexpr std::size_t share = 8, least = 500, most = 4000, pieces = 3, piece = 1000;    // points
