@@ -94,9 +94,9 @@ FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
       chosen_loops(fans, parts.stands_on, choice, result.report.not_chosen);
   if (loops.empty()) return result;
   const Obstacles obstacles = obstacles_of(parts.soup, fans.points);
+  const GoOn go_on = until_interrupted();
   const HoleFilling filling =
-      fill_holes(obstacles.points, obstacles.triangles, loops,
-                 {.progress = [go_on = until_interrupted()](const Progress&) { return go_on(); }});
+      fill_holes(obstacles.points, obstacles.triangles, loops, {.progress = on_progress_of(go_on)});
   result.report.counts = count(filling.loops);
 
   meshops::DisjointSets sets(mesh.positions.size());

@@ -34,6 +34,13 @@ inline GoOn go_on_of(const OnProgress& progress, std::size_t points, std::size_t
   return [&progress, points, triangles] { return progress({triangles, points}); };
 }
 
+/// Returns a function that ignores the counts and calls `go_on`. The result is empty if `go_on` is; else it keeps a
+/// reference to `go_on`.
+inline OnProgress on_progress_of(const GoOn& go_on) {
+  if (!go_on) return {};
+  return [&go_on](const Progress&) { return go_on(); };
+}
+
 /// Returns a function that throws Cancelled when `go_on` returns false. The result is empty if `go_on` is.
 inline Checkpoint checkpoint_of(GoOn go_on) {
   if (!go_on) return {};

@@ -141,9 +141,8 @@ std::vector<double> values_on_filling(const Filling& filling, std::span<const do
     if (inside[g].empty()) continue;
     const std::size_t first = groups.empty() ? 0 : groups[g],
                       last = g + 1 < groups.size() ? groups[g + 1] : filling.polygons.size();
-    FillOptions without_points{.size = std::numeric_limits<double>::infinity()};
-    if (go_on) without_points.progress = [&](const Progress&) { return go_on(); };
-    const Filling coarse = fill(boundary, std::span(filling.polygons).subspan(first, last - first), without_points);
+    const Filling coarse = fill(boundary, std::span(filling.polygons).subspan(first, last - first),
+                                {.size = std::numeric_limits<double>::infinity(), .progress = on_progress_of(go_on)});
     const std::vector<std::uint32_t> around = triangles_around(filling.points, coarse, inside[g], step);
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Triangle& corner = coarse.triangles[around[i]];

@@ -55,9 +55,7 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
   if (options.components) made.components = solid_components(points, made.solid, made.boundary).all;
   if (options.balls && std::isfinite(made.alpha)) {
     begin(SolidStep::balls);
-    OnProgress progress;
-    if (go_on) progress = [&go_on](const Progress&) { return go_on(); };
-    made.balls = union_of_balls(points, made.alpha, {.threads = options.threads, .progress = std::move(progress)});
+    made.balls = union_of_balls(points, made.alpha, {.threads = options.threads, .progress = on_progress_of(go_on)});
   }
   return made;
 }

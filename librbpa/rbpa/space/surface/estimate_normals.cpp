@@ -54,17 +54,15 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
 template <typename Real>
 EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_confidence) {
   const std::size_t count = points.size();
-  const Checkpoint go_on = checkpoint_of(options.progress, count);
+  const GoOn going = go_on_of(options.progress, count);
+  const Checkpoint go_on = checkpoint_of(going);
   Threads threads(count < 1000 ? 1 : options.threads);  // for few points another thread starts too late
   auto [near, normals, confidence] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
     space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
     space::OuterSides sides;
     if constexpr (std::is_same_v<Real, double>) {  // other points do not fit the sums of areas either
-      const auto watch = [&options, count](const Progress&) {
-        return !options.progress || options.progress({0, count});
-      };
-      sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = watch});
+      sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = on_progress_of(going)});
       if (!sides.empty()) tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
     }
     if (with_confidence) {
