@@ -19,6 +19,11 @@ class MESHOPS_API Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
+/// Calls the function, unless it is empty. Throws Cancelled when it returns false.
+inline void stop_if_cancelled(const GoOn& go_on) {
+  if (go_on && !go_on()) throw Cancelled();
+}
+
 /// Counts the steps of loops, of tens to hundreds of nanoseconds each, and calls the progress function once every 16384
 /// steps.
 class Steps {
@@ -35,7 +40,7 @@ class Steps {
  private:
   void check() {
     left_ = interval;
-    if (go_on_ && !go_on_()) throw Cancelled();
+    stop_if_cancelled(go_on_);
   }
 
   static constexpr std::size_t interval = 16384;

@@ -24,8 +24,14 @@ struct Progress {
 using OnProgress = std::function<bool(const Progress&)>;
 /// OnProgress without its argument, as in libmeshops.
 using meshops::GoOn;
+using meshops::stop_if_cancelled;
 /// Function that a run calls every few milliseconds. It throws Cancelled to end the run. An empty one is never called.
 using Checkpoint = std::function<void()>;
+
+/// Calls `progress` with these counts, unless it is empty. Throws Cancelled when it returns false.
+inline void stop_if_cancelled(const OnProgress& progress, const Progress& counts) {
+  if (progress && !progress(counts)) throw Cancelled();
+}
 
 /// Returns a function that calls `progress` with these counts, and returns whether to continue. The result is empty if
 /// `progress` is; else it keeps a reference to `progress`.
@@ -44,9 +50,7 @@ inline OnProgress on_progress_of(const GoOn& go_on) {
 /// Returns a function that throws Cancelled when `go_on` returns false. The result is empty if `go_on` is.
 inline Checkpoint checkpoint_of(GoOn go_on) {
   if (!go_on) return {};
-  return [go_on = std::move(go_on)] {
-    if (!go_on()) throw Cancelled();
-  };
+  return [go_on = std::move(go_on)] { stop_if_cancelled(go_on); };
 }
 /// Returns a function that calls `progress` with these counts, and throws Cancelled when it returns false. The result
 /// is empty if `progress` is; else it keeps a reference to `progress`.

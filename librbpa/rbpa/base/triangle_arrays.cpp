@@ -4,7 +4,6 @@
 #include <string>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/error.h"
 
 namespace rbpa {
 namespace {
@@ -32,7 +31,7 @@ bool is_triangle(const Triangle& corners, std::size_t points) {
 void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on) {
   meshops::require_one_each("neighbors", arrays.neighbors.size(), "rows", arrays.triangles.size(), "triangles");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
-    if (t % 65536 == 0 && go_on && !go_on()) throw Cancelled();
+    if (t % 65536 == 0) stop_if_cancelled(go_on);
     if (!is_triangle(arrays.triangles[t], points))
       throw meshops::ContractViolation("triangle " + std::to_string(t) +
                                        ": expected three different indices of points, below " + std::to_string(points));

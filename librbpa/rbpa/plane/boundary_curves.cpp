@@ -1,7 +1,6 @@
 #include "rbpa/plane/boundary_curves.h"
 
 #include "rbpa/base/arrays/boundary_walk.h"
-#include "rbpa/base/error.h"
 
 namespace rbpa {
 
@@ -9,7 +8,7 @@ std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of
   BoundaryWalk walk(of);
   std::vector<std::vector<std::uint32_t>> curves;
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
-    if (t % 16384 == 0 && go_on && !go_on()) throw Cancelled();
+    if (t % 16384 == 0) stop_if_cancelled(go_on);
     for (std::size_t across = 0; across < 3; ++across)
       if (walk.is_new({t, across})) curves.push_back(walk.curve_from({t, across}));
   }

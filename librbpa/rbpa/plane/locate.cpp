@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/base/progress.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/plane/arrays/natural_neighbors.h"
 #include "rbpa/plane/grid/sites.h"
@@ -262,14 +262,12 @@ template <typename Begin>
 void for_each_query(std::size_t queries, unsigned most_threads, const GoOn& go_on, Begin begin) {
   constexpr std::size_t queries_at_a_time = 4096;
   Threads threads = threads_for(queries, most_threads);
-  std::mutex calling;
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(threads, queries, queries_at_a_time, [&](std::size_t first, std::size_t last) {
     auto visit = begin();
     std::uint32_t found = no_index;
     for (std::size_t i = first; i < last; ++i) found = visit(i, found);
-    if (!go_on) return;
-    const std::lock_guard lock(calling);
-    if (!go_on()) throw Cancelled();
+    checkpoint();
   });
 }
 

@@ -3,7 +3,6 @@
 
 #include <mutex>
 
-#include "rbpa/base/error.h"
 #include "rbpa/base/progress.h"
 
 namespace rbpa {
@@ -17,7 +16,7 @@ class CheckpointOfThreads {
   void operator()() {
     if (!go_on_) return;
     const std::lock_guard<std::mutex> lock(one_call_);
-    if (!go_on_()) throw Cancelled();
+    stop_if_cancelled(go_on_);
   }
 
  private:

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <vector>
 
-#include "rbpa/base/error.h"
 #include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/divide/delaunay_edges.h"
 #include "rbpa/plane/predicate/window.h"
@@ -162,7 +161,7 @@ bool triangulate_small_set(std::span<const Point> points, double alpha, const Al
     triangles.sort(result.triangles, options.neighbors || options.boundary ? &result.neighbors : nullptr);
   }
   result.isolated = isolated_in(result, points.size());
-  if (options.progress && !options.progress({result.triangles.size(), result.distinct})) throw Cancelled();
+  stop_if_cancelled(options.progress, {result.triangles.size(), result.distinct});
   return true;
 }
 

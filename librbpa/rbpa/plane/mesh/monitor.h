@@ -10,7 +10,6 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/validate.h"
 #include "meshops/front/visitor.h"
-#include "rbpa/base/error.h"
 #include "rbpa/base/progress.h"
 
 namespace rbpa {
@@ -30,9 +29,7 @@ class Monitor : public meshops::FrontVisitor {
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
   /// Reports that many triangles were added at once, and their number so far.
-  void worked(std::size_t triangles) {
-    if (progress_) checkpoint(triangles);
-  }
+  void worked(std::size_t triangles) { stop_if_cancelled(progress_, {triangles, points_}); }
 
   /// Reports a mesh that was made at once.
   void completed(const meshops::Connectivity& mesh) {
@@ -60,14 +57,11 @@ class Monitor : public meshops::FrontVisitor {
     last_ = now;
     stride_ = passed < std::chrono::milliseconds(1) ? std::min(2 * stride_, longest_stride)
                                                     : std::max(stride_ / 4, std::size_t{1});
-    checkpoint(front.faces());
+    stop_if_cancelled(progress_, {front.faces(), points_});
   }
   static void validate(const meshops::Connectivity& mesh) {
     const auto defects = meshops::validate(mesh);
     if (!defects.empty()) throw meshops::ContractViolation("rbpa: " + meshops::describe(defects.front()));
-  }
-  void checkpoint(std::size_t triangles) {
-    if (!progress_({triangles, points_})) throw Cancelled();
   }
 
   static constexpr std::size_t longest_stride = 1024;

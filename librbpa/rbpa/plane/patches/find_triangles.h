@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "rbpa/base/error.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/patches/for_each_patch.h"
@@ -19,9 +18,7 @@ struct ListSink {
   void prepare(const TilePatch& tile, Share& share) { list.prepare(tile.patch, share); }
   void place(const TilePatch& tile, Share& share) { list.place(tile.patch, share); }
   void fill(const TilePatch& tile, Share& share) { list.fill(tile.patch, share); }
-  void worked() {
-    if (progress && !progress({list.size(), points})) throw Cancelled();
-  }
+  void worked() { stop_if_cancelled(progress, {list.size(), points}); }
 
   List& list;
   std::size_t points;

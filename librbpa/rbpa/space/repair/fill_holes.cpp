@@ -82,13 +82,13 @@ class Closing {
     std::vector<std::vector<Chord>> taken(loops_.size());
     for_each_index(threads_, loops_.size(), [&](std::size_t i) {
       if (rims_[i].size() < 3) return;
-      if (!go_on_()) throw meshops::Cancelled();
+      stop_if_cancelled(go_on_);
       meshops::Steps step(go_on_);
       taken[i] = around_.taken_chords(loops_[i]);
       first[i] = space::least_triangulation(rims_[i], space::candidate_chords(rims_[i], step), taken[i], {}, step);
     });
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
-      if (!go_on_()) throw meshops::Cancelled();
+      stop_if_cancelled(go_on_);
       close(i, std::move(first[i]), std::move(taken[i]));
     }
     assemble();

@@ -263,14 +263,11 @@ class Refining {
     Threads threads(options_.threads);
     std::mutex one_call;
     for_each_index(threads, patches_.size(), [&](std::size_t i) {
-      {
-        const std::lock_guard<std::mutex> lock(one_call);
-        if (go_on_ && !go_on_()) throw meshops::Cancelled();
-      }
       const GoOn go_on = [&] {
         const std::lock_guard<std::mutex> lock(one_call);
         return !go_on_ || go_on_();
       };
+      stop_if_cancelled(go_on);
       meshops::Steps step(go_on);
       refine(patches_[i], step);
     });

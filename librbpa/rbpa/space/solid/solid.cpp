@@ -98,7 +98,7 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
         if (gave_up) return;
         space::check_number_of(rows.corners.size() + w.found.tetrahedra.size());
         rows.corners.insert(rows.corners.end(), w.found.tetrahedra.begin(), w.found.tetrahedra.end());
-        if (options.progress && !options.progress({cells.first_in(part_begin[part + 1]), sites})) throw Cancelled();
+        stop_if_cancelled(options.progress, {cells.first_in(part_begin[part + 1]), sites});
       },
       [](std::size_t, Workspace&) {});
   if (gave_up) return false;
@@ -129,9 +129,7 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
   Threads threads = threads_for(points.size(), options.threads);
   std::function<void(std::size_t, std::size_t)> step;
   if (options.progress)
-    step = [&](std::size_t done, std::size_t all) {
-      if (!options.progress({done, all})) throw Cancelled();
-    };
+    step = [&](std::size_t done, std::size_t all) { stop_if_cancelled(options.progress, {done, all}); };
   space::TiledSolid found;
   if (!space::find_by_tiles(scaled, spread, scaled_alpha, threads, step, found)) return false;
   space::fill_in(std::move(found.rows), found.index, points.size(), options.neighbors, threads,

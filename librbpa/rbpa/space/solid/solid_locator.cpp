@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/orientation.h"
@@ -108,14 +107,12 @@ std::vector<std::uint32_t> SolidLocator::find(std::span<const Point3> queries,
                                               const SolidLocateOptions& options) const {
   std::vector<std::uint32_t> found(queries.size());
   Threads threads = threads_for(queries.size(), options.threads);
-  std::mutex mutex;
+  CheckpointOfThreads checkpoint(options.go_on);
   constexpr std::size_t queries_at_a_time = 1u << 10;
   for_each_part(threads, queries.size(), queries_at_a_time, [&](std::size_t begin, std::size_t end) {
     Walk walk;
     for (std::size_t i = begin; i < end; ++i) found[i] = find(queries[i], walk);
-    if (!options.go_on) return;
-    const std::lock_guard lock(mutex);
-    if (!options.go_on()) throw Cancelled();
+    checkpoint();
   });
   return found;
 }

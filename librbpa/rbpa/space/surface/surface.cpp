@@ -4,7 +4,6 @@
 #include <mutex>
 #include <utility>
 
-#include "rbpa/base/error.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
@@ -50,7 +49,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
           const std::lock_guard<std::mutex> lock(one_call);
           triangles += w.triangles;
         }
-        if (!go_on()) throw Cancelled();
+        stop_if_cancelled(go_on);
       },
       [](std::size_t, Workspace&) {});
   assembly.finish(input_points, threads, surface.triangles, surface.neighbors);
