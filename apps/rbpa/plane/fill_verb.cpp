@@ -17,7 +17,7 @@
 #include "plane/valid_features.h"
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
-#include "rbpa/fill/filling_values.h"
+#include "rbpa/filling_values.h"
 #include "shared/arguments.h"
 #include "shared/progress.h"
 #include "shared/run.h"

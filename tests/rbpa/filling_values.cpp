@@ -1,4 +1,4 @@
-#include "rbpa/fill/filling_values.h"
+#include "rbpa/filling_values.h"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
+#include "rbpa/fill.h"
 
 using namespace rbpa;
 

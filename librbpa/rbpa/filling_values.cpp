@@ -1,4 +1,4 @@
-#include "rbpa/fill/filling_values.h"
+#include "rbpa/filling_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,10 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/fill.h"
 #include "rbpa/fill/rings/plane_predicates.h"
 
 namespace rbpa {
-
-/// Repeats the declaration in rbpa/fill.h, as a file of rbpa/fill must not include a header of the root.
-RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
-
 namespace {
 
 constexpr std::uint32_t none = TriangleArrays::none;
