@@ -81,8 +81,6 @@ struct WholeCloud {
     made.points = with<Point3>(made.points, std::move(points));
     for (std::size_t i = input; i < made.points.size(); ++i) number.push_back(static_cast<std::uint32_t>(i));
     renumber(made, number);
-    for (auto& corners : made.added.between)
-      for (std::uint32_t& corner : corners) corner = number[corner];
   }
 };
 
@@ -370,6 +368,7 @@ void renumber(Reconstruction& made, std::span<const std::uint32_t> number) {
     for (std::uint32_t& corner : corners) corner = number[corner];
   };
   for (auto& triangle : made.surface.triangles) all(triangle);
+  for (auto& corners : made.added.between) all(corners);
   for (Duplicate& duplicate : made.surface.duplicates)
     duplicate = {number[duplicate.index], number[duplicate.stands_for]};
   for (UnusedPoint& point : made.unused) point.index = number[point.index];

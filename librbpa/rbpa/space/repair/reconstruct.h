@@ -131,7 +131,7 @@ struct Reconstruction {
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Reconstruction reconstruct(std::vector<Point3> points, ReconstructionOptions options = {});
 
-/// Replaces each point number i in the reconstruction by number[i], except in `added`; arrays keep their order.
+/// Replaces each point number i in the reconstruction by number[i]; arrays keep their order.
 /// Requires: ascending numbers, one for each point.
 RBPA_API void renumber(Reconstruction& made, std::span<const std::uint32_t> number);
 
